@@ -32,7 +32,7 @@ struct AnalysisInput {
   const Program& recursive;  ///< the functions that AnalysisRow::outputs requests
   /// The name of an [[equilibrium]]: only this point is analysed. An empty name means the start of
   /// the coordinates. None: find all equilibria.
-  const std::optional<std::string>& about;
+  const std::optional<std::string>& equilibrium_name;
   const Limits& limits;
 };
 
@@ -51,18 +51,19 @@ struct CosineAndSine {
   Fraction sine = {};
 };
 
-/// The value of a coordinate at an equilibrium, in 64 digits. `form` is a closed form of the value,
-/// valid at all values of the parameters at which the form is defined; none if no closed form was
-/// found. If `is_any` is set, no equation at rest contains the coordinate, and `value` is the start
-/// of the coordinate.
-struct CoordinateAtRest {
-  bool is_any = false;
+/// The value of a coordinate at an equilibrium, in 64 digits. `closed_form` is a closed form of the
+/// value, valid at all values of the parameters at which the form is defined; none if no closed
+/// form was found. If `is_arbitrary` is set, no equation at rest contains the coordinate, and
+/// `value` is the start of the coordinate.
+struct RestCoordinate {
+  bool is_arbitrary = false;
   cln::cl_R value = 0;
-  std::optional<Fraction> form = {};
-  /// If `form` contains acos or asin: the argument of this function, which has to be in [-1, 1].
-  std::optional<Fraction> sinusoid = {};
-  /// If `form` contains acos or asin: the cosine and sine of the coordinate.
-  std::optional<CosineAndSine> sinusoids = {};
+  std::optional<Fraction> closed_form = {};
+  /// If `closed_form` contains acos or asin: the argument of this function, which has to be in [-1,
+  /// 1].
+  std::optional<Fraction> inverse_argument = {};
+  /// If `closed_form` contains acos or asin: the cosine and sine of the coordinate.
+  std::optional<CosineAndSine> cosine_and_sine = {};
 };
 
 enum class Stability : std::uint8_t {
@@ -71,11 +72,11 @@ enum class Stability : std::uint8_t {
   degenerate_minimum,  ///< stable: as `minimum`, but K is 0 along one coordinate
   decaying,            ///< stable: all poles have negative real parts
   unstable,            ///< unstable: a pole has a positive real part
-  open,                ///< undecided: the linear equations do not determine the stability
+  undecided,           ///< undecided: the linear equations do not determine the stability
 };
 
 [[nodiscard]] inline bool is_stable(Stability kind) {
-  return kind != Stability::unstable && kind != Stability::open;
+  return kind != Stability::unstable && kind != Stability::undecided;
 }
 
 /// The leading term of W along the coordinate in which K is 0: coefficient (q - q0)^order.
@@ -86,7 +87,7 @@ struct LeadingTerm {
 };
 
 struct StabilityVerdict {
-  Stability kind = Stability::open;
+  Stability kind = Stability::undecided;
   std::vector<double> growth_rates = {};  ///< 1/s, descending: positive real parts of poles
   bool is_degenerate = false;             ///< K is exactly singular
   std::optional<LeadingTerm> leading = {};
@@ -96,7 +97,7 @@ struct StabilityVerdict {
 /// G + D and K are n x n, and B is n x inputs. All matrices are row-major, in 64 digits.
 struct RestPoint {
   State state = {};  ///< v = 0, a = 0, u as in Equilibria::inputs
-  std::vector<CoordinateAtRest> coordinates = {};
+  std::vector<RestCoordinate> coordinates = {};
   bool is_exact = true;  ///< closed forms prove r = 0 for all values of the parameters
   std::vector<cln::cl_R> mass = {};
   std::vector<cln::cl_R> stiffness = {};
@@ -106,9 +107,9 @@ struct RestPoint {
 };
 
 /// The value of a coordinate at a point with r = 0 at which M is singular.
-struct ChartBreak {
+struct ChartSingularity {
   std::uint32_t coordinate = 0;
-  CoordinateAtRest at = {};
+  RestCoordinate value = {};
 };
 
 /// A box that the search leaves undecided: intervals of some coordinates that share equations. The
@@ -127,22 +128,22 @@ struct Equilibria {
   std::vector<SearchKind> kinds = {};    ///< by coordinate
   bool has_rest_kinetic_energy = false;  ///< T0 is not 0
   std::vector<RestPoint> points = {};
-  std::vector<ChartBreak> breaks = {};  ///< inside and outside the ranges
+  std::vector<ChartSingularity> chart_singularities = {};  ///< inside and outside the ranges
   Completeness completeness = Completeness::proved;
-  std::vector<UndecidedBox> undecided = {};
+  std::vector<UndecidedBox> undecided_boxes = {};
   std::uint64_t boxes = 0;   ///< number of boxes that the search examined
   std::uint64_t starts = 0;  ///< number of starts of Newton's method
   std::string limit = {};    ///< the limit that ended the search: "enclosures=420000000"
   std::vector<cln::cl_R> inputs = {};
   /// True: AnalysisInput::about gave the only point, and no other was searched.
-  bool is_given = false;
+  bool has_given_point = false;
 };
 
 /// The requests of the functions that find_equilibria() needs.
-[[nodiscard]] std::vector<OutputRequest> outputs_of_equilibria(const Model& model);
+[[nodiscard]] std::vector<OutputRequest> outputs_for_equilibria(const Model& model);
 
 /// All equilibria with a regular M at the parameter values of the scene, or only the given point.
-/// `recursive` has the functions of outputs_of_equilibria(). Inputs are 0 or the values of their
+/// `recursive` has the functions of outputs_for_equilibria(). Inputs are 0 or the values of their
 /// laws. Errors: E530, E531, E606 (a law that is no number at rest), E910 (more than 256
 /// equilibria). For a given point: E201, and E532 if the point has no value or the forces do not
 /// balance. Cost: at most limits.boxes boxes and limits.enclosures.
@@ -166,7 +167,7 @@ struct LinearMotions {
   std::vector<double> a = {};                    ///< 2n x 2n, row-major
   std::vector<double> b = {};                    ///< 2n x inputs
   /// The least rank of [A - pole 1, B] over the poles. If it is 2n, the system is controllable.
-  std::size_t controllable = 0;
+  std::size_t controllable_rank = 0;
 };
 
 /// The linear motions about some points of rest.
@@ -182,13 +183,13 @@ struct Modes {
 
 /// The kind of a symmetry (see Symmetry), by the parts of its generator that are not 0.
 enum class SymmetryKind : std::uint8_t {
-  coordinate,   ///< only b, a unit vector: one coordinate shifts
-  translation,  ///< only b: several coordinates shift by constants
-  boost,        ///< only c: coordinates shift by constants times t
-  rotation,     ///< only A, which is skew
-  turn,         ///< only s and b of rotations
-  other,        ///< any other combination
-  time,         ///< only dt
+  coordinate,     ///< only b, a unit vector: one coordinate shifts
+  translation,    ///< only b: several coordinates shift by constants
+  boost,          ///< only c: coordinates shift by constants times t
+  rotation,       ///< only A, which is skew
+  body_rotation,  ///< only s and b of rotations
+  other,          ///< any other combination
+  time,           ///< only dt
 };
 
 /// A change dq = A q + b + c t of the coordinates, with a constant dt, for which dL = dF/dt. A
@@ -197,20 +198,21 @@ enum class SymmetryKind : std::uint8_t {
 ///
 ///     I = dL/dv.dq - E dt - F,   dI/dt = (dq - v dt).(B u + Q - dD/dv)
 ///
-/// For the kind `time` the sign of I is reversed, I = E + F, and so are the signs of `by_names`,
-/// `closed`, `total`, `loss` and `rate`.
+/// For the kind `time` the sign of I is reversed, I = E + F, and so are the signs of
+/// `momentum_form`, `velocity_form`, `gauge_function`, `unforced_rate` and `rate`.
 struct Symmetry {
   SymmetryKind kind = SymmetryKind::other;
-  std::vector<Fraction> generator = {};     ///< A by rows; c; b; s and b of each rotation; dt
-  std::vector<Fraction> displacement = {};  ///< dq of every velocity
-  Fraction by_names = {};                   ///< I + F, over the leaves p and E instead of v
-  std::optional<Fraction> closed = {};      ///< I + F in closed form; none if no form is known
-  std::optional<Fraction> total = {};       ///< F (for `time` -F); none if it has no closed form
-  std::optional<Fraction> loss = {};        ///< dI/dt at u = 0; none if it has no closed form
-  std::optional<Fraction> rate = {};        ///< dI/dt; none if it has no closed form
-  bool is_rounded = false;  ///< some entry of the generator is rounded to six digits
-  bool is_special = false;  ///< a symmetry only at the parameter values of the scene
-  bool is_proved = false;   ///< closed forms prove dL = dF/dt
+  std::vector<Fraction> generator = {};        ///< A by rows; c; b; s and b of each rotation; dt
+  std::vector<Fraction> displacement = {};     ///< dq of every velocity
+  Fraction momentum_form = {};                 ///< I + F, over the leaves p and E instead of v
+  std::optional<Fraction> velocity_form = {};  ///< I + F in closed form; none if no form is known
+  std::optional<Fraction> gauge_function =
+      {};                                      ///< F (for `time` -F); none if it has no closed form
+  std::optional<Fraction> unforced_rate = {};  ///< dI/dt at u = 0; none if it has no closed form
+  std::optional<Fraction> rate = {};           ///< dI/dt; none if it has no closed form
+  bool is_rounded = false;         ///< some entry of the generator is rounded to six digits
+  bool is_at_values_only = false;  ///< a symmetry only at the parameter values of the scene
+  bool is_proved = false;          ///< closed forms prove dL = dF/dt
 };
 
 struct Symmetries {
@@ -226,15 +228,15 @@ struct Symmetries {
   /// parameters. None if the list is complete.
   std::optional<std::size_t> sampled_elsewhere = {};
   bool loses_energy = false;  ///< E is conserved, but T + V is not
-  std::vector<Symmetry> all = {};
+  std::vector<Symmetry> symmetries = {};
 };
 
 /// The requests of the functions that find_symmetries() needs.
-[[nodiscard]] std::vector<OutputRequest> outputs_of_symmetries(const Model& model);
+[[nodiscard]] std::vector<OutputRequest> outputs_for_symmetries(const Model& model);
 
 /// A basis of the symmetries of L; forces, dissipation and inputs are ignored. `recursive` has the
-/// functions of outputs_of_symmetries(). E910: a generator has more than 500 entries. Cost: 3 n + 1
-/// derivatives of the residual of Lagrange's equations; closed forms within budgets of 4e6 term
+/// functions of outputs_for_symmetries(). E910: a generator has more than 500 entries. Cost: 3 n +
+/// 1 derivatives of the residual of Lagrange's equations; closed forms within budgets of 4e6 term
 /// products; samples at up to four sets of parameters.
 [[nodiscard]] Result<Symmetries> find_symmetries(const AnalysisInput& input);
 
@@ -243,14 +245,14 @@ enum class ClaimStatus : std::uint8_t {
   proved,   ///< by closed forms, for all values of the parameters
   sampled,  ///< true at random values of the parameters
   wrong,
-  open,  ///< undecided: the claim has no value at any parameters that were tried
+  undecided,  ///< undecided: the claim has no value at any parameters that were tried
 };
 
 /// The verdicts on the two claims of an [[equilibrium]]: bias(q, 0) = B u at the point; and
 /// det(x M - K)/det M is the product of x - w^2 over the stated frequencies w.
 struct EquilibriumVerdict {
   std::string name = {};
-  ClaimStatus balance = ClaimStatus::open;
+  ClaimStatus balance = ClaimStatus::undecided;
   std::optional<ClaimStatus> frequencies = {};  ///< none: the model states no frequencies
   std::string witness = {};                     ///< a state at which the claim is wrong
 };

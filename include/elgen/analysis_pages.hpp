@@ -29,7 +29,7 @@ namespace elgen {
 
 /// `form` in its shortest notation, in the symbols of `model`. None if `form` is none, or if the
 /// notation is too long to read.
-[[nodiscard]] std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
-                                               const std::optional<Fraction>& form);
+[[nodiscard]] std::optional<Formula> readable_formula(const Model& model, const Algebra& algebra,
+                                                      const std::optional<Fraction>& form);
 
 }  // namespace elgen

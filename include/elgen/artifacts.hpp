@@ -17,13 +17,13 @@ enum class ArtifactId : std::uint8_t {
 
 /// One Row per kind of file, in a member with the name of the kind.
 template <class Row>
-struct PerArtifact {
+struct ArtifactTable {
 #define ELGEN_ARTIFACT(kind) Row kind;
 #include "elgen/artifacts.def"
 
   [[nodiscard]] constexpr const Row& operator[](ArtifactId id) const {
-    constexpr Row PerArtifact::*members[] = {
-#define ELGEN_ARTIFACT(kind) &PerArtifact::kind,
+    constexpr Row ArtifactTable::*members[] = {
+#define ELGEN_ARTIFACT(kind) &ArtifactTable::kind,
 #include "elgen/artifacts.def"
     };
     return this->*members[static_cast<std::size_t>(id)];
@@ -31,19 +31,19 @@ struct PerArtifact {
 };
 
 struct ArtifactRow {
-  std::string_view ending;  ///< end of the path; empty: the file extension of the language
-  bool (*is_wanted)(const Scene& scene);
+  std::string_view path_suffix;  ///< end of the path; empty: the file extension of the language
+  bool (*is_requested)(const Scene& scene);
 };
 
-inline constexpr PerArtifact<ArtifactRow> artifact_table{
+inline constexpr ArtifactTable<ArtifactRow> artifact_table{
     .cpp = {".hpp", [](const Scene& s) { return s.emission.language == LanguageId::cpp; }},
-    .eigen = {"_eigen.hpp", [](const Scene& s) { return s.emission.eigen; }},
-    .batch = {"_batch.hpp", [](const Scene& s) { return s.emission.batch; }},
+    .eigen = {"_eigen.hpp", [](const Scene& s) { return s.emission.has_eigen_header; }},
+    .batch = {"_batch.hpp", [](const Scene& s) { return s.emission.has_batch_header; }},
     .wide = {"_wide.hpp", [](const Scene& s) { return s.numerics.inner != InnerScalar::same; }},
     .c99 = {".h", [](const Scene& s) { return s.emission.language == LanguageId::c99; }},
     .source = {"", [](const Scene& s) { return language_row(s.emission.language).is_interpreted; }},
-    .sidecar = {".equations.json", [](const Scene& s) { return s.emission.equations; }},
-    .page = {".md", [](const Scene& s) { return s.emission.page; }}};
+    .sidecar = {".equations.json", [](const Scene& s) { return s.emission.has_sidecar; }},
+    .page = {".md", [](const Scene& s) { return s.emission.has_page; }}};
 
 struct Artifact {
   ArtifactId id = ArtifactId::cpp;
@@ -51,8 +51,8 @@ struct Artifact {
 };
 
 /// The artifacts that the scene requests, in the order of the table. Needs no derivation.
-[[nodiscard]] std::vector<Artifact> artifacts_of(const Scene& scene);
+[[nodiscard]] std::vector<Artifact> requested_artifacts(const Scene& scene);
 
-[[nodiscard]] std::string path_of(const Scene& scene, ArtifactId id);
+[[nodiscard]] std::string artifact_path(const Scene& scene, ArtifactId id);
 
 }  // namespace elgen

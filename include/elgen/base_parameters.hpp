@@ -28,17 +28,17 @@ struct WeightedParameter {
   cln::cl_R factor = 1;
 };
 
-/// The base parameter of a kept column: value = pi[parameter] + the sum of `others`.
+/// The base parameter of a kept column: value = pi[parameter] + the sum of `regrouped_terms`.
 struct BaseParameter {
   std::uint32_t parameter = 0;
-  std::vector<WeightedParameter> others = {};
+  std::vector<WeightedParameter> regrouped_terms = {};
   cln::cl_R value = 0;  ///< at the parameter values of the model
 };
 
 struct BaseParameters {
   std::vector<InertialParameter> parameters = {};
   std::vector<BaseParameter> base = {};
-  std::vector<std::uint32_t> without_effect = {};  ///< parameters with a zero column
+  std::vector<std::uint32_t> unidentifiable = {};  ///< parameters with a zero column
   std::size_t states = 0;                          ///< at which Y was evaluated
   /// True: factors are rational. False: they are floats, and factors below 1e-100 of the largest
   /// are 0.
@@ -46,7 +46,7 @@ struct BaseParameters {
 };
 
 /// The requests of the functions that find_base_parameters() needs.
-[[nodiscard]] std::vector<OutputRequest> outputs_of_base_parameters(const Model& model);
+[[nodiscard]] std::vector<OutputRequest> outputs_for_base_parameters(const Model& model);
 
 /// The base parameters, from Y at random states with the geometric parameters of the model. Y is
 /// computed in the finite field of 2^521 - 1 elements, in which ranks are exact. There the sine and

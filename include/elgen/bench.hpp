@@ -13,7 +13,7 @@
 namespace elgen {
 
 /// Limits and callbacks of the process that runs a bench.
-struct BenchProcess {
+struct BenchOptions {
   Limits limits = {};
   /// Called at the start of each stage, with its name.
   std::function<void(const std::string&)> on_stage = {};
@@ -21,48 +21,50 @@ struct BenchProcess {
 };
 
 /// A model, and its scene if any, reduced to one output.
-struct OutputBase {
+struct SingleOutputModel {
   CheckedModel checked = {};               ///< checked.scene requests only the output
   std::optional<FileSyntax> scene = {};    ///< none: no scene file
   std::vector<SourcePointer> ranges = {};  ///< in addition to the ranges of the scene
 
   /// The result refers to *this.
-  [[nodiscard]] DesignBase base() const { return {checked, scene ? &*scene : nullptr, {}, ranges}; }
+  [[nodiscard]] DesignSource design_source() const {
+    return {checked, scene ? &*scene : nullptr, {}, ranges};
+  }
 };
 
 /// The model and scene of `inputs`, reduced to `output`. If `output` is empty, the output is
 /// inverse_dynamics or, if the scene lacks it, the first output; warnings and notes on the model
 /// are then among the diagnostics. Errors: E601, E606, E630, E633, and the errors of check().
-[[nodiscard]] Result<OutputBase> read_output_base(const Inputs& inputs, const std::string& output,
-                                                  const std::vector<SourcePointer>& ranges,
-                                                  const Limits& limits);
+[[nodiscard]] Result<SingleOutputModel> read_single_output_model(
+    const PipelineSources& inputs, const std::string& output,
+    const std::vector<SourcePointer>& ranges, const Limits& limits);
 
 /// Removes all outputs except `outputs` from the scene and the program, for example the output
 /// `reaction` that a lock added.
 void keep_outputs(const std::vector<std::string>& outputs, Products& products);
 
 struct DesignRequest {
-  Inputs inputs = {};
-  std::string output = {};  ///< "": as for read_output_base()
+  PipelineSources inputs = {};
+  std::string output = {};  ///< "": as for read_single_output_model()
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
 };
 
 struct MeasuredTable {
-  TradeoffTable table = {};       ///< without ranks and Pareto front: see judged()
-  Diagnostics not_compiled = {};  ///< compiler errors of designs that the table lists as failed
+  TradeoffTable table = {};          ///< without ranks and Pareto front: see judged()
+  Diagnostics compiler_errors = {};  ///< compiler errors of designs that the table lists as failed
 };
 
 /// Costs and errors of the designs of one output. If request.output is empty, warnings of the model
 /// are among the diagnostics. Errors: E601, E603, E630, E631, E633, E644, E645, E704, and the
 /// errors of the pipeline.
 [[nodiscard]] Result<MeasuredTable> measure_designs(const DesignRequest& request,
-                                                    const BenchProcess& process);
+                                                    const BenchOptions& process);
 
 struct RunRequest {
-  Inputs inputs = {};
-  double time = 0;                   ///< length of the run in s
-  std::vector<double> lengths = {};  ///< step lengths in s; empty: a few defaults
+  PipelineSources inputs = {};
+  double duration = 0;                    ///< length of the run in s
+  std::vector<double> step_lengths = {};  ///< step lengths in s; empty: a few defaults
 };
 
 /// Costs and errors of runs from the start of the model. A run is projected onto the constraints
@@ -71,6 +73,6 @@ struct RunRequest {
 /// run, and the errors of the pipeline. Cost: one derivation and one compilation for each method
 /// and order.
 [[nodiscard]] Result<MeasuredTable> measure_runs(const RunRequest& request,
-                                                 const BenchProcess& process);
+                                                 const BenchOptions& process);
 
 }  // namespace elgen

@@ -27,12 +27,12 @@ enum class Verdict : std::uint8_t {
 };
 
 /// Why a state is skipped.
-enum class Obstacle : std::uint8_t {
+enum class SkipReason : std::uint8_t {
   overflow,   ///< an exact intermediate is near the scalar's largest number
   undefined,  ///< outside the domain: 1/0, sqrt(-1)
   singular,   ///< M is singular: a pole, a gimbal
-  unsettled,  ///< in 1000 digits, program and oracle still cannot be compared: 1 - cos(1e-300)
-  unmet,      ///< Newton's method does not put the state onto the constraints
+  undecided,  ///< in 1000 digits, program and oracle still cannot be compared: 1 - cos(1e-300)
+  off_constraints,  ///< Newton's method does not put the state onto the constraints
 };
 
 /// The evidence for a row of the certificate.
@@ -44,7 +44,7 @@ enum class Evidence : std::uint8_t {
 };
 
 struct SkippedStates {
-  Obstacle obstacle = Obstacle::overflow;
+  SkipReason reason = SkipReason::overflow;
   std::size_t states = 0;
   friend bool operator==(const SkippedStates&, const SkippedStates&) = default;
 };
@@ -58,14 +58,15 @@ struct CertificateRow {
   Evidence evidence = Evidence::states;
   std::size_t samples = 0;                  ///< number of states (or numbers) that were compared
   std::vector<SkippedStates> skipped = {};  ///< numbers of skipped states, by reason
-  std::size_t skipped_inside = 0;  ///< states inside the ranges, in double, that were skipped
+  std::size_t skipped_in_ranges = 0;  ///< states inside the ranges, in double, that were skipped
   /// max |x - x*| / (u R) over the entries x, R the scale of x; at most 10^(digits of the scalar).
   std::optional<double> loss = {};
   /// max |x - x*| / (u max |x*|), with the largest exact entry |x*| of the field of x.
   std::optional<double> loss_of_field = {};
-  std::string worst = {};      ///< the worst value as text, or the reason why nothing was compared
-  std::string where = {};      ///< the state of the worst value; empty without samples
-  std::string tolerance = {};  ///< the bound and its reason
+  std::string worst_value =
+      {};  ///< the worst value as text, or the reason why nothing was compared
+  std::string worst_state = {};  ///< the state of the worst value; empty without samples
+  std::string tolerance = {};    ///< the bound and its reason
   Verdict verdict = Verdict::holds;
   std::vector<std::string> findings = {};  ///< explanations of the wrong values of foreign code
 };
@@ -83,7 +84,7 @@ struct VerifyOptions {
   std::optional<std::size_t> samples = {};
   /// True: check only 16 random states and all extremes (fewer for long programs), check one
   /// contraction per output instead of all entries, and compile no code.
-  bool quick = false;
+  bool is_quick = false;
   std::uint64_t seed = 1;
   std::size_t jobs = 1;  ///< number of processes; the certificate does not depend on it
   /// Closed forms that prove [[expect]], parallel to the functions of the program. If the pointer
@@ -91,9 +92,9 @@ struct VerifyOptions {
   ClosedForms* forms = nullptr;
   /// True: lost digits are also measured outside the declared ranges. False: only inside them, and
   /// near zeros of typed sums.
-  bool extremes = false;
+  bool checks_extremes = false;
   /// The verdicts on every [[equilibrium]]; may be null.
-  const std::vector<EquilibriumVerdict>* claims = nullptr;
+  const std::vector<EquilibriumVerdict>* equilibrium_verdicts = nullptr;
   /// Called before each step of the work, with a text: "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
 };
@@ -111,7 +112,7 @@ struct Verification {
 [[nodiscard]] Verification verify(const Model& model, const Scene& scene, const Program& program,
                                   const CompiledHeaders& compiled, const VerifyOptions& options);
 
-[[nodiscard]] std::size_t count(const Certificate& certificate, Verdict verdict);
+[[nodiscard]] std::size_t count_rows(const Certificate& certificate, Verdict verdict);
 [[nodiscard]] bool holds(const Certificate& certificate);
 
 /// "cart_pole, scene balance: 41 checks hold, 0 fail, 2 skipped"; ", 1 noted" if a row is noted.
@@ -132,21 +133,22 @@ struct SelfCheck {
   std::optional<double> digits_lost = {};
   std::string failure = {};  ///< empty: passed; otherwise the output, the state and both values
   std::size_t sampled_zeros = 0;      ///< entries that depend on a zero found only by sampling
-  std::size_t outside = 0;            ///< states at which oracle and program both have no value
+  std::size_t undefined_states = 0;   ///< states at which oracle and program both have no value
   bool has_undefined_output = false;  ///< the check failed: an output has no value at any state
   std::optional<Span> place = {};     ///< the first expression of this output that has no value
   std::string remedy = {};            ///< a hint for this output
-  std::size_t inside = 0;             ///< checked states inside the ranges
-  std::size_t infinite = 0;  ///< states inside the ranges with a value that overflows double
+  std::size_t states_in_ranges = 0;   ///< checked states inside the ranges
+  std::size_t overflowing_states =
+      0;  ///< states inside the ranges with a value that overflows double
 };
 [[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program);
 
 /// "at most 0.4 digits lost", "no digit lost".
-[[nodiscard]] std::string lost_text(double digits);
+[[nodiscard]] std::string lost_digits_text(double digits);
 
 /// "compared with 60-digit arithmetic at 32 states; at most 0.4 digits lost", and if they apply:
 /// "; 3 outside the domain"; "; not finite in double at 11 of 16 states inside the ranges" (only
 /// for more than a tenth of the states); "2 entries rest on zeros found at 64 points, not proved".
-[[nodiscard]] std::string receipt(const SelfCheck& result);
+[[nodiscard]] std::string self_check_text(const SelfCheck& result);
 
 }  // namespace elgen

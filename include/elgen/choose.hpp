@@ -43,12 +43,12 @@ struct FormCosts {
   std::optional<double> closed_loss = {};
   /// The number of the first entry that every closed form computes inaccurately although the
   /// recursive form keeps its digits (choose/text_errors.hpp).
-  std::optional<std::size_t> inaccurate = {};
-  Form chosen = Form::recursive;
+  std::optional<std::size_t> inaccurate_entry = {};
+  Form chosen_form = Form::recursive;
   bool is_demanded = false;  ///< the scene demands this form at any cost
 };
 
-struct Choice {
+struct FormChoice {
   Program program = {};               ///< with `readable` filled in
   std::vector<FormCosts> costs = {};  ///< parallel to program.functions
 };
@@ -60,12 +60,12 @@ using SumZeros = std::vector<std::vector<double>>;
 /// avoids the loss of a quarter of the digits may cost a quarter more than the cheapest form. If
 /// `zeros` is given, forms are also compared near these states, and a form that keeps more digits
 /// may cost four times as much. E608: the demanded closed form is over budget.
-[[nodiscard]] Result<Choice> choose(const Program& recursive, const ClosedForms& forms,
-                                    const Domain& domain, const Scene& scene,
-                                    const SumZeros* zeros = nullptr);
+[[nodiscard]] Result<FormChoice> choose(const Program& recursive, const ClosedForms& forms,
+                                        const Domain& domain, const Scene& scene,
+                                        const SumZeros* zeros = nullptr);
 
 /// The reader for whom a closed form is written.
-enum class Reader : std::uint8_t {
+enum class Audience : std::uint8_t {
   code,    ///< one function for all entries, the cheapest form
   people,  ///< each entry separately, in its shortest form
 };
@@ -73,13 +73,13 @@ enum class Reader : std::uint8_t {
 /// Replaces functions by their closed forms if the closed forms are short enough: for code in
 /// `functions`, for people in `readable`. Unlike choose(), it does not compare costs and lost
 /// digits with the recursive form.
-[[nodiscard]] Program with_closed_forms(Program program, Reader reader,
-                                        const PresentBudget& budget = {});
+[[nodiscard]] Program with_closed_forms(Program program, Audience reader,
+                                        const ClosedFormBudget& budget = {});
 
 /// V and its derivatives (PotentialEquations) as rewritten for accuracy.
 struct RewrittenPotential {
   Program program = {};
-  bool has_slopes = true;  ///< derivatives of V are rewritten, not only V
+  bool has_derivatives = true;  ///< derivatives of V are rewritten, not only V
 };
 
 /// Rewrites V once for all functions that contain it. Typed sums are not expanded if this keeps
@@ -94,11 +94,11 @@ struct RewrittenPotential {
 /// each state, the values of V and its derivatives follow the open values of the model.
 [[nodiscard]] Domain with_open_potential(Domain domain, const Program& potential);
 
-/// Replaces the open values of V in the functions of `open` by V and its derivatives. These
+/// Replaces the open values of V in the functions of `open_choice` by V and its derivatives. These
 /// functions then replace the functions of the same names in `choice`, except their readable forms.
 /// `choice` does not change if a new function would lose digits that the old function keeps, for
 /// example if V cancels the weight of bodies.
-void insert_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
-                      Choice& choice);
+void insert_potential(const RewrittenPotential& potential, const FormChoice& open_choice,
+                      const Domain& domain, FormChoice& choice);
 
 }  // namespace elgen

@@ -40,7 +40,7 @@ enum class AtomKind : std::uint8_t {
   root,      ///< sqrt(argument), argument >= 0
   call,      ///< function(arguments)
   pi,
-  sum,  ///< a typed sum that is not expanded; its argument is its canonical form
+  unexpanded_sum,  ///< a typed sum that is not expanded; its argument is its canonical form
 };
 
 struct Atom {
@@ -56,7 +56,7 @@ struct Atom {
 /// The atoms and denominator factors to which fractions refer by number.
 struct Algebra {
   std::vector<Atom> atoms = {};
-  std::unordered_multimap<std::size_t, AtomId> known = {};  ///< atoms by their hash
+  std::unordered_multimap<std::size_t, AtomId> atoms_by_hash = {};  ///< atoms by their hash
   /// `shown`: the factor as first found. `normal`: the factor without its common monomial, scaled
   /// to the leading coefficient 1.
   struct Factor {
@@ -66,7 +66,7 @@ struct Algebra {
   std::vector<Factor> factors = {};
   /// The typed sums that are not expanded, each a function of one entry, as typed. Example: the
   /// expanded form of a^2 sin^2 + b^2 cos^2 is unreadable. Null if all sums are expanded.
-  std::shared_ptr<const Program> sums = {};
+  std::shared_ptr<const Program> unexpanded_sums = {};
   /// True: stumpff(x, k) with k > 0 is written as its quotient over powers of x, which has no value
   /// at x = 0.
   bool has_quotients = false;
@@ -91,7 +91,7 @@ struct ClosedForms {
 };
 
 /// Limits beyond which a form is dropped. `products`: products of two terms.
-struct PresentBudget {
+struct ClosedFormBudget {
   std::size_t products_per_function = 30'000;
   std::size_t products = 150'000;
   std::size_t terms = 4'000;  ///< of any intermediate sum
@@ -99,20 +99,20 @@ struct PresentBudget {
 
 /// The closed forms of the functions of a program. Cost: at most `budget`, about 0.4 us per
 /// product.
-[[nodiscard]] ClosedForms present(const Program& program, const PresentBudget& budget = {});
+[[nodiscard]] ClosedForms present(const Program& program, const ClosedFormBudget& budget = {});
 
 /// Closed forms in which stumpff(x, k), k > 0, is written as a quotient, valid for x != 0:
 /// sin(x)/x, (1 - cos(x))/x^2, and so on. The quotients reveal how stumpff depends on sines and
 /// cosines.
 [[nodiscard]] ClosedForms present_quotients(const Program& program,
-                                            const PresentBudget& budget = {});
+                                            const ClosedFormBudget& budget = {});
 
 /// Closed forms for proofs only: present_quotients() with exp, sinh, cosh and tanh written as
 /// powers of a few exponentials. The exponentials reveal the relations
 ///
 ///     exp(a + b) = exp(a) exp(b),  1/exp(-a) = exp(a),  tanh(a) = (exp(2 a) - 1)/(exp(2 a) + 1)
 [[nodiscard]] ClosedForms present_for_proofs(const Program& program,
-                                             const PresentBudget& budget = {});
+                                             const ClosedFormBudget& budget = {});
 
 /// True if the function is an opaque atom in present() but not in present_for_proofs().
 [[nodiscard]] bool is_rewritten_for_proofs(FunctionId function);
@@ -123,12 +123,13 @@ struct PresentBudget {
 ///
 ///     before    F*sqrt((x - 1)^2 + (y - 3/10)^2)
 ///     after     (x - 1)^2 + (y - 3/10)^2,   x - 1,   y - 3/10
-[[nodiscard]] Program typed_sums(const Program& program);
+[[nodiscard]] Program unexpanded_sums(const Program& program);
 
-/// Closed forms in which `whole_sums`, the functions of a typed_sums() program, stay unexpanded. A
-/// combination of several of them is expanded if that is shorter: (x + r) + (x - r) becomes 2 x.
-[[nodiscard]] ClosedForms present(const Program& program, Program whole_sums,
-                                  const PresentBudget& budget = {});
+/// Closed forms in which `unexpanded_sums`, the functions of a typed_sums() program, stay
+/// unexpanded. A combination of several of them is expanded if that is shorter: (x + r) + (x - r)
+/// becomes 2 x.
+[[nodiscard]] ClosedForms present(const Program& program, Program unexpanded_sums,
+                                  const ClosedFormBudget& budget = {});
 
 /// True if x - y is the empty sum, which proves x = y. False proves x != y only if neither contains
 /// roots or calls.
@@ -141,31 +142,31 @@ struct PresentBudget {
 
 /// The result of an attempt to prove that an entry is 0.
 enum class ZeroProof : std::uint8_t {
-  open,      ///< undecided
-  zero,      ///< the canonical form is the empty sum
-  not_zero,  ///< the form is not empty, and unique: it has only leaves, numbers, pi, sin and cos
+  undecided,  ///< undecided
+  zero,       ///< the canonical form is the empty sum
+  not_zero,   ///< the form is not empty, and unique: it has only leaves, numbers, pi, sin and cos
 };
 
 /// One result per entry of `function`, field by field. Entries that are open after present() are
 /// tried again with present_for_proofs(). A form over budget proves nothing. Cost: one or two
 /// closed forms per entry, within `budget`.
 [[nodiscard]] std::vector<ZeroProof> prove_zeros(const Program& program, Function function,
-                                                 const PresentBudget& budget = {});
+                                                 const ClosedFormBudget& budget = {});
 
 /// dq/dt = N(q) v of every coordinate; empty if the model has no rotation, because dq/dt is v.
 [[nodiscard]] std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model);
 
 /// The term f_i dx_i/dt of the rate of an open value f: f_i is its derivative by argument x_i.
-struct OpenTerm {
+struct OpenValueRateTerm {
   std::uint32_t derivative = 0;  ///< f_i, as the number of its leaf
   Fraction argument = {};        ///< x_i
 };
 
 /// For every open value f of a model, the terms of df/dt = sum_i f_i dx_i/dt. No terms if the rate
 /// is unknown, for example for second derivatives.
-using OpenTerms = std::vector<std::vector<OpenTerm>>;
-[[nodiscard]] OpenTerms open_terms(ClosedForms& forms, const Model& model,
-                                   const FixedParameters& fixed);
+using OpenValueRates = std::vector<std::vector<OpenValueRateTerm>>;
+[[nodiscard]] OpenValueRates open_value_rates(ClosedForms& forms, const Model& model,
+                                              const FixedParameters& fixed);
 
 /// The rates of leaves along a curve. Parameters have rate 0. The rates of inputs, and of leaves
 /// that the lists do not contain, are unknown.
@@ -173,27 +174,26 @@ struct LeafRates {
   std::vector<Fraction> coordinates = {};  ///< empty: dq_i = v_i
   std::vector<Fraction> velocities = {};
   std::vector<Fraction> accelerations = {};
-  OpenTerms open_values = {};
+  OpenValueRates open_values = {};
   Fraction time = {};
 };
 
 /// dx/ds = sum dx/dleaf dleaf/ds, with `rates` = dleaf/ds. None if it is over budget, a rate is
 /// unknown, or x contains a function with kinks.
-[[nodiscard]] std::optional<Fraction> rate_along(ClosedForms& forms, const Fraction& x,
-                                                 const LeafRates& rates);
+[[nodiscard]] std::optional<Fraction> directional_derivative(ClosedForms& forms, const Fraction& x,
+                                                             const LeafRates& rates);
 
 /// dx/dq_k, k = `coordinate`. `coordinates` is the number of coordinates; x must not contain
-/// velocities. None as for rate_along().
+/// velocities. None as for directional_derivative().
 [[nodiscard]] std::optional<Fraction> partial_derivative(ClosedForms& forms, const Fraction& x,
                                                          std::uint32_t coordinate,
                                                          std::size_t coordinates);
 
 /// dx/dt along the motion at u = 0, for the forward dynamics `accelerations`, one per velocity. The
-/// empty sum proves that x is conserved. None as for rate_along().
-[[nodiscard]] std::optional<Fraction> free_rate(ClosedForms& forms, const Fraction& x,
-                                                const std::vector<Fraction>& accelerations,
-                                                const std::vector<Fraction>& coordinate_rates = {},
-                                                const OpenTerms& open_values = {});
+/// empty sum proves that x is conserved. None as for directional_derivative().
+[[nodiscard]] std::optional<Fraction> unforced_rate(
+    ClosedForms& forms, const Fraction& x, const std::vector<Fraction>& accelerations,
+    const std::vector<Fraction>& coordinate_rates = {}, const OpenValueRates& open_values = {});
 
 /// An expression of the model over the atoms of `forms`, with the `fixed` parameters as numbers.
 /// None if it is over budget.

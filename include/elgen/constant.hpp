@@ -21,7 +21,7 @@ struct Formula;
 
 enum class ConstantKind : std::uint8_t { rational, pi, sum, product, square_root, call };
 
-struct ConstantPart;
+struct ConstantOperand;
 
 /// A tree of constants: a sum of signed terms, a product of powers, or a function of signed
 /// arguments.
@@ -29,28 +29,28 @@ struct ConstantForm {
   ConstantKind kind = ConstantKind::rational;
   cln::cl_RA number = 0;                  ///< the value, if `kind` is rational
   FunctionId function = FunctionId::sin;  ///< the function, if `kind` is call
-  std::vector<ConstantPart> parts;        ///< no initializer: ConstantPart is incomplete here
+  std::vector<ConstantOperand> operands;  ///< no initializer: ConstantOperand is incomplete here
 };
 
 /// An operand. weight: its exponent (not 0) if it is a factor, otherwise its sign (1 or -1).
-struct ConstantPart {
+struct ConstantOperand {
   ConstantForm form = {};
   std::int32_t weight = 1;
 };
 
 [[nodiscard]] bool operator==(const ConstantForm& x, const ConstantForm& y);
-[[nodiscard]] bool operator==(const ConstantPart& x, const ConstantPart& y);
+[[nodiscard]] bool operator==(const ConstantOperand& x, const ConstantOperand& y);
 
 [[nodiscard]] ConstantForm rational_form(const cln::cl_RA& number);
 
 /// -x. If possible, the sign is absorbed: by a number, the terms of a sum, or an odd function among
 /// the factors.
-[[nodiscard]] ConstantForm negated(ConstantForm x);
+[[nodiscard]] ConstantForm negated_form(ConstantForm x);
 
 /// The value and a bound of its error. The value is exact, or a float of at least 220 digits with
 /// |error| <= 1e-200 |value| (|error| <= 1e-200 if even 1760 digits cancel). None if the form has
 /// no real value, or if 1760 digits do not decide whether it has one.
-[[nodiscard]] std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form);
+[[nodiscard]] std::optional<EnclosedNumber> enclosed_value(const ConstantForm& form);
 
 /// The form as a Formula:
 ///
@@ -70,11 +70,12 @@ struct Constant {
 [[nodiscard]] Constant rational_constant(const cln::cl_RA& number);
 
 /// The constant with this form; none if it has no value.
-[[nodiscard]] std::optional<Constant> constant_of(ConstantForm form);
+[[nodiscard]] std::optional<Constant> make_constant(ConstantForm form);
 
 [[nodiscard]] bool is_rational(const Constant& constant);
 
 /// The position of `wanted` in `constants`; appends it if it is missing.
-[[nodiscard]] std::uint32_t position_of(const Constant& wanted, std::vector<Constant>& constants);
+[[nodiscard]] std::uint32_t intern_constant(const Constant& wanted,
+                                            std::vector<Constant>& constants);
 
 }  // namespace elgen

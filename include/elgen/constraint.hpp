@@ -40,22 +40,22 @@ struct Constraint {
 };
 
 /// The hint to write `equation` instead of `coincide`, if `row` is a row of `coincide`. The
-/// equation keeps the rows of the same entry, except the rows that `without` marks as having no
+/// equation keeps the rows of the same entry, except the rows that `is_vacuous` marks as having no
 /// effect. Empty if `row` is a row of `equation`, or if all rows are marked.
 ///
 ///     coincide = ["P", "Q"], y marked  ->  "`equation = ["x(P) = x(Q)", "z(P) = z(Q)"]` is enough"
 [[nodiscard]] std::string equation_hint(const std::vector<Constraint>& rows,
-                                        const std::vector<bool>& without, const Constraint& row);
+                                        const std::vector<bool>& is_vacuous, const Constraint& row);
 
 inline constexpr std::uint32_t quaternion_size = 4;
 inline constexpr std::uint32_t axis_count = 3;
 
 /// A coordinate or rotation whose motion a scene prescribes or eliminates.
-struct Held {
+struct HeldCoordinate {
   std::uint32_t coordinate = 0;  ///< index; for a rotation, of its first coordinate
   std::uint32_t velocity = 0;    ///< index; for a rotation, of its first velocity
   bool is_rotation = false;
-  bool reaction = false;  ///< the force that holds it is an output
+  bool has_reaction = false;  ///< the force that holds it is an output
   Span span = {};
 
   [[nodiscard]] std::uint32_t velocity_count() const { return is_rotation ? axis_count : 1; }
@@ -69,34 +69,34 @@ struct Held {
 };
 
 /// A variable that a scene prescribes as a function of time.
-struct Lock : Held {
+struct LockedCoordinate : HeldCoordinate {
   std::vector<ExpressionId> values = {};  ///< s(t); for a rotation a unit quaternion
 };
 
 /// A cyclic coordinate that `[routh]` eliminates. Its constant momentum becomes a parameter.
-struct Cyclic : Held {
+struct CyclicCoordinate : HeldCoordinate {
   std::uint32_t parameter = 0;
   /// The declared momentum, which contains only numbers and parameters; none: the momentum at the
   /// start.
-  std::optional<ExpressionId> form = {};
-  /// The value of `parameter`, from the scene, an option or find_momenta().
+  std::optional<ExpressionId> exact_expression = {};
+  /// The value of `parameter`, from the scene, an option or set_routh_momenta().
   std::optional<cln::cl_R> momentum = {};
 };
 
 /// The held variables of a scene, and the whole model, which still contains them. They are
 /// eliminated twice, independently: the stage check removes them from the Model, which the oracle
 /// evaluates, and specialise removes them from the Lagrangian. Verification compares the results.
-struct Variant {
-  std::vector<Lock> locks = {};             ///< in the order of v of the whole model
-  std::vector<Cyclic> cyclic = {};          ///< in the order of v of the whole model
-  std::shared_ptr<const Model> whole = {};  ///< null if no variable is held
+struct ModelReduction {
+  std::vector<LockedCoordinate> locks = {};     ///< in the order of v of the whole model
+  std::vector<CyclicCoordinate> cyclic = {};    ///< in the order of v of the whole model
+  std::shared_ptr<const Model> unreduced = {};  ///< null if no variable is held
 };
 
 /// The new positions of the entries of a list after some entries are removed.
-class RemainingPositions {
+class RemainingIndices {
  public:
   /// The positions in a list of `size` entries; at first no entry is removed.
-  explicit RemainingPositions(std::size_t size) : places_(size, 0) { remove(0, 0); }
+  explicit RemainingIndices(std::size_t size) : places_(size, 0) { remove(0, 0); }
 
   void remove(std::uint32_t first, std::uint32_t count) {
     std::uint32_t next = 0;
@@ -138,22 +138,22 @@ class RemainingPositions {
 
 /// The new positions of the entries of q, v and u after variables are removed.
 struct RemainingVariables {
-  RemainingPositions coordinates;
-  RemainingPositions velocities;
-  RemainingPositions inputs = RemainingPositions(0);
+  RemainingIndices coordinates;
+  RemainingIndices velocities;
+  RemainingIndices inputs = RemainingIndices(0);
 
-  void remove(const Held& variable) {
+  void remove(const HeldCoordinate& variable) {
     coordinates.remove(variable.coordinate, variable.coordinate_count());
     velocities.remove(variable.velocity, variable.velocity_count());
   }
 };
 
-/// The indices of the velocities of the variables with `reaction`, in the order of `variables`.
+/// The indices of the velocities of the variables with `has_reaction`, in the order of `variables`.
 template <class Variables>
 [[nodiscard]] std::vector<std::uint32_t> velocities_with_reaction(const Variables& variables) {
   std::vector<std::uint32_t> velocities;
-  for (const Held& variable : variables) {
-    if (!variable.reaction) continue;
+  for (const HeldCoordinate& variable : variables) {
+    if (!variable.has_reaction) continue;
     for (std::uint32_t i = 0; i < variable.velocity_count(); ++i) {
       velocities.push_back(variable.velocity + i);
     }

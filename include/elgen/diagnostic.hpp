@@ -104,8 +104,8 @@ struct DiagnosticStyle {
 
 /// The candidate with the least edit distance to `word` (a transposition counts 1); empty if no
 /// candidate is close.
-[[nodiscard]] std::string nearest(std::string_view word,
-                                  const std::vector<std::string>& candidates);
+[[nodiscard]] std::string nearest_word(std::string_view word,
+                                       const std::vector<std::string>& candidates);
 
 /// A value with its warnings, or the errors that prevented it.
 template <class T>

@@ -48,33 +48,33 @@ using Renames = std::map<std::string, std::string>;
 using ParameterValues = std::map<std::string, Constant>;
 
 /// One component of a path to a value: a key, or an item of a list.
-struct KeyStep {
+struct PathComponent {
   std::string key = {};
   std::size_t item = 0;  ///< number of the item, from 1; 0: the component is a key
-  friend bool operator==(const KeyStep&, const KeyStep&) = default;
+  friend bool operator==(const PathComponent&, const PathComponent&) = default;
 };
 
 /// "vector[2]", "start.value"
-[[nodiscard]] std::string text_of(const std::vector<KeyStep>& path);
+[[nodiscard]] std::string text_of(const std::vector<PathComponent>& path);
 
 /// One changed key. Spans point into the version that has the key.
 struct KeyChange {
-  std::string table = {};          ///< as in the key table: "gravity", "scene.parameters"
-  std::string entry = {};          ///< for readers: "[gravity]", "[[point]] bob"
-  std::vector<KeyStep> path = {};  ///< empty: the whole entry
-  bool is_order = false;           ///< the order of entries, or of keys that are names, changed
-  std::string before = {};         ///< as written; "" if the key is new
-  std::string after = {};          ///< "" if the key is gone
-  Span old_at = {};
-  Span new_at = {};
+  std::string table = {};                ///< as in the key table: "gravity", "scene.parameters"
+  std::string entry = {};                ///< for readers: "[gravity]", "[[point]] bob"
+  std::vector<PathComponent> path = {};  ///< empty: the whole entry
+  bool is_reordering = false;  ///< the order of entries, or of keys that are names, changed
+  std::string before = {};     ///< as written; "" if the key is new
+  std::string after = {};      ///< "" if the key is gone
+  Span old_span = {};
+  Span new_span = {};
   Impact impact = Impact::equal;  ///< the worst effect that this key alone could have; the actual
                                   ///< effect is determined for all changed keys together
 };
 
 /// The changed keys, in the order of `after`, with missing keys last. Entries are matched by
-/// `name`, else by `on`, `at` or `frame`, else by number; keys by name; items of lists by number. A
-/// new or missing entry is one change. Cost: quadratic in the entries of a file and in the keys of
-/// an entry.
+/// `name`, else by `on`, `state_text` or `frame`, else by number; keys by name; items of lists by
+/// number. A new or missing entry is one change. Cost: quadratic in the entries of a file and in
+/// the keys of an entry.
 [[nodiscard]] std::vector<KeyChange> changed_keys(const FileSyntax& before, const FileSyntax& after,
                                                   const Renames& renames = {});
 
@@ -89,8 +89,9 @@ enum class EntryVerdict : std::uint8_t {
 
 /// A state at which an entry differs.
 struct Witness {
-  std::string at = {};  ///< "theta = 0.3, dot(x) = -1.2": the leaves of the entry, in three digits
-  double before = 0;    ///< the values of the entry
+  std::string state_text =
+      {};             ///< "theta = 0.3, dot(x) = -1.2": the leaves of the entry, in three digits
+  double before = 0;  ///< the values of the entry
   double after = 0;
 };
 
@@ -103,7 +104,8 @@ struct EntryChange {
   std::string before = {};      ///< closed form; "" if none is short enough to read
   std::string after = {};       ///< closed form; "" if none is short enough to read
   std::string difference = {};  ///< after - before
-  double share = 0;  ///< largest |change| / largest magnitude of the entry, over the sampled states
+  double relative_change =
+      0;  ///< largest |change| / largest magnitude of the entry, over the sampled states
   std::optional<Witness> witness = {};
 };
 
@@ -135,8 +137,8 @@ struct Version {
 
 struct CompareOptions {
   Renames renames = {};
-  std::set<std::string> only = {};  ///< names of the outputs to report; empty: all
-  bool is_strict = false;           ///< undecided entries count as different
+  std::set<std::string> reported_outputs = {};  ///< names of the outputs to report; empty: all
+  bool is_strict = false;                       ///< undecided entries count as different
 };
 
 /// The changes that callers of the code see: coordinates, inputs, parameters, outputs, the target.

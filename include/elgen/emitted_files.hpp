@@ -24,11 +24,11 @@ struct EmittedFiles {
 /// The files that the scene requests; `book` is used only if one of them is a page. E701: the
 /// target language cannot use a name. E702: a number does not fit a requested scalar, see fits().
 [[nodiscard]] Result<EmittedFiles> emit(const Model& model, const Scene& scene,
-                                        const Program& program, const Book& book);
+                                        const Program& program, const PagePrograms& book);
 
 /// True if every number of the emitted code is inside the range of `scalar`: no value overflows,
 /// and no value except 0 becomes 0.
-[[nodiscard]] bool fits(const Model& model, const Program& program, ScalarKind scalar);
+[[nodiscard]] bool literals_fit(const Model& model, const Program& program, ScalarKind scalar);
 
 /// The functions of a JavaScript scene as the text of a <script> element; it contains no markup.
 /// Errors: as emit().

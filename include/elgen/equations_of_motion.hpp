@@ -24,7 +24,7 @@ struct OutputEquations {
   ExpressionMap<std::string> value_names = {};  ///< names of definitions, by their symbols
   /// If the fields are the parts of an output (elgen/compose.hpp): the velocities in the order in
   /// which M is eliminated.
-  std::vector<std::uint32_t> elimination = {};
+  std::vector<std::uint32_t> elimination_order = {};
 };
 
 struct EquationsOfMotion {

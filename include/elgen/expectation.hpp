@@ -16,7 +16,7 @@
 namespace elgen {
 
 /// The value of a leaf at a state of an [[expect]].
-struct StatedLeaf {
+struct LeafAssignment {
   Opcode kind = Opcode::coordinate;
   std::uint32_t number = 0;
   cln::cl_R value = 0;
@@ -24,8 +24,8 @@ struct StatedLeaf {
 
 /// A state at which an [[expect]] gives the values of an output: the start of the model, with
 /// `leaves` replaced. Momenta that `leaves` does not contain are computed from the rates.
-struct StatedState {
-  std::vector<StatedLeaf> leaves = {};
+struct ExpectationState {
+  std::vector<LeafAssignment> leaves = {};
   cln::cl_R tolerance = 0;  ///< tolerance of an entry, relative to the largest entry
 };
 
@@ -44,13 +44,13 @@ struct Expectation {
   std::vector<Span> spans = {};                 ///< of each entry
   std::vector<std::optional<Unit>> units = {};  ///< of each entry; empty: not checked
   /// The only state about which the claim is made; none: the claim is about every state.
-  std::optional<StatedState> at = {};
+  std::optional<ExpectationState> state = {};
   Span span = {};
 
   /// True if the entries are constants of motion, not entries of an output.
-  [[nodiscard]] bool is_conserved() const { return output == "conserved"; }
+  [[nodiscard]] bool claims_conservation() const { return output == "conserved"; }
   /// True if the entries vanish along the motion.
-  [[nodiscard]] bool is_equations() const { return output == "equations"; }
+  [[nodiscard]] bool claims_equations() const { return output == "equations"; }
 };
 
 }  // namespace elgen

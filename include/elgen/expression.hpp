@@ -66,7 +66,7 @@ struct Expression {
 }
 
 /// True if the expression refers to a named entry of this kind.
-[[nodiscard]] inline bool is_name(const Expression& expression, NamedKind kind) {
+[[nodiscard]] inline bool refers_to_entry(const Expression& expression, NamedKind kind) {
   return expression.kind == ExpressionKind::named && expression.named == kind;
 }
 

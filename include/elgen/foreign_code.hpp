@@ -18,7 +18,7 @@ struct ForeignFunction {
   std::uint64_t seconds = 0;  ///< wall-clock limit for all states together, in s
 };
 
-struct ForeignAnswers {
+struct ForeignResults {
   std::vector<std::vector<double>> values = {};  ///< by state; after a failure, states are missing
   /// Why states are missing, or how the code fails after the last state; empty: no failure.
   std::string failure = {};
@@ -32,8 +32,8 @@ struct ForeignAnswers {
 /// library function is called in a separate process, with a pointer to doubles for each argument
 /// and for the result. A command receives one line of JSON for each state and answers with one line
 /// of numbers in brackets. E716: the function cannot be called.
-[[nodiscard]] Result<ForeignAnswers> call_foreign(const ForeignFunction& function,
-                                                  const Model& model, const OutputRequest& output,
-                                                  const std::vector<Arguments<double>>& states);
+[[nodiscard]] Result<ForeignResults> call_foreign_function(
+    const ForeignFunction& function, const Model& model, const OutputRequest& output,
+    const std::vector<Arguments<double>>& states);
 
 }  // namespace elgen

@@ -28,23 +28,23 @@ enum class Alphabet : std::uint8_t {
 };
 
 enum class FormulaKind : std::uint8_t {
-  number,    ///< the decimal digits in `text`, or the member `number` if `text` is empty
-  symbol,    ///< the member `symbol`
-  negative,  ///< -x; as a term of a sum it is subtracted
-  either,    ///< +-x
-  sum,       ///< x + y
-  product,   ///< x y
-  quotient,  ///< x/y
-  power,     ///< x^y
-  root,      ///< sqrt(x)
-  call,      ///< function(x, y)
-  bars,      ///< |x|
-  group,     ///< (x) of a sum or product x: brackets that the author typed
-  relation,  ///< x = y; `text` is the relation sign
-  list,      ///< x, y
-  tuple,     ///< (x, y)
-  prose,     ///< the words in `text`
-  row,       ///< formulas and prose, separated by blanks
+  number,          ///< the decimal digits in `text`, or the member `number` if `text` is empty
+  symbol,          ///< the member `symbol`
+  negative,        ///< -x; as a term of a sum it is subtracted
+  plus_minus,      ///< +-x
+  sum,             ///< x + y
+  product,         ///< x y
+  quotient,        ///< x/y
+  power,           ///< x^y
+  root,            ///< sqrt(x)
+  call,            ///< function(x, y)
+  absolute_value,  ///< |x|
+  group,           ///< (x) of a sum or product x: brackets that the author typed
+  relation,        ///< x = y; `text` is the relation sign
+  list,            ///< x, y
+  tuple,           ///< (x, y)
+  prose,           ///< the words in `text`
+  row,             ///< formulas and prose, separated by blanks
 };
 
 struct Symbol;
@@ -79,7 +79,7 @@ using Formulas = std::vector<Formula>;
 
 [[nodiscard]] Formula pi_formula();
 
-[[nodiscard]] Formula negative(Formula x);
+[[nodiscard]] Formula negative_of(Formula x);
 /// The sum of the terms. Terms of kind `negative`, and negative numbers after the first term, are
 /// printed as subtractions. A single term is returned unchanged.
 [[nodiscard]] Formula sum_of(Formulas terms);
@@ -90,7 +90,7 @@ using Formulas = std::vector<Formula>;
 [[nodiscard]] Formula root_of(Formula radicand);
 [[nodiscard]] Formula call_of(FunctionId function, Formulas arguments);
 [[nodiscard]] Formula plus_minus(Formula x);
-[[nodiscard]] Formula bars(Formula x);
+[[nodiscard]] Formula absolute_value_of(Formula x);
 [[nodiscard]] Formula group(Formula x);
 [[nodiscard]] Formula relation(Formula left, Formula right, std::string sign = "=");
 [[nodiscard]] Formula list_of(Formulas items);

@@ -17,16 +17,23 @@ enum class FunctionId : std::uint8_t {
 #undef ELGEN_FUNCTION
 };
 
-enum class FunctionUse : std::uint8_t { anywhere, forces };
+enum class FunctionUse : std::uint8_t { anywhere, forces_only };
 
 enum class Parity : std::uint8_t { none, even, odd };
 
 /// src/base/functions.cpp explains these enumerations and the columns of FunctionRow.
-enum class Smoothness : std::uint8_t { everywhere, positive, poles, real, half_plane, branches };
+enum class Smoothness : std::uint8_t {
+  entire,
+  entire_positive,
+  meromorphic,
+  real_analytic,
+  half_plane,
+  branches
+};
 
 enum class FunctionDomain : std::uint8_t { all, up_to_one, above_zero, above_minus_one };
 
-enum class FunctionUnits : std::uint8_t { pure, kept, shared, ratio, ignored };
+enum class FunctionUnits : std::uint8_t { dimensionless, preserved, shared, ratio, ignored };
 
 /// The limits of f(x) for x -> -infinity and x -> +infinity; they may be infinite.
 struct LimitsAtInfinity {
@@ -43,7 +50,7 @@ struct FunctionRow {
   std::uint32_t roundings;    ///< error bound of the library's value, in u
   std::string_view own_name;  ///< "sign_of": its name if emitted code defines the function; else ""
   std::string_view latex;     ///< "\\sin"
-  int exact_at;
+  int exact_argument;
   int exact_value;
   std::optional<LimitsAtInfinity> limits_at_infinity;
   FunctionId id = {};
@@ -59,7 +66,7 @@ struct FunctionRow {
 
 /// True if the function lacks a derivative somewhere; only forces may call it.
 [[nodiscard]] inline bool is_kinked(FunctionId id) {
-  return function_row(id).use == FunctionUse::forces;
+  return function_row(id).use == FunctionUse::forces_only;
 }
 
 /// True for sin and cos, which are bounded with all derivatives and are computed as a pair.

@@ -26,10 +26,10 @@ enum class InertialOwner : std::uint8_t { body, point, coordinate, parameter };
 /// the moments of inertia.
 inline constexpr std::uint32_t first_moment_component = 1;
 inline constexpr std::uint32_t first_inertia_component = 4;
-inline constexpr std::uint32_t components_of_body = 10;
+inline constexpr std::uint32_t body_component_count = 10;
 
 /// The owner of an entry of pi in a model.
-struct InertialPlace {
+struct InertialEntry {
   InertialOwner owner = InertialOwner::body;
   std::uint32_t index = 0;      ///< index of the owner among all bodies, points, …
   std::uint32_t component = 0;  ///< component of a body (see above); 0 for other owners
@@ -39,16 +39,16 @@ struct InertialPlace {
   }
 };
 
-struct InertialParameter : InertialPlace {
+struct InertialParameter : InertialEntry {
   std::string name = {};  ///< "hand.m", "hand.mx", "hand.Ixx", "armature.q1", "damping"
   std::optional<Unit> unit = {};
 };
 
 /// The owners of the entries of pi, in order. Cheaper than inertial_parameters(), since no names
 /// are built.
-[[nodiscard]] std::vector<InertialPlace> inertial_places(const Model& model);
+[[nodiscard]] std::vector<InertialEntry> inertial_entries(const Model& model);
 
-[[nodiscard]] InertialParameter inertial_parameter(const Model& model, const InertialPlace& place);
+[[nodiscard]] InertialParameter inertial_parameter(const Model& model, const InertialEntry& place);
 
 /// The entries of pi of a model.
 [[nodiscard]] std::vector<InertialParameter> inertial_parameters(const Model& model);

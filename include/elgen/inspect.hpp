@@ -31,11 +31,11 @@ namespace elgen {
 /// Sets the momenta of `[routh]`: the declared value, or the value at the start. E635: L
 /// depends on the coordinate at one of 8 sampled states, the momenta do not determine the rates, or
 /// a momentum has no value. Cost: a few evaluations of L for each momentum.
-[[nodiscard]] Diagnostics find_momenta(CheckedModel& checked);
+[[nodiscard]] Diagnostics set_routh_momenta(CheckedModel& checked);
 
 /// True if `[routh]` can eliminate the coordinate (see E635): L does not depend on it, no force of
 /// an input, of an entry [[force]] or of D acts on it, and none of these forces depends on it.
-/// Cost: as find_momenta().
+/// Cost: as set_routh_momenta().
 [[nodiscard]] bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate);
 
 /// A hint that recommends `sinc` and `cosc`: "`sin(c)/c` is 0/0 there; …". Empty if no quotient of

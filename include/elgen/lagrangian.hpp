@@ -40,13 +40,15 @@ struct Symbols : LeafValues<GiNaC::ex> {
 struct Definition {
   GiNaC::ex symbol;
   GiNaC::ex value;
-  std::string name;                 ///< a readable C++ identifier ("bob_x"), or empty
-  Entity origin;                    ///< the entry of the model that contains the expression
-  std::vector<std::uint32_t> uses;  ///< indices of the definitions in `value`, ascending
-  LeafSet depends = {};             ///< kinds of leaves in `value`, directly or through `uses`
+  std::string name;  ///< a readable C++ identifier ("bob_x"), or empty
+  Entity origin;     ///< the entry of the model that contains the expression
+  std::vector<std::uint32_t>
+      used_definitions;  ///< indices of the definitions in `value`, ascending
+  LeafSet leaf_dependence =
+      {};  ///< kinds of leaves in `value`, directly or through `used_definitions`
   /// If `value` is an opaque leaf, such as V: its derivatives by leaves, as (leaf, derivative).
   /// Otherwise empty.
-  std::vector<std::pair<GiNaC::ex, GiNaC::ex>> slopes = {};
+  std::vector<std::pair<GiNaC::ex, GiNaC::ex>> derivatives = {};
 };
 
 struct ExpressionHash {
@@ -61,8 +63,8 @@ using ExpressionMap = std::unordered_map<GiNaC::ex, Value, ExpressionHash, Expre
 /// The position of a symbol in elgen's order: leaves as declared, then definitions.
 struct SymbolPlace {
   bool is_definition = false;
-  std::uint32_t index = 0;  ///< index of the definition, or rank of the leaf
-  LeafSet depends = {};     ///< Definition::depends, or the kind of the leaf
+  std::uint32_t index = 0;       ///< index of the definition, or rank of the leaf
+  LeafSet leaf_dependence = {};  ///< Definition::depends, or the kind of the leaf
 };
 
 /// The physical meaning of the values that are being defined, for names of temporaries
@@ -165,7 +167,7 @@ struct RigidBody {
   GiNaC::ex mass = 0;
   ExVector3 com;
   std::vector<GiNaC::ex> inertia = {};
-  bool about_origin = false;
+  bool is_about_origin = false;
   /// h, if I is about the origin and regrouping (derive/tree/regroup.cpp) made h differ from m c.
   std::optional<ExVector3> moment = {};
   Entity origin = {};
@@ -193,14 +195,15 @@ struct FrameTree {
 /// its origin.
 struct TwistOutput {
   std::optional<std::uint32_t> transform = {};  ///< none: the world, at rest
-  bool in_world = true;  ///< true: in world axes; false: in the axes of the frame
+  bool is_in_world = true;  ///< true: in world axes; false: in the axes of the frame
 };
 
 struct NamedOutput {
   std::string name;
   std::vector<GiNaC::ex> values;
   std::optional<TwistOutput> twist = {};
-  bool motion = false;  ///< true: a and multipliers in `values` solve the equations of motion
+  bool solves_motion =
+      false;  ///< true: a and multipliers in `values` solve the equations of motion
 };
 
 /// f(q, t) = 0, or phi(q, v, t) = 0 affine in v. Along the motion dr/dt = -damping r - stiffness f,
@@ -215,19 +218,19 @@ struct ConstraintEquation {
 
 /// A held variable. A locked variable has the value s(t), or a unit quaternion of t; a cyclic
 /// variable has a constant momentum, which is a parameter.
-struct HeldVariable : Held {
+struct HeldCoordinateMotion : HeldCoordinate {
   std::vector<GiNaC::ex> values = {};
 };
 
 struct Lagrangian;
 
 /// The data from which the forces that hold locked coordinates are derived: the Lagrangian in which
-/// these coordinates still move, and their motion. `whole` and the Lagrangian without these
+/// these coordinates still move, and their motion. `unreduced` and the Lagrangian without these
 /// coordinates share one list of definitions.
 struct ReactionSource {
-  std::shared_ptr<const Lagrangian> whole = {};
+  std::shared_ptr<const Lagrangian> unreduced = {};
   ExpressionMap<GiNaC::ex> values = {};        ///< q, v, a -> functions of time
-  std::vector<std::uint32_t> velocities = {};  ///< velocities of `whole` with `reaction`
+  std::vector<std::uint32_t> velocities = {};  ///< velocities of `unreduced` with `reaction`
 };
 
 /// A leaf whose deviation from a value is small.
@@ -284,22 +287,22 @@ struct Lagrangian {
   std::vector<GiNaC::ex> cyclic_rates = {};  ///< rates of the eliminated cyclic coordinates
   std::optional<ReactionSource> reaction_source = {};  ///< for the output `reaction`, else none
   std::optional<Expansion> expansion = {};
-  bool quadratic = true;
+  bool is_quadratic = true;
   bool eliminates_last_first = false;  ///< elimination order of M, see model/elimination.hpp
 };
 
 /// A Lagrangian in which all variables still move, with the variables that specialise() removes.
-struct WholeLagrangian : Lagrangian {
-  std::vector<HeldVariable> locked = {};
+struct UnreducedLagrangian : Lagrangian {
+  std::vector<HeldCoordinateMotion> locked = {};
   std::vector<std::uint32_t> held_inputs = {};  ///< inputs that act only on locked variables
-  std::vector<HeldVariable> cyclic = {};
+  std::vector<HeldCoordinateMotion> cyclic = {};
 };
 
 /// Sets the name of the definition of `symbol`, unless the definition has a name.
-void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
+void name_definition(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
 
 /// Builds the Lagrangian of a checked model. E502: dot() of an expression that contains rates.
-[[nodiscard]] Result<WholeLagrangian> formulate(const Model& model);
+[[nodiscard]] Result<UnreducedLagrangian> formulate(const Model& model);
 
 /// A value of an open function f or of a derivative of f, as a GiNaC function. Operands: the leaf
 /// number of f; the number of arguments of f; the derivative as digits in ascending order (0: f,
@@ -308,7 +311,7 @@ void name(Definitions& definitions, const GiNaC::ex& symbol, const std::string& 
 DECLARE_FUNCTION_7P(elgen_open)
 
 /// The number of the leaf that an elgen_open represents; none beyond second derivatives.
-[[nodiscard]] std::optional<std::uint32_t> open_leaf(const GiNaC::ex& value);
+[[nodiscard]] std::optional<std::uint32_t> open_value_number(const GiNaC::ex& value);
 
 /// elgen_log1p, …: the functions that GiNaC lacks (its abs is complex), with their derivatives from
 /// function_derivatives.def. Functions with kinks have no derivatives.

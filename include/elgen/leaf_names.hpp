@@ -14,7 +14,7 @@ namespace elgen {
 /// For each leaf the result of f(kind, entry), with the entry of the model that owns it; for t, h
 /// and E the result of single(kind).
 template <class T, class F, class Single>
-[[nodiscard]] LeafValues<T> leaves_of(const Model& model, const F& f, const Single& single) {
+[[nodiscard]] LeafValues<T> make_leaf_values(const Model& model, const F& f, const Single& single) {
   LeafValues<T> leaves;
 #define ELGEN_LEAVES(kind, member, of, ...) \
   for (const auto& entry : model.of) leaves.member.push_back(f(Opcode::kind, entry));
@@ -68,7 +68,7 @@ void name_optional_leaves(LeafSet takes, LeafNames& leaves);
 
 /// The result of draw() for every leaf that has a name, in order; 0 for other leaves.
 template <class Draw>
-[[nodiscard]] auto draw_leaves(const LeafNames& leaves, const Draw& draw) {
+[[nodiscard]] auto sample_leaves(const LeafNames& leaves, const Draw& draw) {
   return map_leaves(
       [&draw](const std::string& name) { return name.empty() ? decltype(draw()){} : draw(); },
       leaves);

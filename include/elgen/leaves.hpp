@@ -10,7 +10,7 @@ namespace elgen {
 
 /// One member for each kind of leaf: a List, or a One if a system has exactly one leaf of the kind.
 template <class List, class One>
-struct PerLeaf {
+struct LeafMembers {
 #define ELGEN_LEAVES(kind, member, ...) List member = {};
 #define ELGEN_LEAF(kind, member, ...) One member = {};
 #include "elgen/leaves.def"
@@ -20,7 +20,7 @@ struct PerLeaf {
 
 /// One T per leaf.
 template <class T>
-using LeafValues = PerLeaf<std::vector<T>, T>;
+using LeafValues = LeafMembers<std::vector<T>, T>;
 
 /// The result of f(leaf, ...) for every leaf of one or more LeafValues of equal sizes. f is called
 /// in a fixed order, so that random draws in f are the same on every machine.
@@ -66,7 +66,7 @@ void for_each_list(const F& f, Leaves&& leaves) {
 
 /// The list of leaves of a kind; null if the kind has a single leaf.
 template <class List, class One>
-[[nodiscard]] const List* list_of(const PerLeaf<List, One>& leaves, Opcode kind) {
+[[nodiscard]] const List* leaf_list(const LeafMembers<List, One>& leaves, Opcode kind) {
   switch (leaf_kind(kind)) {
 #define ELGEN_LEAVES(kind, member, ...) \
   case LeafKind::kind:                  \
@@ -101,7 +101,7 @@ template <class T>
 /// The number of leaves of a kind.
 template <class T>
 [[nodiscard]] std::size_t leaf_count(const LeafValues<T>& leaves, Opcode kind) {
-  const std::vector<T>* const list = list_of(leaves, kind);
+  const std::vector<T>* const list = leaf_list(leaves, kind);
   return list != nullptr ? list->size() : 1;
 }
 
@@ -109,9 +109,10 @@ template <class T>
 /// if_used: true if the list is not empty. True for h, which is a single leaf; functions take h
 /// only if h has a name.
 template <class T>
-[[nodiscard]] bool is_passed(const LeafValues<T>& leaves, Opcode kind) {
-  const Passed passed = leaf_row(kind).passed;
-  return passed == Passed::always || (passed != Passed::never && leaf_count(leaves, kind) > 0);
+[[nodiscard]] bool may_be_argument(const LeafValues<T>& leaves, Opcode kind) {
+  const ArgumentRule passed = leaf_row(kind).argument_rule;
+  return passed == ArgumentRule::always ||
+         (passed != ArgumentRule::never && leaf_count(leaves, kind) > 0);
 }
 
 }  // namespace elgen

@@ -44,14 +44,14 @@ struct Coordinate {
   std::string unit_text = {};     ///< as in the file
   std::optional<Interval> range = {};
   cln::cl_R start_value = 0;
-  bool wrap = false;  ///< an angle that may make full turns; it is compared modulo 2 pi
+  bool wraps = false;  ///< an angle that may make full turns; it is compared modulo 2 pi
   /// Index of its rate in Model::velocities; for a component of a rotation, of the first velocity
   /// of the rotation.
   std::uint32_t velocity = 0;
   /// For a component of a rotation: index in Model::rotations.
   std::optional<std::uint32_t> rotation = {};
-  std::optional<ExpressionId> armature = {};  ///< adds 1/2 J v^2 to T
-  std::optional<ExpressionId> singular = {};  ///< M may lose rank if this expression is 0
+  std::optional<ExpressionId> armature = {};            ///< adds 1/2 J v^2 to T
+  std::optional<ExpressionId> singular_condition = {};  ///< M may lose rank if this expression is 0
   std::string latex = {};
   std::string doc = {};
   Span span = {};
@@ -94,7 +94,8 @@ struct Parameter {
   cln::cl_R value = 0;  ///< exact rational, or a float of 100 decimal digits if it is irrational
   Assumption assumption = Assumption::none;
   std::optional<Unit> unit = {};
-  std::optional<ExpressionId> form = {};  ///< the declared expression of an irrational value
+  std::optional<ExpressionId> exact_expression =
+      {};  ///< the declared expression of an irrational value
 };
 
 /// A parameter as declared: one number, or an array of `count` numbers.
@@ -149,21 +150,21 @@ struct Frame {
   std::array<ExpressionId, 9> rotation{};            ///< R, row-major
   Vector3 origin{};                                  ///< in the world
   Vector3 spin{};              ///< angular velocity in frame axes: [spin]x = R^T dR/dt
-  Vector3 turning{};           ///< the vector `spin`, computed from the parent and the transforms
+  Vector3 recursive_spin{};    ///< the vector `spin`, computed from the parent and the transforms
   Vector3 angular_velocity{};  ///< in world axes: R turning
   std::string doc = {};
   Span span = {};
 };
 
 /// A point or centre of mass in the axes of a frame, as declared.
-struct PlaceInFrame {
+struct PointInFrame {
   std::uint32_t frame = 0;
-  Vector3 at{};
+  Vector3 position{};
 };
 
 /// The other end of a line that a page draws: a point, or the origin of a frame; if neither is set,
 /// the origin of the world.
-struct JoinedPlace {
+struct LineEnd {
   std::optional<std::uint32_t> point = {};
   std::optional<std::uint32_t> frame = {};
 };
@@ -172,23 +173,23 @@ struct JoinedPlace {
 struct Point {
   std::string name;
   std::string identifier;
-  std::uint32_t dimension = 3;             ///< 2 or 3 declared components; `at` is padded with 0
-  Vector3 at{};                            ///< in the world
-  std::optional<PlaceInFrame> local = {};  ///< if it is declared in a frame
+  std::uint32_t dimension = 3;  ///< 2 or 3 declared components; `position` is padded with 0
+  Vector3 position{};           ///< in the world
+  std::optional<PointInFrame> local = {};  ///< if it is declared in a frame
   std::optional<ExpressionId> mass = {};
-  std::vector<JoinedPlace> joined_to = {};  ///< for drawings only
-  bool has_springs = false;                 ///< draws `joined_to` as springs, not rods
+  std::vector<LineEnd> line_ends = {};  ///< for drawings only
+  bool has_springs = false;             ///< draws `line_ends` as springs, not rods
   bool is_named = true;  ///< false: an unnamed point at the origin of a frame, for a wrench
   std::string doc = {};
   Span span = {};
 };
 
-/// A body as declared in a frame. `about_origin`: the inertia is about the origin of the frame, not
-/// about the centre of mass.
-struct BodyInFrame {
-  PlaceInFrame com = {};
+/// A body as declared in a frame. `is_about_origin`: the inertia is about the origin of the frame,
+/// not about the centre of mass.
+struct LocalBody {
+  PointInFrame com = {};
   std::vector<ExpressionId> inertia = {};
-  bool about_origin = false;
+  bool is_about_origin = false;
 };
 
 /// A body: its centre of mass in world coordinates, its inertia I about the centre of mass, and its
@@ -202,7 +203,7 @@ struct Body {
   std::optional<ExpressionId> mass = {};
   std::vector<ExpressionId> inertia = {};  ///< empty, {Izz} if planar, or {xx yy zz xy xz yz}
   std::vector<ExpressionId> spin = {};     ///< empty, {wz} if planar, or {wx wy wz}
-  std::optional<BodyInFrame> local = {};   ///< the same body as declared in a frame
+  std::optional<LocalBody> local = {};     ///< the same body as declared in a frame
   std::string doc = {};
   Span span = {};
 };
@@ -210,7 +211,8 @@ struct Body {
 struct Input {
   std::string name;
   std::string identifier;
-  std::optional<std::uint32_t> on = {};  ///< for a generalised force: the velocity on which it acts
+  std::optional<std::uint32_t> velocity =
+      {};                    ///< for a generalised force: the velocity on which it acts
   bool is_external = false;  ///< a component of an external force or torque, not a motor
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
@@ -219,40 +221,41 @@ struct Input {
   Span span = {};
 };
 
-/// A generalised force on the velocity `on`, a force in N at the point `at`, or a torque in N m on
-/// a frame. If `from` (or `from_frame`) is set, the opposite force (or torque) acts on that point
-/// (or frame). Forces are affine in the inputs.
+/// A generalised force on `velocity`, a force in N at `point`, or a torque in N m on `frame`. If
+/// `reaction_point` (or `reaction_frame`) is set, the opposite force (or torque) acts there. Forces
+/// are affine in the inputs.
 struct Force {
   std::string name;
   /// One number for a generalised force. Otherwise three components, padded with 0: a force in
   /// world axes, or a torque in the axes of its frame.
   std::vector<ExpressionId> value = {};
-  std::optional<std::uint32_t> on = {};  ///< the velocity on which a generalised force acts
-  std::optional<std::uint32_t> at = {};
-  std::optional<std::uint32_t> from = {};
+  std::optional<std::uint32_t> velocity = {};  ///< the velocity on which a generalised force acts
+  std::optional<std::uint32_t> point = {};
+  std::optional<std::uint32_t> reaction_point = {};
   std::optional<std::uint32_t> frame = {};
-  std::optional<std::uint32_t> from_frame = {};
-  std::vector<ExpressionId> reaction = {};  ///< the torque in the axes of from_frame, not negated
+  std::optional<std::uint32_t> reaction_frame = {};
+  std::vector<ExpressionId> reaction =
+      {};  ///< the torque in the axes of reaction_frame, not negated
   /// The components as declared, and their frame (none: the world).
-  std::vector<ExpressionId> written = {};
-  std::optional<std::uint32_t> axes = {};
+  std::vector<ExpressionId> declared_value = {};
+  std::optional<std::uint32_t> declared_axes = {};
   Span span = {};
 };
 
-/// An [[output]]: its value y; with `jacobian` also J = dy/dq and the bias, d2y/dt2 at a = 0. The
-/// value of a frame is its pose [R p], 3 x 4. The Jacobian of a frame is d twist/dv with twist =
-/// (angular velocity, velocity of the origin); its bias is d twist/dt at a = 0.
+/// An [[output]]: its value y; with `has_jacobian` also J = dy/dq and the bias, d2y/dt2 at a = 0.
+/// The value of a frame is its pose [R p], 3 x 4. The Jacobian of a frame is d twist/dv with twist
+/// = (angular velocity, velocity of the origin); its bias is d twist/dt at a = 0.
 struct UserOutput {
   std::string name;
   std::vector<ExpressionId> values = {};  ///< row-major
   std::optional<std::uint32_t> frame = {};
-  bool in_world = true;                  ///< the twist is in world axes; false: in frame axes
+  bool is_in_world = true;               ///< the twist is in world axes; false: in frame axes
   std::vector<ExpressionId> twist = {};  ///< six entries, linear in v
-  bool jacobian = false;
-  bool motion = false;    ///< true: a and multipliers solve the equations of motion; false: a is an
-                          ///< argument
-  bool is_wanted = true;  ///< requested by the scene; locks then keep the inputs in `values`
-  LeafSet takes = {};     ///< kinds of leaves in the values, of v, a, u and t
+  bool has_jacobian = false;
+  bool solves_motion = false;   ///< true: a and multipliers solve the equations of motion; false: a
+                                ///< is an argument
+  bool is_requested = true;     ///< requested by the scene; locks then keep the inputs in `values`
+  LeafSet argument_kinds = {};  ///< kinds of leaves in the values, of v, a, u and t
   std::string doc = {};
   Span span = {};
 };
@@ -274,7 +277,7 @@ struct Condition {
 
 /// A stated point of rest, for all parameters that meet `condition`. The coordinates and inputs are
 /// expressions of parameters.
-struct StatedPoint {
+struct OperatingPoint {
   std::vector<std::optional<ExpressionId>> coordinates = {};  ///< none: any value
   std::vector<std::optional<ExpressionId>> inputs = {};       ///< none: 0
   std::optional<Condition> condition = {};                    ///< none: all parameter values
@@ -282,7 +285,7 @@ struct StatedPoint {
 
 /// An [[equilibrium]]: its point, and the squares w_i^2 of the frequencies of small motions about
 /// it, with det(x M - K)/det M = product of (x - w_i^2).
-struct Equilibrium : StatedPoint {
+struct Equilibrium : OperatingPoint {
   std::string name = {};
   std::vector<ExpressionId> frequencies_squared = {};  ///< one per velocity, or empty
   std::string doc = {};
@@ -294,18 +297,18 @@ struct Equilibrium : StatedPoint {
 /// small_inputs the deviations of the inputs. Energies become polynomials of joint degree order + 1
 /// in these variables. Forces on small coordinates become polynomials of degree `order`, all other
 /// forces of degree order + 1.
-struct Approximation : StatedPoint {
+struct Approximation : OperatingPoint {
   std::uint32_t order = 1;
-  std::vector<bool> small = {};  ///< by coordinate
-  bool small_inputs = false;     ///< true if every coordinate that is not held is small
-  Span span = {};                ///< of the key `about`
+  std::vector<bool> small = {};   ///< by coordinate
+  bool has_small_inputs = false;  ///< true if every coordinate that is not held is small
+  Span span = {};                 ///< of the key `about`
 };
 
 inline constexpr std::uint32_t max_expansion_order = 5;
 
 struct Model {
   SourcePointer source = {};
-  std::string canonical = {};  ///< canonical text of the file; stamps contain its hash
+  std::string canonical_text = {};  ///< canonical text of the file; stamps contain its hash
   std::string name;
   Span name_span = {};
   std::string title = {};
@@ -314,7 +317,7 @@ struct Model {
   std::vector<Expression> expressions = {};
   /// For pages, the typed form of each expression that the stage check rewrote: sin(q)/q if
   /// `expressions` contains stumpff(q, 1).
-  std::map<ExpressionId, Expression> typed = {};
+  std::map<ExpressionId, Expression> original_expressions = {};
   std::vector<Coordinate> coordinates = {};  ///< q
   std::vector<Velocity> velocities = {};     ///< v
   std::vector<Rotation> rotations = {};
@@ -341,12 +344,12 @@ struct Model {
   /// The held variables of the scene. The other members describe a Model without them: locked
   /// variables are replaced by functions of time, cyclic coordinates by 0. With `[routh]`, the
   /// Lagrangian is Routh's function R of the whole model.
-  Variant variant = {};
+  ModelReduction reduction = {};
   std::vector<std::uint32_t> affine_parameters =
       {};  ///< parameters in which the forces are jointly affine
 
-  bool quadratic = true;        ///< T - V (or L) is at most quadratic in the rates
-  bool without_pivots = false;  ///< default of forward_dynamics; a scene may override it
+  bool is_quadratic = true;   ///< T - V (or L) is at most quadratic in the rates
+  bool omits_pivots = false;  ///< default of forward_dynamics; a scene may override it
   /// True if t occurs in an energy, a point, a force or an output, so that functions take t.
   bool uses_time = false;
   /// False if `drift` is 0: T has only terms of degree 2 in the rates, and V none of degree 1.
@@ -366,14 +369,14 @@ std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
 std::uint32_t append_rotation(Model& model, Rotation rotation);
 
 /// The model with the held variables; `model` itself if no variable is held.
-[[nodiscard]] inline const Model& whole_model(const Model& model) {
-  return model.variant.whole ? *model.variant.whole : model;
+[[nodiscard]] inline const Model& unreduced_model(const Model& model) {
+  return model.reduction.unreduced ? *model.reduction.unreduced : model;
 }
 
 /// The velocities of the whole model for which the output `reaction` has a row, in the order of v.
-[[nodiscard]] inline std::vector<std::uint32_t> held_velocities(const Model& model) {
-  return model.variant.whole ? velocities_with_reaction(model.variant.locks)
-                             : std::vector<std::uint32_t>{};
+[[nodiscard]] inline std::vector<std::uint32_t> reaction_row_velocities(const Model& model) {
+  return model.reduction.unreduced ? velocities_with_reaction(model.reduction.locks)
+                                   : std::vector<std::uint32_t>{};
 }
 
 /// The new positions of the variables of the whole model after the held variables are removed.
@@ -383,11 +386,11 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
 
 /// True if the Lagrangian is Routh's function R: cyclic coordinates are eliminated.
 [[nodiscard]] inline bool has_routhian(const Model& model) {
-  return model.variant.whole && !model.variant.cyclic.empty();
+  return model.reduction.unreduced && !model.reduction.cyclic.empty();
 }
 
 /// True if the Lagrangian is one function without separate T and V: a declared L, or R.
-[[nodiscard]] inline bool has_whole_lagrangian(const Model& model) {
+[[nodiscard]] inline bool has_combined_lagrangian(const Model& model) {
   return model.energies.L.has_value() || has_routhian(model);
 }
 

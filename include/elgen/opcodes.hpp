@@ -68,7 +68,7 @@ inline constexpr std::size_t leaf_kind_count = leaf_kinds.size();
 }
 
 /// When emitted functions take a kind of leaf.
-enum class Passed : std::uint8_t {
+enum class ArgumentRule : std::uint8_t {
   always,   ///< even an empty list
   if_any,   ///< if the system has leaves of the kind
   if_used,  ///< if a function of the program takes the kind; otherwise its leaves have no names
@@ -79,11 +79,11 @@ enum class Passed : std::uint8_t {
 enum class LeafUnit : std::uint8_t {
   second,
   joule,
-  of_entry,          ///< [v]
+  entry_unit,        ///< [v]
   entry_per_second,  ///< [v]/s
   joule_per_entry,   ///< J/[v]
-  of_open_value,     ///< [f]/([x_i] [x_j]), from the function f and its arguments x
-  of_multiplier,     ///< W / unit of the rate of its constraint
+  open_value_unit,   ///< [f]/([x_i] [x_j]), from the function f and its arguments x
+  multiplier_unit,   ///< W / unit of the rate of its constraint
 };
 
 /// The groups of factors, in the order in which books write a product.
@@ -99,7 +99,7 @@ enum class FactorGroup : std::uint8_t {
 };
 
 /// The notation of a kind of leaf.
-struct LeafText {
+struct LeafNotation {
   std::string_view symbol;      ///< "q"
   std::string_view type;        ///< type of the argument: "Coordinates<Scalar>"
   int rank;                     ///< position among the factors of a product; unique
@@ -113,26 +113,28 @@ struct LeafText {
 struct LeafUse {
   FactorGroup group;
   LeafUnit unit;
-  Passed passed;
-  bool moves;      ///< true for rates and causes of motion, which are 0 at rest
-  bool is_stated;  ///< true if `--state` can set it, although it is not part of a start
+  ArgumentRule argument_rule;
+  bool is_zero_at_rest;  ///< true for rates and causes of motion, which are 0 at rest
+  bool is_settable;      ///< true if `--state` can set it, although it is not part of a start
 };
 
-struct LeafRow : LeafText, LeafUse {
+struct LeafRow : LeafNotation, LeafUse {
   Opcode id = {};
-  std::string_view member = {};  ///< member of PerLeaf: "parameters"
-  LeafOwner of = {};
+  std::string_view member = {};  ///< member of LeafMembers: "parameters"
+  LeafOwner owner = {};
 };
 
 [[nodiscard]] std::span<const LeafRow> leaf_table();
 [[nodiscard]] const LeafRow& leaf_row(Opcode leaf);
 
 /// True if a system has exactly one leaf of the kind.
-[[nodiscard]] inline bool is_single(Opcode leaf) { return leaf_row(leaf).of == LeafOwner::system; }
+[[nodiscard]] inline bool is_single(Opcode leaf) {
+  return leaf_row(leaf).owner == LeafOwner::system;
+}
 
 /// True if a state contains the kind: functions take it, and it is not `parameter`.
 [[nodiscard]] inline bool is_in_state(Opcode leaf) {
-  return leaf != Opcode::parameter && leaf_row(leaf).passed != Passed::never;
+  return leaf != Opcode::parameter && leaf_row(leaf).argument_rule != ArgumentRule::never;
 }
 
 /// A set of kinds of leaves.

@@ -29,7 +29,7 @@ struct OpenFunction {
   Span span = {};
 };
 
-inline constexpr std::size_t most_arguments = 4;  ///< largest number of arguments
+inline constexpr std::size_t max_open_arguments = 4;  ///< largest number of arguments
 
 /// A value of an open function: the function, or one of its derivatives.
 struct OpenValue {
@@ -37,7 +37,7 @@ struct OpenValue {
   std::string identifier;
   std::uint32_t function = 0;  ///< in Model::functions
   /// Numbers of the arguments by which f is differentiated, ascending; empty: f itself.
-  std::vector<std::uint32_t> by = {};
+  std::vector<std::uint32_t> derivative_arguments = {};
   std::optional<Unit> unit = {};  ///< none: unknown
   std::string unit_text = {};
 };
@@ -46,12 +46,14 @@ struct Model;
 
 /// The number of the open value that is the derivative of `value` by one more argument of its
 /// function; none beyond second order.
-[[nodiscard]] std::optional<std::uint32_t> derivative_of(const Model& model, std::uint32_t value,
-                                                         std::uint32_t argument);
+[[nodiscard]] std::optional<std::uint32_t> find_open_derivative(const Model& model,
+                                                                std::uint32_t value,
+                                                                std::uint32_t argument);
 
 /// The number of the open value that is the derivative of `function` by the arguments `by`, in any
 /// order; none beyond second order.
-[[nodiscard]] std::optional<std::uint32_t> open_value(const Model& model, std::uint32_t function,
-                                                      std::vector<std::uint32_t> by);
+[[nodiscard]] std::optional<std::uint32_t> find_open_value(const Model& model,
+                                                           std::uint32_t function,
+                                                           std::vector<std::uint32_t> by);
 
 }  // namespace elgen

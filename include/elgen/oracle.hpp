@@ -41,7 +41,7 @@ using State = LeafValues<cln::cl_R>;
 
 /// Replaces every quaternion by a rational one of length 1, computed from its last three
 /// components.
-void make_unit_quaternions(const Model& model, State& state);
+void set_rational_quaternions(const Model& model, State& state);
 
 /// The entries of an output, field after field, row-major, with the shapes and units of the output
 /// table. None if an intermediate value is undefined (sqrt(-1), 1/0).
@@ -117,16 +117,16 @@ struct FixedVariables {
                                                       const FixedVariables& kept = {});
 
 /// The assembled state; none if it does not satisfy the constraints.
-[[nodiscard]] std::optional<State> oracle_assembled(const Model& model, State state);
+[[nodiscard]] std::optional<State> oracle_assembled_state(const Model& model, State state);
 
 /// The relative pivots D_i / M_ii of a symmetric n x n matrix M = L D L^T, eliminated from the
 /// first row to the last. None if a pivot is 0.
 [[nodiscard]] OracleValues oracle_relative_pivots(std::vector<cln::cl_R> matrix, std::size_t n);
 
 /// The value of one expression of the model (for [[expect]]), with all leaves from the state.
-[[nodiscard]] std::optional<cln::cl_R> oracle_expression(const Model& model,
-                                                         ExpressionId expression,
-                                                         const State& state);
+[[nodiscard]] std::optional<cln::cl_R> oracle_expression_value(const Model& model,
+                                                               ExpressionId expression,
+                                                               const State& state);
 
 /// The derivative of an expression along a direction of all leaves. The expression contains no open
 /// function.
@@ -137,8 +137,9 @@ struct FixedVariables {
 
 /// d/dt of an expression along the motion with acceleration state.a (for `conserved`). The leaves p
 /// and E in the expression are computed from q, v and t, not taken from the state.
-[[nodiscard]] std::optional<cln::cl_R> oracle_rate(const Model& model, ExpressionId expression,
-                                                   const State& state);
+[[nodiscard]] std::optional<cln::cl_R> oracle_expression_rate(const Model& model,
+                                                              ExpressionId expression,
+                                                              const State& state);
 
 /// True if the parameters of a state meet a condition.
 [[nodiscard]] bool oracle_satisfies(const Model& model, const Condition& condition,
@@ -146,7 +147,7 @@ struct FixedVariables {
 
 /// The state of rest at a stated point. `state` provides the parameters, and the coordinates that
 /// the point does not determine; inputs without a stated value are 0. None if a value is undefined.
-[[nodiscard]] std::optional<State> oracle_rest_state(const Model& model, const StatedPoint& point,
-                                                     State state);
+[[nodiscard]] std::optional<State> oracle_rest_state(const Model& model,
+                                                     const OperatingPoint& point, State state);
 
 }  // namespace elgen

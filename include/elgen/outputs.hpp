@@ -35,7 +35,7 @@ enum class Extent : std::uint8_t {
   velocities,
   states,
   inputs,
-  held,
+  reaction,
   cyclic,        ///< coordinates that [routh] eliminates
   constraints,   ///< a row is the rate of a constraint
   positions,     ///< a row is a constraint on positions
@@ -62,33 +62,33 @@ enum class UnitRule : std::uint8_t {
 /// A property of the model, the scene or an [[output]] that some outputs require.
 /// src/model/unmet_needs.cpp checks the needs in this order and reports the first that is not met.
 enum class Need : std::uint8_t {
-  quadratic,         ///< a Lagrangian that is at most quadratic in v
-  energies,          ///< separate T and V
-  rotations,         ///< a rotation
-  held,              ///< a lock with `reaction = true`
-  cyclic,            ///< a coordinate in [routh]
-  affine_forces,     ///< forces that are affine in the parameters of a regressor
-  inertial,          ///< parameters of a regressor
-  constraints,       ///< a constraint
-  independent,       ///< independent velocities in the scene
-  no_constraints,    ///< no constraint
-  inputs,            ///< an input
-  motors,            ///< only inputs that are motors
-  few_inputs,        ///< at most as many inputs as degrees of freedom
-  kept_coordinates,  ///< an [[output]] without coordinates that [routh] eliminates
-  smooth_forces,     ///< forces without kinks
-  few_velocities,    ///< few enough velocities for straight-line derivatives of a step
-  closed_functions,  ///< an expression of each open function
-  jacobian,          ///< `jacobian = true` of the [[output]]
-  of_positions,      ///< an [[output]] over positions only
-  of_motion,         ///< an [[output]] with rates, accelerations or inputs
-  smooth_values,     ///< an [[output]] without kinks
+  quadratic,              ///< a Lagrangian that is at most quadratic in v
+  energies,               ///< separate T and V
+  rotations,              ///< a rotation
+  reaction,               ///< a lock with `reaction = true`
+  cyclic,                 ///< a coordinate in [routh]
+  affine_forces,          ///< forces that are affine in the parameters of a regressor
+  inertial,               ///< parameters of a regressor
+  constraints,            ///< a constraint
+  independent,            ///< independent velocities in the scene
+  no_constraints,         ///< no constraint
+  inputs,                 ///< an input
+  motors,                 ///< only inputs that are motors
+  few_inputs,             ///< at most as many inputs as degrees of freedom
+  no_cyclic_coordinates,  ///< an [[output]] without coordinates that [routh] eliminates
+  smooth_forces,          ///< forces without kinks
+  few_velocities,         ///< few enough velocities for straight-line derivatives of a step
+  closed_functions,       ///< an expression of each open function
+  jacobian,               ///< `jacobian = true` of the [[output]]
+  position_values,        ///< an [[output]] over positions only
+  motion_values,          ///< an [[output]] with rates, accelerations or inputs
+  smooth_values,          ///< an [[output]] without kinks
 };
 
 /// The fault to report if a matrix other than M, with which an output solves, is singular at every
 /// state. Outputs that solve only with M do not use this member. src/inspect/singular_mass.hpp has
 /// the messages.
-enum class WhenSingular : std::uint8_t {
+enum class SingularFault : std::uint8_t {
   redundant_constraint,  ///< A M^-1 A^T: a constraint follows from the others
   redundant_inputs,      ///< B^T G B: the force of an input depends linearly on other inputs
   undetermined_rest,     ///< A_d: the independent velocities do not determine the other velocities
@@ -120,10 +120,10 @@ inline constexpr std::array option_table{OptionRow{OutputOption::method, "method
                                          OptionRow{OutputOption::independent, "independent", "it"}};
 
 template <typename Enum>
-class SetOf {
+class EnumSet {
  public:
-  constexpr SetOf() = default;
-  constexpr SetOf(std::initializer_list<Enum> members) {
+  constexpr EnumSet() = default;
+  constexpr EnumSet(std::initializer_list<Enum> members) {
     for (const Enum member : members) add(member);
   }
 
@@ -164,12 +164,12 @@ struct FieldRow {
   std::string_view latex = {};  ///< symbol of the field, if it has a name
   /// True for the residual of an iteration, whose terms cancel down to rounding error. Only
   /// implicit methods have this field.
-  bool is_remainder = false;
+  bool is_residual = false;
 };
 
 /// True if the field is a matrix even with one column, for example the mass matrix of one
 /// coordinate. False for user_columns: an [[output]] with one column is a list.
-[[nodiscard]] constexpr bool has_columns(const FieldRow& field) {
+[[nodiscard]] constexpr bool is_matrix_field(const FieldRow& field) {
   return field.columns != Extent::one && field.columns != Extent::user_columns;
 }
 
@@ -177,16 +177,16 @@ struct FieldRow {
 /// length 1, because its row belongs to a coordinate, an input or another named entry.
 [[nodiscard]] constexpr bool may_be_scalar(const FieldRow& field) {
   const bool is_of_user = field.rows == Extent::user || field.rows == Extent::task;
-  return (is_of_user || field.rows == Extent::one) && !has_columns(field);
+  return (is_of_user || field.rows == Extent::one) && !is_matrix_field(field);
 }
 
 struct OutputRow {
   OutputKind kind = {};
   std::string_view name = {};  ///< in scenes, options and emitted code; "" for user outputs
   Notation symbol = {};
-  LeafSet takes = {};  ///< arguments in addition to parameters, q and (if it occurs) t
+  LeafSet argument_kinds = {};  ///< arguments in addition to parameters, q and (if it occurs) t
   bool takes_parameters_alone = false;
-  bool is_of_mass = false;         ///< also takes v if M depends on v (L is not quadratic in v)
+  bool depends_like_mass = false;  ///< also takes v if M depends on v (L is not quadratic in v)
   bool takes_unprojected = false;  ///< may be called at states that violate the constraints
   std::span<const FieldRow> fields = {};
   Notation equation = {};
@@ -198,40 +198,41 @@ struct OutputRow {
   std::string_view constrained_doc = {};       ///< with constraints; empty: `doc`
   std::string_view doc_without_pivots = {};
   std::string_view constrained_doc_without_pivots = {};
-  SetOf<Need> needs = {};
-  SetOf<OutputOption> options = {};  ///< options that its entry in `[outputs]` accepts
-  WhenSingular when_singular = WhenSingular::redundant_constraint;
-  bool is_energy = false;        ///< an energy of (q, v), in which V occurs without derivatives
-  bool solves = false;           ///< solves M x = b
-  bool differentiates = false;   ///< contains derivatives of the equations of motion
-  bool gives_pivots = false;     ///< also returns the relative pivots of M = L D L^T
-  bool is_constrained = false;   ///< if the model has constraints, solves with A M^-1 A^T
-  bool by_name = false;          ///< `full` omits it; a scene must name it
-  bool of_user = false;          ///< a function of every [[output]] of a model
-  std::string_view suffix = {};  ///< appended to the name of the [[output]]
-  bool is_summary = false;       ///< a struct of all requested outputs that take neither a nor u
-  bool steps = false;            ///< composed by the method of the scene, not derived
+  EnumSet<Need> needs = {};
+  EnumSet<OutputOption> options = {};  ///< options that its entry in `[outputs]` accepts
+  SingularFault singular_fault = SingularFault::redundant_constraint;
+  bool is_energy = false;           ///< an energy of (q, v), in which V occurs without derivatives
+  bool solves_mass_matrix = false;  ///< solves M x = b
+  bool differentiates = false;      ///< contains derivatives of the equations of motion
+  bool gives_pivots = false;        ///< also returns the relative pivots of M = L D L^T
+  bool is_constrained = false;      ///< if the model has constraints, solves with A M^-1 A^T
+  bool is_on_request = false;       ///< `full` omits it; a scene must name it
+  bool is_user_output = false;      ///< a function of every [[output]] of a model
+  std::string_view suffix = {};     ///< appended to the name of the [[output]]
+  bool is_summary = false;          ///< a struct of all requested outputs that take neither a nor u
+  bool is_step = false;             ///< composed by the method of the scene, not derived
 };
 
 /// True if the output has equations of its own, that is, it is not composed from other outputs.
 [[nodiscard]] constexpr bool has_equations(const OutputRow& output) {
-  return !output.is_summary && !output.steps;
+  return !output.is_summary && !output.is_step;
 }
 
 /// True for the value of an [[output]], false for its Jacobian, bias or derivatives.
-[[nodiscard]] constexpr bool is_value_of_user(const OutputRow& output) {
-  return output.of_user && output.suffix.empty();
+[[nodiscard]] constexpr bool is_user_value(const OutputRow& output) {
+  return output.is_user_output && output.suffix.empty();
 }
 
 /// True if `full` omits the output and a scene must name it: a step needs a method, and functions
 /// of momenta are an alternative to functions of velocities.
-[[nodiscard]] constexpr bool is_only_by_name(const OutputRow& output) {
-  return output.steps || output.by_name || output.takes.has_any(Opcode::momentum);
+[[nodiscard]] constexpr bool is_omitted_by_full(const OutputRow& output) {
+  return output.is_step || output.is_on_request || output.argument_kinds.has_any(Opcode::momentum);
 }
 
 /// True if the output divides by the pivots of M = L D L^T.
 [[nodiscard]] constexpr bool divides_by_mass(const OutputRow& output) {
-  return output.solves || output.steps || output.takes.has_any(Opcode::momentum);
+  return output.solves_mass_matrix || output.is_step ||
+         output.argument_kinds.has_any(Opcode::momentum);
 }
 
 /// The properties of a model that select one of the equations of an output.
@@ -246,7 +247,7 @@ struct EquationSetting {
 
 /// True if `dynamics` contains the output: its arguments are only parameters, q, v and t, and it
 /// has one field.
-[[nodiscard]] bool is_repeated(OutputKind kind, LeafSet takes);
+[[nodiscard]] bool is_in_dynamics(OutputKind kind, LeafSet takes);
 
 /// The field of this name; if there is none, the first field; for an output without fields, the row
 /// of a single number.

@@ -30,8 +30,8 @@ struct FunctionEquations {
 /// A function as named definitions and entries. `names`: for each instruction a name in the model
 /// language, or "" to substitute the instruction. Entries of at most 12 operations are written over
 /// the leaves. Definitions that no entry needs are omitted.
-[[nodiscard]] FunctionEquations equations(const Program& program, const Function& function,
-                                          const std::vector<std::string>& names);
+[[nodiscard]] FunctionEquations function_equations(const Program& program, const Function& function,
+                                                   const std::vector<std::string>& names);
 
 /// The function functions[index] of a program: its readable closed form, each entry over the
 /// leaves; without a readable form, the function with the names of the emitted code.
@@ -43,7 +43,7 @@ struct FunctionEquations {
                                           std::size_t index);
 
 /// The first entry of readable[0] over the leaves, in the symbols of the model.
-[[nodiscard]] Formula first_entry(const Model& model, const Program& program);
+[[nodiscard]] Formula first_entry_formula(const Model& model, const Program& program);
 
 /// The matrix equation "M(q) a + C(q,v) v + g(q) = B(q) u", with constraints "+ A(q)^T lambda" on
 /// the right. A term is omitted if the model cannot have it or if its function is zero. If no
@@ -101,7 +101,8 @@ struct PageSection {
   Formulas lines = {};      ///< formulas and sentences before the equations
   std::vector<PageEquation> equations = {};
   PageTable table = {};
-  bool is_row = false;  ///< equations are printed side by side if the screen is wide enough
+  bool is_side_by_side =
+      false;  ///< equations are printed side by side if the screen is wide enough
   /// Equations, also those in `lines`, are aligned at their relation signs.
   bool is_aligned = false;
 };
@@ -120,24 +121,24 @@ struct Page {
 };
 
 /// The steps of a derivation, for readers.
-struct ReadableSteps {
-  Program program = {};                    ///< the functions of elgen/steps.hpp
-  std::vector<std::string> masses = {};    ///< the names of the fields of "positions"
-  std::vector<std::string> left_out = {};  ///< points and bodies with a mass, not in `masses`
+struct ReadableDerivation {
+  Program program = {};                          ///< the functions of elgen/steps.hpp
+  std::vector<std::string> masses = {};          ///< the names of the fields of "positions"
+  std::vector<std::string> omitted_masses = {};  ///< points and bodies with a mass, not in `masses`
 };
 
 /// The programs from which pages are printed.
-struct Book {
-  Program program = {};                     ///< of the emitted code; `readable` has textbook forms
-  std::optional<ReadableSteps> steps = {};  ///< none if the derivation is too long to read
+struct PagePrograms {
+  Program program = {};  ///< of the emitted code; `readable` has textbook forms
+  std::optional<ReadableDerivation> steps = {};  ///< none if the derivation is too long to read
 };
 
 /// Options of a page. `dynamics` repeats other outputs and is never shown.
 struct PageOptions {
-  bool zeros = false;              ///< true: also shows functions whose entries are all 0
+  bool shows_zeros = false;        ///< true: also shows functions whose entries are all 0
   std::size_t most_entries = 200;  ///< a larger output is shown by its definition only
   /// The steps whose equations of motion the page shows first; may be null.
-  const ReadableSteps* opening = nullptr;
+  const ReadableDerivation* opening_steps = nullptr;
 };
 
 /// Sentences about the scene: its purpose, its fixed, locked and expanded variables, and the
@@ -150,11 +151,11 @@ struct PageOptions {
 /// One section per step: the action; positions; velocities; energies; Lagrange's equation of each
 /// coordinate, with conserved quantities and their conditions; the system of all equations. If
 /// `title` is set: only the section of that title.
-[[nodiscard]] std::vector<PageSection> steps_sections(const Model& model,
-                                                      const ReadableSteps& steps,
-                                                      std::string_view title = {});
-[[nodiscard]] Page steps_page(const Model& model, const Scene& scene, const ReadableSteps& steps,
-                              std::string_view title = {});
+[[nodiscard]] std::vector<PageSection> derivation_sections(const Model& model,
+                                                           const ReadableDerivation& steps,
+                                                           std::string_view title = {});
+[[nodiscard]] Page derivation_page(const Model& model, const Scene& scene,
+                                   const ReadableDerivation& steps, std::string_view title = {});
 
 /// The titles of two sections of the steps: the energies, and the system of all equations with its
 /// solution.
@@ -197,7 +198,7 @@ struct Screen {
 [[nodiscard]] std::string latex_document(const Page& page);
 
 /// The sections as HTML with MathML Core, and a complete page.
-[[nodiscard]] std::string html_parts(const std::vector<PageSection>& sections);
+[[nodiscard]] std::string html_sections(const std::vector<PageSection>& sections);
 [[nodiscard]] std::string html_page(const Page& page);
 
 }  // namespace elgen

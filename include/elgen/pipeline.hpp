@@ -26,7 +26,7 @@
 
 namespace elgen {
 
-struct Inputs {
+struct PipelineSources {
   SourcePointer model = {};
   SourcePointer scene = {};  ///< null: the built-in scene `full`
 };
@@ -36,39 +36,39 @@ enum class Goal : std::uint8_t {
 #define ELGEN_GOAL(id, name) id,
 #include "elgen/goals.def"
 };
-inline constexpr std::array goal_names{
+inline constexpr std::array stage_names{
 #define ELGEN_GOAL(id, name) std::string_view(name),
 #include "elgen/goals.def"
 };
 
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
-  return goal_names[static_cast<std::size_t>(goal)];
+  return stage_names[static_cast<std::size_t>(goal)];
 }
 /// None if no stage has the name.
-[[nodiscard]] std::optional<Goal> find_goal(std::string_view name);
+[[nodiscard]] std::optional<Goal> find_stage(std::string_view name);
 
 /// A row of analyses.def, for stages and commands.
 struct AnalysisRow {
-  Goal goal;
+  Goal stage;
   /// The outputs that the analysis needs. Null: it uses the result of another analysis.
   std::vector<OutputRequest> (*outputs)(const Model& model) = nullptr;
   /// True: `inspect` checks these outputs, not the outputs of the scene, because the analysis does
   /// not solve for accelerations.
   bool inspects_outputs = false;
   /// The hint of E539 if the analysis rejects models with constraints; empty: it accepts them.
-  std::string_view instead_of_constraints = {};
+  std::string_view constraint_hint = {};
   /// True: each open function is replaced by its `sample`, because the analysis needs a potential.
-  bool closes_functions = false;
+  bool samples_open_functions = false;
 };
 inline constexpr std::array analysis_table{
 #define ELGEN_ANALYSIS(id, name, source, Found, find, page, json, ...) \
-  AnalysisRow{.goal = Goal::id, __VA_ARGS__},
+  AnalysisRow{.stage = Goal::id, __VA_ARGS__},
 #include "elgen/analyses.def"
 };
 
 /// Null if the stage is no analysis.
 [[nodiscard]] constexpr const AnalysisRow* find_analysis(Goal goal) {
-  const auto* const row = std::ranges::find(analysis_table, goal, &AnalysisRow::goal);
+  const auto* const row = std::ranges::find(analysis_table, goal, &AnalysisRow::stage);
   return row == analysis_table.end() ? nullptr : row;
 }
 
@@ -81,7 +81,7 @@ struct PipelineOptions {
   std::vector<Goal> goals = {Goal::self_check};
   /// The equilibrium to analyse: the name of an [[equilibrium]], or "" for the start of the model,
   /// which must be an equilibrium. None: all equilibria; modes only about stable equilibria.
-  std::optional<std::string> about = {};
+  std::optional<std::string> equilibrium_name = {};
   /// Called at the start of each stage, with its name.
   std::function<void(const std::string&)> on_stage = {};
 };
@@ -98,8 +98,8 @@ struct Products {
   std::optional<ClosedForms> closed_forms = {};
   std::optional<Program> program = {};  ///< every function in its chosen form
   std::vector<FormCosts> costs = {};
-  std::optional<ReadableSteps> steps = {};
-  std::optional<Book> book = {};
+  std::optional<ReadableDerivation> steps = {};
+  std::optional<PagePrograms> page_programs = {};
 #define ELGEN_ANALYSIS(id, name, source, Found, ...) std::optional<Found> id = {};
 #include "elgen/analyses.def"
   /// Verdicts on [[equilibrium]] entries.
@@ -113,12 +113,11 @@ struct Products {
 
 /// Runs the goals and the stages that they need, until a stage reports an error. Errors: the errors
 /// of the stages; E911: the self-check failed; E521: an output has no value at any state.
-[[nodiscard]] Products run_pipeline(const Inputs& inputs, const PipelineOptions& options);
+[[nodiscard]] Products run_pipeline(const PipelineSources& inputs, const PipelineOptions& options);
 
 /// Runs the stages from `formulate` to `choose` for one output, given by its position in the scene,
 /// and returns their times.
-[[nodiscard]] std::vector<StageTime> stage_times_of_output(const CheckedModel& checked,
-                                                           std::size_t output,
-                                                           const Limits& limits);
+[[nodiscard]] std::vector<StageTime> output_stage_times(const CheckedModel& checked,
+                                                        std::size_t output, const Limits& limits);
 
 }  // namespace elgen

@@ -10,18 +10,20 @@
 namespace elgen {
 
 /// Checks whether a page can run with these options: only rk4, verlet and midpoint with a fixed
-/// step. E620: another method. E621: too many steps. E647: another order. E913: `every` or `hold`
-/// is set.
+/// step. E620: another method. E621: too many steps. E647: another order. E913: `row_interval` or
+/// `hold` is set.
 [[nodiscard]] Diagnostics check_player_options(const SimulationOptions& options);
 
 /// `options`, changed so that derive_for_run() makes the program of a page: in JavaScript, with the
 /// outputs that a page shows.
 [[nodiscard]] PipelineOptions player_pipeline_options(PipelineOptions options);
 
-/// The page of a run as HTML. `moving` has the program of derive_for_run(); `read` has the results
-/// to display: steps, equilibria and modes, if any. The bytes are the same on every machine. E538:
-/// no start satisfies the constraints. E7xx: as emit(). E916: more than limits.page_bytes.
-[[nodiscard]] Result<std::string> player_page(const Products& moving, const Products& read,
+/// The page of a run as HTML. `run_products` has the program of derive_for_run(); `shown_products`
+/// has the results to display: steps, equilibria and modes, if any. The bytes are the same on every
+/// machine. E538: no start satisfies the constraints. E7xx: as emit(). E916: more than
+/// limits.page_bytes.
+[[nodiscard]] Result<std::string> player_page(const Products& run_products,
+                                              const Products& shown_products,
                                               const SimulationOptions& options,
                                               const Limits& limits);
 

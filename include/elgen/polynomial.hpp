@@ -79,7 +79,7 @@ class Monomial {
 
 /// The lexicographic order of the exponents. Multiplying x and y by the same monomial preserves
 /// their order.
-[[nodiscard]] inline std::strong_ordering order_of(const Monomial& x, const Monomial& y) {
+[[nodiscard]] inline std::strong_ordering compare_exponents(const Monomial& x, const Monomial& y) {
   const auto [i, j] = std::mismatch(x.begin(), x.end(), y.begin(), y.end());
   const bool x_decides = i != x.end() && (j == y.end() || i->atom <= j->atom);
   const bool y_decides = j != y.end() && (i == x.end() || j->atom <= i->atom);
@@ -88,15 +88,15 @@ class Monomial {
 
 struct MonomialLess {
   [[nodiscard]] bool operator()(const Monomial& x, const Monomial& y) const {
-    return order_of(x, y) < 0;
+    return compare_exponents(x, y) < 0;
   }
 };
 
 /// The coefficient x + i y.
-struct Gaussian {
+struct GaussianRational {
   cln::cl_RA real = 0;
   cln::cl_RA imaginary = 0;
-  friend bool operator==(const Gaussian&, const Gaussian&) = default;
+  friend bool operator==(const GaussianRational&, const GaussianRational&) = default;
 };
 
 /// Terms ascending by MonomialLess; no coefficient is 0, and the empty sum is 0. Unlike the
@@ -104,7 +104,7 @@ struct Gaussian {
 class Polynomial {
  public:
   using key_type = Monomial;
-  using value_type = std::pair<Monomial, Gaussian>;
+  using value_type = std::pair<Monomial, GaussianRational>;
   using Terms = std::vector<value_type>;
   using iterator = Terms::iterator;
   using const_iterator = Terms::const_iterator;
@@ -132,7 +132,8 @@ class Polynomial {
 
   /// Inserts a term unless the monomial exists. Returns the term and whether it is new. Cost:
   /// linear in the number of higher terms.
-  std::pair<iterator, bool> try_emplace(const Monomial& monomial, const Gaussian& coefficient) {
+  std::pair<iterator, bool> try_emplace(const Monomial& monomial,
+                                        const GaussianRational& coefficient) {
     const bool is_last = terms_.empty() || is_before(terms_.back(), monomial);
     const auto at = is_last ? end() : std::lower_bound(begin(), end(), monomial, is_before);
     if (!is_last && at->first == monomial) return {at, false};
@@ -148,7 +149,7 @@ class Polynomial {
 
  private:
   [[nodiscard]] static bool is_before(const value_type& term, const Monomial& monomial) {
-    return order_of(term.first, monomial) < 0;
+    return compare_exponents(term.first, monomial) < 0;
   }
 
   Terms terms_ = {};

@@ -1,8 +1,8 @@
 // Program: one straight-line function per output, without GiNaC, in elgen's own order.
 //
 // A Function is a list of instructions in single-assignment form. Operands precede their users, no
-// value is computed twice except in repetitions, and no code is dead (check_invariants). Text form,
-// one instruction per line:
+// value is computed twice except in repetitions, and no code is dead (find_invariant_violation).
+// Text form, one instruction per line:
 //
 //     function mass_matrix(q)
 //       0 = parameter m             ; leaves are named as in the model
@@ -106,7 +106,7 @@ struct Function {
   Repetition repeated = {};  ///< count 0: no repetitions
   /// If the fields are the parts of an output (elgen/compose.hpp): the velocities in the order in
   /// which M is eliminated.
-  std::vector<std::uint32_t> elimination = {};
+  std::vector<std::uint32_t> elimination_order = {};
 };
 
 /// A copy without instructions and fields, for the same request.
@@ -145,7 +145,7 @@ struct Program {
 };
 
 /// True if some function contains a call of `function`.
-[[nodiscard]] bool calls(const Program& program, FunctionId function);
+[[nodiscard]] bool calls_function(const Program& program, FunctionId function);
 
 /// True if the instruction loads the number 0.
 [[nodiscard]] bool loads_zero(const Program& program, const Instruction& instruction);
@@ -211,27 +211,28 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 
 /// The numbers of the instructions that needed_instructions() marks, ascending. If there are more
 /// than `most`, only the `most` + 1 highest. Cost: linear in the result.
-[[nodiscard]] std::vector<std::uint32_t> cone_of(
+[[nodiscard]] std::vector<std::uint32_t> dependency_cone(
     const Function& function, std::vector<std::uint32_t> wanted,
     std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// The function with only the instructions `order` (old numbers), in this order. Operands must
 /// precede their users, and every entry must be present. `repeated` is kept if all repeated
 /// instructions remain at the end, in their old order.
-[[nodiscard]] Function reordered(const Function& function, const std::vector<std::uint32_t>& order);
+[[nodiscard]] Function reorder_instructions(const Function& function,
+                                            const std::vector<std::uint32_t>& order);
 
 /// Removes the instructions that no entry needs.
 ///
 ///     before    0 = parameter m   1 = parameter l   2 = multiply 0 0   result = 2
 ///     after     0 = parameter m   1 = multiply 0 0                     result = 1
-[[nodiscard]] Function pruned(const Function& function);
+[[nodiscard]] Function eliminate_dead_code(const Function& function);
 
 /// A function whose only field has the instructions `entries` as entries. Instructions that these
 /// entries do not need are removed.
 [[nodiscard]] Function with_entries(Function function, const std::vector<std::uint32_t>& entries);
 
 /// Empty if all invariants hold; else the first violation with function and instruction.
-[[nodiscard]] std::string check_invariants(const Program& program);
+[[nodiscard]] std::string find_invariant_violation(const Program& program);
 
 /// Throws std::logic_error with the first violation (E912), in every build. Cost: linear in the
 /// instructions.

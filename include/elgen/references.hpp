@@ -72,7 +72,8 @@ struct Root {
 
 /// The expressions of the roots for which `is_wanted` is true, in the order of roots_of().
 template <class Condition>
-[[nodiscard]] std::vector<ExpressionId> roots_if(const Model& model, const Condition& is_wanted) {
+[[nodiscard]] std::vector<ExpressionId> filter_roots(const Model& model,
+                                                     const Condition& is_wanted) {
   std::vector<ExpressionId> wanted;
   for (const Root& root : roots_of(model)) {
     if (is_wanted(root)) wanted.push_back(root.expression);
@@ -88,10 +89,10 @@ template <class Condition>
 [[nodiscard]] std::vector<ExpressionId> output_roots(const Model& model, std::uint32_t output);
 
 /// The roots of the equations of motion and of every [[output]].
-[[nodiscard]] std::vector<ExpressionId> all_roots(const Model& model);
+[[nodiscard]] std::vector<ExpressionId> equation_and_output_roots(const Model& model);
 
 /// True if the root is the value of a force.
-[[nodiscard]] inline bool is_force(const Root& root) {
+[[nodiscard]] inline bool is_force_value(const Root& root) {
   return root.entity.kind == EntityKind::force && root.role == RootRole::value;
 }
 
@@ -102,7 +103,7 @@ template <class Condition>
 
 /// The dissipation D as a root; empty if the model has none.
 [[nodiscard]] inline std::vector<ExpressionId> dissipation_roots(const Model& model) {
-  return roots_if(model, is_dissipation);
+  return filter_roots(model, is_dissipation);
 }
 
 /// The expressions that determine the work of a force: the positions of its points and the angular
@@ -111,15 +112,15 @@ template <class Condition>
 
 /// The roots and all expressions that they refer to, directly or indirectly, each once, operands
 /// before their users. The model must be free of cycles. Cost: linear in the number of expressions.
-[[nodiscard]] std::vector<ExpressionId> reachable_from(const Model& model,
-                                                       const std::vector<ExpressionId>& roots);
+[[nodiscard]] std::vector<ExpressionId> reachable_expressions(
+    const Model& model, const std::vector<ExpressionId>& roots);
 
 /// True if the expression contains a leaf of these kinds, also through names.
 [[nodiscard]] bool contains_leaf(const Model& model, ExpressionId expression, LeafSet kinds);
 
 /// True if the roots contain the coordinate, its rate or its acceleration, also through names.
 [[nodiscard]] bool contains_variable(const Model& model, const std::vector<ExpressionId>& roots,
-                                     const Held& variable);
+                                     const HeldCoordinate& variable);
 
 /// All expressions of a model without cycles, each after the expressions that it refers to.
 [[nodiscard]] std::vector<ExpressionId> topological_order(const Model& model);

@@ -35,21 +35,21 @@ inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision,
 /// single_precision applies only to the accelerations that a `step` calls.
 enum class InnerScalar : std::uint8_t { same, long_double, double_double, single_precision };
 
-struct InnerRow {
+struct InnerScalarRow {
   InnerScalar kind;
   std::string_view name;  ///< in scenes
   std::string_view type;  ///< in templates/cpp/wide.hpp.mustache
   double roundoff;        ///< u: relative rounding error of one operation
 };
 
-inline constexpr std::array inner_table{
-    InnerRow{InnerScalar::same, "double", "double", 0x1p-53},
-    InnerRow{InnerScalar::long_double, "long double", "long double", 0x1p-64},
-    InnerRow{InnerScalar::double_double, "double-double", "detail::DoubleDouble", 0x1p-102},
-    InnerRow{InnerScalar::single_precision, "float", "float", 0x1p-24}};
+inline constexpr std::array inner_scalar_table{
+    InnerScalarRow{InnerScalar::same, "double", "double", 0x1p-53},
+    InnerScalarRow{InnerScalar::long_double, "long double", "long double", 0x1p-64},
+    InnerScalarRow{InnerScalar::double_double, "double-double", "detail::DoubleDouble", 0x1p-102},
+    InnerScalarRow{InnerScalar::single_precision, "float", "float", 0x1p-24}};
 
-[[nodiscard]] constexpr const InnerRow& inner_row(InnerScalar kind) {
-  return inner_table[static_cast<std::size_t>(kind)];
+[[nodiscard]] constexpr const InnerScalarRow& inner_scalar_row(InnerScalar kind) {
+  return inner_scalar_table[static_cast<std::size_t>(kind)];
 }
 
 /// Converts a loss in u to decimal digits, at most all digits of the scalar.

@@ -36,9 +36,9 @@ struct LanguageRow {
   LanguageId id;
   std::string_view name;
   LanguageScalars scalars;
-  std::string_view ending;  ///< of a source file: "cpp"
-  bool has_more_headers;    ///< scenes may request headers on Eigen types and for batches
-  bool is_interpreted;      ///< computes in doubles with its own mathematical library
+  std::string_view file_extension;  ///< of a source file: "cpp"
+  bool has_more_headers;            ///< scenes may request headers on Eigen types and for batches
+  bool is_interpreted;              ///< computes in doubles with its own mathematical library
 };
 
 inline constexpr std::array language_table{
@@ -56,8 +56,9 @@ inline constexpr LanguageId default_language = language_table.front().id;
 
 /// The exact value of a fixed parameter.
 struct FixedValue {
-  cln::cl_R number = 0;                   ///< rational, or a float of 100 digits
-  std::optional<ExpressionId> form = {};  ///< in Model::expressions, for an irrational value
+  cln::cl_R number = 0;  ///< rational, or a float of 100 digits
+  std::optional<ExpressionId> exact_expression =
+      {};  ///< in Model::expressions, for an irrational value
 };
 
 /// By index of the parameter.
@@ -71,15 +72,15 @@ struct Specialisation {
 /// One requested output; requests are in the order of the output table.
 struct OutputRequest {
   OutputKind kind = {};
-  std::uint32_t user = 0;  ///< index in Model::outputs, for the user_* kinds
-  std::string name = {};   ///< of the emitted function
-  LeafSet takes = {};      ///< arguments in addition to parameters, q and (if it occurs) t
-  std::uint32_t rows = 1;  ///< shape of the first field
+  std::uint32_t user = 0;       ///< index in Model::outputs, for the user_* kinds
+  std::string name = {};        ///< of the emitted function
+  LeafSet argument_kinds = {};  ///< arguments in addition to parameters, q and (if it occurs) t
+  std::uint32_t rows = 1;       ///< shape of the first field
   std::uint32_t columns = 1;
   Span span = {};                     ///< of the request in the scene or an option
   std::optional<Form> form = {};      ///< the form that the scene demands; none: choose() decides
   std::optional<StepSpec> step = {};  ///< for `step` and its derivatives
-  bool without_pivots = false;        ///< true: relative pivots are not returned
+  bool omits_pivots = false;          ///< true: relative pivots are not returned
   /// For `completed`: the velocities that determine the other velocities, ascending.
   std::vector<std::uint32_t> independent = {};
 };
@@ -127,18 +128,19 @@ struct Emission {
   std::string name_space = {};  ///< in C++; in C the prefix of every name; default: base_name
   Span name_space_span = {};    ///< span of the value that sets the namespace
   Storage storage = Storage::row_major;
-  bool eigen = false;     ///< C++: a second header with the same functions on Eigen types
-  bool batch = false;     ///< C++: a second header with the same functions on arrays of states
-  bool equations = true;  ///< the sidecar file
-  bool page = true;
+  bool has_eigen_header = false;  ///< C++: a second header with the same functions on Eigen types
+  bool has_batch_header =
+      false;                ///< C++: a second header with the same functions on arrays of states
+  bool has_sidecar = true;  ///< the sidecar file
+  bool has_page = true;
 };
 
 /// The built-in scene `full` omits outputs with more entries; a scene must name them.
-inline constexpr std::uint64_t entries_in_full = 4096;
+inline constexpr std::uint64_t max_entries_in_full = 4096;
 
 /// Why the built-in scene `full` omits an output.
 enum class OmissionReason : std::uint8_t {
-  too_many_entries,  ///< more than entries_in_full
+  too_many_entries,  ///< more than max_entries_in_full
   kinked_force,      ///< needs derivatives of a force, which jump at kinks; no scene can have it
 };
 
@@ -162,7 +164,7 @@ struct SourcePaths {
 enum class ShownValues : std::uint8_t { places, masses, laws, integrals };
 
 /// The leaves that `--state` sets. The values of q and v replace the start of the model.
-struct StatedStart {
+struct StateOverrides {
   std::set<std::string> coordinates = {};  ///< names of the coordinates; all four of a rotation
   std::set<std::string> velocities = {};   ///< names of the velocities; all three of a rotation
   /// The values of accelerations, momenta, t and h, by their text: "dot(dot(theta))".
@@ -177,16 +179,16 @@ struct Scene {
   std::string doc = {};
   Specialisation specialisation = {};
   std::vector<OutputRequest> outputs = {};
-  std::vector<OmittedOutputs> left_out = {};  ///< empty if the scene names its outputs
+  std::vector<OmittedOutputs> omitted_outputs = {};  ///< empty if the scene names its outputs
   Numerics numerics = {};
   Emission emission = {};
-  StatedStart stated = {};
+  StateOverrides state_overrides = {};
   /// The input laws of `--input`, functions of q, v and t, by the name of the input.
   std::map<std::string, ExpressionId> laws = {};
   /// The outputs that a page adds, by their index in Model::outputs.
-  std::map<std::uint32_t, ShownValues> shown = {};
+  std::map<std::uint32_t, ShownValues> page_outputs = {};
   bool has_options = false;  ///< changed by --outputs, --fix or --size
-  std::string canonical =
+  std::string canonical_text =
       {};  ///< text of the file and options; stamps contain its hash; "": `full`
   /// The texts of options, into which spans of the model and the scene point.
   std::vector<SourcePointer> option_sources = {};
@@ -209,10 +211,10 @@ struct CheckedModel {
 
 /// What a command requires of check(), in addition to the scene. True means:
 struct Purpose {
-  /// SceneOptions::starts may also name accelerations, momenta, t and h (StatedStart::others).
-  bool states_all = false;
+  /// SceneOptions::starts may also name accelerations, momenta, t and h (StateOverrides::others).
+  bool accepts_all_leaves = false;
   /// Open functions without an expression in the scene are replaced by their `sample`.
-  bool closes_functions = false;
+  bool samples_open_functions = false;
   /// Forward dynamics returns relative pivots, even if the model disables them, because a run
   /// monitors them.
   bool keeps_pivots = false;
@@ -220,7 +222,7 @@ struct Purpose {
   /// quantities.
   bool shows_motion = false;
   /// `[approximate]` of the scene is ignored.
-  bool is_exact = false;
+  bool ignores_expansion = false;
   /// Closed forms of more than 4096 nodes are kept. False: they are read up to this size, to report
   /// mistakes, and then dropped.
   bool keeps_large_forms = false;
@@ -229,18 +231,18 @@ struct Purpose {
 /// The purpose of each command.
 namespace purpose {
 
-inline constexpr Purpose generate{};                      ///< also for diff, show and vectors
-inline constexpr Purpose rest{.closes_functions = true};  ///< equilibria and modes
-inline constexpr Purpose evaluate{.states_all = true, .closes_functions = true};
+inline constexpr Purpose generate{};                            ///< also for diff, show and vectors
+inline constexpr Purpose rest{.samples_open_functions = true};  ///< equilibria and modes
+inline constexpr Purpose evaluate{.accepts_all_leaves = true, .samples_open_functions = true};
 inline constexpr Purpose simulate{
-    .closes_functions = true, .keeps_pivots = true, .keeps_large_forms = true};
+    .samples_open_functions = true, .keeps_pivots = true, .keeps_large_forms = true};
 /// The table of a time run has no conserved quantities, so large closed forms are dropped.
-inline constexpr Purpose time_run{.closes_functions = true, .keeps_pivots = true};
+inline constexpr Purpose time_run{.samples_open_functions = true, .keeps_pivots = true};
 inline constexpr Purpose show_motion{
-    .closes_functions = true, .keeps_pivots = true, .shows_motion = true};
+    .samples_open_functions = true, .keeps_pivots = true, .shows_motion = true};
 inline constexpr Purpose verify{.keeps_large_forms = true};
 /// For the exact model, with which the check of `max_error` compares an expansion.
-inline constexpr Purpose verify_expansion{.is_exact = true};
+inline constexpr Purpose verify_expansion{.ignores_expansion = true};
 
 }  // namespace purpose
 

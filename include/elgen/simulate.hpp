@@ -23,16 +23,17 @@ struct SimulationOptions {
   std::string method = "dopri5";            ///< a method of run/steps/methods.cpp
   std::optional<std::uint32_t> order = {};  ///< none: the order of the method without composition
   double from = 0;
-  double time = 0;  ///< duration
+  double duration = 0;  ///< duration
   std::optional<double> step =
       {};  ///< upper bound; each interval has a whole number of equal steps
-  std::optional<double> tolerance = {};  ///< none: 1e-9 if `step` is not set either
-  std::optional<double> every = {};      ///< time between rows; none: no rows
-  std::optional<double> hold = {};       ///< inputs are constant for this time; none: continuous
-  bool project = true;                   ///< project onto the constraints after each step
-  bool through_singular = false;         ///< continue with a fixed step if M or A loses rank
-  std::vector<std::string> show = {};    ///< columns that get separate panels in the plot
-  std::string path = {};                 ///< the point whose path is drawn; "": none
+  std::optional<double> tolerance = {};     ///< none: 1e-9 if `step` is not set either
+  std::optional<double> row_interval = {};  ///< time between rows; none: no rows
+  std::optional<double> input_hold_time =
+      {};                                 ///< inputs are constant for this time; none: continuous
+  bool projects = true;                   ///< project onto the constraints after each step
+  bool continues_at_singularity = false;  ///< continue with a fixed step if M or A loses rank
+  std::vector<std::string> panel_columns = {};  ///< columns that get separate panels in the plot
+  std::string path = {};                        ///< the point whose path is drawn; "": none
   /// Called repeatedly with the time in s that the run has reached.
   std::function<void(double)> on_progress = {};
 };
@@ -56,7 +57,7 @@ struct ConservedDrift {
 
 /// The largest |f| of the constraints on positions, and the largest |r| of all constraints, with r
 /// = df/dt or phi.
-struct ConstraintOffset {
+struct ConstraintViolation {
   double position = 0;
   double rate = 0;
 };
@@ -65,12 +66,12 @@ struct ConstraintOffset {
 struct StartCorrection {
   std::string name = {};
   std::string unit = {};
-  double by = 0;
+  double change = 0;
 };
 
 /// The accuracy of the constraints during a run.
 struct ConstraintAccuracy {
-  ConstraintOffset largest = {};
+  ConstraintViolation largest = {};
   /// Unit of f, "" if constraints have different units; none: no constraint on positions.
   std::optional<std::string> unit = {};
   std::string rate_unit = {};               ///< unit of r, "" if constraints have different units
@@ -79,10 +80,10 @@ struct ConstraintAccuracy {
 
 /// A column of the table of a run.
 struct TrajectoryColumn {
-  std::string name = {};    ///< in the model language: "theta", "dot(theta)"
-  std::string unit = {};    ///< "" if the model declares none
-  std::string panel = {};   ///< the panel of the plot that shows it; "": none
-  bool from_start = false;  ///< the plot shows the difference from the initial value
+  std::string name = {};              ///< in the model language: "theta", "dot(theta)"
+  std::string unit = {};              ///< "" if the model declares none
+  std::string panel = {};             ///< the panel of the plot that shows it; "": none
+  bool is_relative_to_start = false;  ///< the plot shows the difference from the initial value
 };
 
 struct Trajectory {
@@ -117,16 +118,16 @@ struct Trajectory {
 [[nodiscard]] Diagnostics check_run_options(const SimulationOptions& options);
 
 /// The outputs that every run needs, in the syntax of --outputs.
-[[nodiscard]] std::string outputs_of_run(const Model& model);
+[[nodiscard]] std::string outputs_for_run(const Model& model);
 
 /// The output `step` that advances the run; none if the method calls forward dynamics instead.
-[[nodiscard]] std::optional<StepSpec> step_of_run(const SimulationOptions& options);
+[[nodiscard]] std::optional<StepSpec> step_for_run(const SimulationOptions& options);
 
 /// Derives the outputs that a run needs and its `step`, whatever outputs the scene requests. The
 /// scene of the result emits C++ in double, with a batch header if there is a `step`; or JavaScript
 /// if Purpose::shows_motion is set. The caller sets options.scene.purpose. E622: the method does
 /// not apply to the system.
-[[nodiscard]] Products derive_for_run(const Inputs& inputs, PipelineOptions options,
+[[nodiscard]] Products derive_for_run(const PipelineSources& inputs, PipelineOptions options,
                                       const std::optional<StepSpec>& step);
 
 /// Compiles products of derive_for_run() for a run without `step`. Errors: as compile().
@@ -135,11 +136,11 @@ struct Trajectory {
 
 /// The model with its start moved onto the constraints at time t. Variables that `--state` sets do
 /// not change. E538: no values of the other variables satisfy the constraints.
-[[nodiscard]] Result<CheckedModel> assemble_model(const CheckedModel& checked, const cln::cl_R& t);
+[[nodiscard]] Result<CheckedModel> assemble_start(const CheckedModel& checked, const cln::cl_R& t);
 
-/// Runs from the assembled start of the model (assemble_model()), by `compiled` or, if `compiled`
+/// Runs from the assembled start of the model (assemble_start()), by `compiled` or, if `compiled`
 /// is null, in the interpreter. E624: M or the constraints lose rank, the motion slides along a
-/// kink, or a number is not finite. Other errors: E201 of `show` and `path`, E538, E620, E621,
+/// kink, or a number is not finite. Other errors: E201 of `--show` and `--path`, E538, E620, E621,
 /// E623, E647. Warning E518: a constant law is beyond the limits of its input. Warning E648: the
 /// energy balance (Trajectory::energy) deviates by more than the tolerance allows; or, with a fixed
 /// step, by more than 1 % of max |T| + (max V - min V), or an entry of `conserved` drifts. Cost per
@@ -157,7 +158,7 @@ struct ReferenceRun {
 
 /// Runs from the assembled start of the model by Fehlberg's method of order 8, in the interpreter.
 /// Laws of inputs are evaluated at every stage of the method. Errors: E538, E623, E624.
-[[nodiscard]] Result<ReferenceRun> reference_run(const CheckedModel& checked,
+[[nodiscard]] Result<ReferenceRun> run_reference(const CheckedModel& checked,
                                                  const Program& program, double time);
 
 /// The last state, the drifts and the cost of a step, for people.

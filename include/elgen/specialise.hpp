@@ -12,7 +12,7 @@ namespace elgen {
 /// of `checked`. E312, E313, E314: because of a fixed parameter, a lock or `[routh]`, an expression
 /// is divided by zero, undefined or complex at every state. The error has the span of the
 /// declaration.
-[[nodiscard]] Result<Lagrangian> specialise(WholeLagrangian lagrangian,
+[[nodiscard]] Result<Lagrangian> specialise(UnreducedLagrangian lagrangian,
                                             const CheckedModel& checked);
 
 }  // namespace elgen

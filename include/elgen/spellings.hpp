@@ -15,7 +15,7 @@ namespace elgen {
 /// The syntax of a list of values.
 struct ListSpelling {
   std::string_view opening;
-  std::string_view between;
+  std::string_view separator;
   std::string_view closing;
   std::string_view after_single;  ///< after a single value
   std::string_view empty;         ///< an empty list; {0}: the number of columns
@@ -66,7 +66,7 @@ struct SourceSpelling {
   bool has_reflection;          ///< the template has the placeholders of emit/source/reflection.hpp
   std::string_view unbounded;   ///< an infinite number
   std::size_t max_empty_lines;  ///< most consecutive empty lines
-  std::size_t deepest;          ///< deepest nesting of brackets that the language parses; 0: any
+  std::size_t max_nesting;      ///< deepest nesting of brackets that the language parses; 0: any
   std::size_t max_name_length;  ///< in characters; 0: no limit
   std::string_view reserved;    ///< reserved words, between spaces; `_` is appended to such a name
   std::string_view used_names;  ///< names that the module uses

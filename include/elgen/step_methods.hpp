@@ -47,7 +47,7 @@ inline constexpr std::array step_methods{
 #undef ELGEN_STEP_METHOD
 };
 
-[[nodiscard]] constexpr const StepMethodRow& step_row(StepMethod method) {
+[[nodiscard]] constexpr const StepMethodRow& step_method_row(StepMethod method) {
   return step_methods[static_cast<std::size_t>(method)];
 }
 
@@ -62,12 +62,12 @@ struct StepSpec {
 
 /// A method with its default number of iterations.
 [[nodiscard]] constexpr StepSpec default_step(StepMethod method, std::uint32_t composed_order = 0) {
-  return {method, composed_order, step_row(method).iterations};
+  return {method, composed_order, step_method_row(method).iterations};
 }
 
 /// The order of the step, with or without composition.
 [[nodiscard]] constexpr std::uint32_t step_order(const StepSpec& step) {
-  return step.composed_order > 0 ? step.composed_order : step_row(step.method).order;
+  return step.composed_order > 0 ? step.composed_order : step_method_row(step.method).order;
 }
 
 /// The available orders, with composition, of a method of order `own`: 2, 4, 8 for `own` = 2.

@@ -27,12 +27,12 @@ namespace elgen {
 /// All fields from momentum to partial, E and L_by_t have one row per summand of L: of T, then of
 /// -V; or of L if it is declared. All points and bodies together contribute one summand of T and
 /// one of V.
-struct Steps {
+struct DerivationSteps {
   EquationsOfMotion equations = {};
   std::vector<OutputRequest> requests = {};  ///< one per function, for lower()
   std::vector<Entity> masses = {};           ///< the point or body of each field of `positions`
 };
 
-[[nodiscard]] Result<Steps> derive_steps(const Lagrangian& lagrangian);
+[[nodiscard]] Result<DerivationSteps> derive_textbook_steps(const Lagrangian& lagrangian);
 
 }  // namespace elgen

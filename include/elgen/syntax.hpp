@@ -88,7 +88,8 @@ struct FileSyntax {
 [[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);
 [[nodiscard]] const KeySyntax* find_key(const FileSyntax* file, std::string_view entry,
                                         std::string_view key);
-[[nodiscard]] const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view entry);
+[[nodiscard]] const std::vector<KeySyntax>& entry_keys(const FileSyntax* file,
+                                                       std::string_view entry);
 
 /// The type of the value of a key. Each comment names the form in TOML, then the resulting
 /// ValueSyntax.
@@ -117,7 +118,7 @@ enum class KeyType : std::uint8_t {
   boolean_or_table,       ///< a requested output: true, or a table
   boolean_or_expression,  ///< a momentum: true, or an expression
   text_or_table,          ///< `fixed`: the text "all", or a table
-  symbol,                 ///< string: LaTeX of a symbol
+  latex_symbol,           ///< string: LaTeX of a symbol
 };
 
 /// One row of the key table.
@@ -129,7 +130,7 @@ struct KeyRow {
   bool required = false;
   bool supported = true;  ///< false: E108 "not yet supported"
   std::string_view doc = {};
-  bool is_drawn = false;               ///< only drawings use the key: stamps and `diff` ignore it
+  bool is_for_drawings = false;        ///< only drawings use the key: stamps and `diff` ignore it
   std::string_view default_text = {};  ///< a TOML value, or words; "" if required or "*"
   std::string_view details = {};       ///< up to three sentences: signs, units, exclusions
 };
@@ -155,7 +156,7 @@ struct EntryRow {
 [[nodiscard]] std::span<const ChoiceRow> choice_table();
 [[nodiscard]] std::span<const EntryRow> entry_table();
 /// True if only drawings depend on the key.
-[[nodiscard]] bool is_drawn(std::string_view entry, std::string_view key);
+[[nodiscard]] bool is_drawing_key(std::string_view entry, std::string_view key);
 /// The permitted words of a key of KeyType::choice or choice_list; empty for other types.
 [[nodiscard]] std::vector<std::string_view> choice_words(const KeyRow& row);
 /// True if the default is a TOML value (`1`, `true`, `"rod"`), false if it is words.
@@ -165,9 +166,9 @@ struct EntryRow {
 /// The header of an entry in a file: "[[frame]]", "[outputs]" of "scene.outputs".
 [[nodiscard]] std::string header_text(const EntryRow& row);
 /// All entries and keys in Markdown: the text of models/REFERENCE.md.
-[[nodiscard]] std::string key_reference();
+[[nodiscard]] std::string reference_page();
 /// The word that replaces the former word `word`; empty if `word` is not a former word of the key.
-[[nodiscard]] std::string_view replacement_of_choice(const KeyRow& row, std::string_view word);
+[[nodiscard]] std::string_view former_choice_hint(const KeyRow& row, std::string_view word);
 
 /// The key table as a JSON Schema, with which editors check TOML files. Every file that the parser
 /// accepts satisfies the schema. It does not describe the grammar of expressions, keys that exclude
@@ -176,7 +177,7 @@ struct EntryRow {
 
 /// The value of the key `model = "…"` of a scene. None if the text is not TOML or has no such key;
 /// in a model file, `model` is a table.
-[[nodiscard]] std::optional<Span> model_key(const SourceText& source);
+[[nodiscard]] std::optional<Span> find_model_key(const SourceText& source);
 
 /// True if the text is TOML with a table [model].
 [[nodiscard]] bool declares_model(const SourceText& source);
@@ -204,7 +205,7 @@ struct EntryRow {
 /// Every key with its value, in file order, without blanks and comments.
 [[nodiscard]] std::string dump(const FileSyntax& syntax);
 /// dump() without keys that only drawings use. Stamps contain the hash of this text.
-[[nodiscard]] std::string stamped_text(const FileSyntax& model);
+[[nodiscard]] std::string canonical_model_text(const FileSyntax& model);
 /// The expression with all brackets: `(a + (b * c))`.
 [[nodiscard]] std::string dump(const ExpressionSyntax& expression);
 

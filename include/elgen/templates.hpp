@@ -11,7 +11,7 @@ namespace elgen {
 [[nodiscard]] std::string_view embedded_template(std::string_view path);
 
 /// The template at `path`. Throws std::logic_error if it does not exist.
-[[nodiscard]] std::string_view template_at(std::string_view path);
+[[nodiscard]] std::string_view require_template(std::string_view path);
 
 /// The path of the partial `{{> name}}` in the template at `path`: the same folder and language.
 ///

@@ -30,7 +30,7 @@ using DriverFunction = void (*)(
 /// The arguments of a compiled function: a pointer to each list of leaves, and t, h and E as
 /// numbers.
 template <class Scalar>
-using ArgumentPointers = PerLeaf<const Scalar*, Scalar>;
+using ArgumentPointers = LeafMembers<const Scalar*, Scalar>;
 
 template <class Scalar>
 [[nodiscard]] ArgumentPointers<Scalar> argument_pointers(const LeafValues<Scalar>& arguments) {
@@ -45,8 +45,8 @@ template <class Scalar>
 
 /// Calls a compiled function, which writes the entries of all fields to `result`.
 template <class Scalar>
-void call_code(DriverFunction<Scalar> function, const ArgumentPointers<Scalar>& arguments,
-               Scalar* result) {
+void call_compiled_function(DriverFunction<Scalar> function,
+                            const ArgumentPointers<Scalar>& arguments, Scalar* result) {
   function(
 #define ELGEN_LEAVES(kind, member, ...) arguments.member,
 #include "elgen/leaves.def"
@@ -57,7 +57,7 @@ void call_code(DriverFunction<Scalar> function, const ArgumentPointers<Scalar>& 
 /// values[function][state] has the entries of all fields. It is empty if the function raised an
 /// exception, which interpreters do instead of returning infinity or NaN.
 template <class Scalar>
-using ValuesOfFunctions = std::vector<std::vector<std::vector<Scalar>>>;
+using FunctionResults = std::vector<std::vector<std::vector<Scalar>>>;
 
 /// The functions of one emitted header, instantiated for one built-in scalar.
 class CompiledModel {
@@ -72,10 +72,10 @@ class CompiledModel {
   [[nodiscard]] virtual std::vector<float> call(std::string_view function,
                                                 const Arguments<float>& arguments) const = 0;
   /// Calls each function at each state, in a separate process. E709: the process ends early.
-  [[nodiscard]] virtual Result<ValuesOfFunctions<double>> call_all(
+  [[nodiscard]] virtual Result<FunctionResults<double>> call_at_states(
       const std::vector<std::string_view>& functions,
       const std::vector<Arguments<double>>& states) const;
-  [[nodiscard]] virtual Result<ValuesOfFunctions<float>> call_all(
+  [[nodiscard]] virtual Result<FunctionResults<float>> call_at_states(
       const std::vector<std::string_view>& functions,
       const std::vector<Arguments<float>>& states) const;
   /// True if the code is compiled for the scalar.
@@ -83,19 +83,19 @@ class CompiledModel {
 };
 
 /// Compiler flags for headers.
-enum class Build : std::uint8_t {
+enum class BuildFlags : std::uint8_t {
   as_written,  ///< strict flags, no contraction: bit-identical to the written arithmetic
   native,      ///< -O3 -march=native, no contraction: also bit-identical
   user_flags,  ///< -O3 -march=native, contraction on; no Eigen headers; of batch headers only
                ///< the sine and cosine functions
-  to_time,     ///< -O2 -march=native, contraction on
+  timing,      ///< -O2 -march=native, contraction on
 };
 
 /// A number that a header declares in addition to its functions.
 struct DeclaredNumber {
-  std::string name = {};  ///< "l[1] (double)", "the place of l[1] (double)", "input_limits[0].low"
-  double declared = 0;    ///< the number in the compiled header
-  double of_model = 0;    ///< the number in the model, rounded to the scalar
+  std::string name = {};   ///< "l[1] (double)", "the place of l[1] (double)", "input_limits[0].low"
+  double declared = 0;     ///< the number in the compiled header
+  double model_value = 0;  ///< the number in the model, rounded to the scalar
 };
 
 /// The name of the function in a batch header that returns sine and cosine of t.
@@ -107,9 +107,9 @@ struct CompiledHeader {
   std::string types = {};  ///< "Eigen", "batch", "wide"; "" for the types of the language
   /// True for a batch header: sines and cosines are polynomials, and a call computes one state of a
   /// pack.
-  bool in_packs = false;
+  bool is_in_packs = false;
   std::unique_ptr<CompiledModel> functions = {};
-  Build build = Build::as_written;
+  BuildFlags build = BuildFlags::as_written;
   std::string failure_reason = {};            ///< why `functions` is null; else empty
   std::vector<DeclaredNumber> declared = {};  ///< numbers of all headers; only in the first header
   bool is_wide = false;  ///< computes in Numerics::inner: not bit-identical to the program
@@ -122,12 +122,12 @@ using CompiledHeaders = std::vector<CompiledHeader>;
 
 struct CompileOptions {
   Limits limits = {};
-  std::vector<Build> builds = {Build::as_written};
+  std::vector<BuildFlags> builds = {BuildFlags::as_written};
   /// True: also return the numbers that headers declare (CompiledHeader::declared): the counts of
   /// coordinates, rates, inputs, open values and parameters, and the values and positions of
   /// parameters; in C++ also ranges and limits, and for batches the polynomial coefficients of
   /// sines and cosines.
-  bool declarations = false;
+  bool reads_declared_numbers = false;
 };
 
 /// Compiles all headers in each build. The result starts with the header in the types of the
@@ -150,11 +150,12 @@ struct Machine {
 /// The machine on which this process runs. E704 and E909: as compile().
 [[nodiscard]] Result<Machine> this_machine(const Limits& limits);
 
-/// The way in which a timed function processes its states. It is compiled with Build::to_time.
+/// The way in which a timed function processes its states. It is compiled with Build::timing.
 struct TimedVariant {
   ScalarKind scalar = ScalarKind::double_precision;  ///< or float
-  bool in_packs = false;      ///< true: several states per call, by the batch header; false: one
-  bool one_per_call = false;  ///< with in_packs: one call per state, which fills one lane of a pack
+  bool in_packs = false;  ///< true: several states per call, by the batch header; false: one
+  bool is_one_per_call =
+      false;  ///< with in_packs: one call per state, which fills one lane of a pack
 };
 
 /// An emitted function with states to time it. The states are rounded to the scalar.
@@ -165,7 +166,7 @@ class TimedFunction {
   virtual void run() = 0;
   /// The entries of all fields at the given states: entry k of state i at [k * states.size() + i].
   /// `states` is not empty.
-  [[nodiscard]] virtual std::vector<double> at(
+  [[nodiscard]] virtual std::vector<double> values_at(
       const std::vector<Arguments<double>>& states) const = 0;
 };
 
@@ -181,9 +182,10 @@ struct TimingOptions {
 /// Compiles the first function of the program in each variant, in one library. Parameters are
 /// arguments, with their values in the model. Errors: as compile(). Cost: 1 s of the compiler, more
 /// for long programs.
-[[nodiscard]] Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& model,
-                                                   const Scene& scene, const Program& program,
-                                                   const TimingOptions& options);
+[[nodiscard]] Result<TimedFunctions> compile_timed_functions(const EmittedFiles& files,
+                                                             const Model& model, const Scene& scene,
+                                                             const Program& program,
+                                                             const TimingOptions& options);
 
 /// Advances `count` states by `steps` steps of length h from time t, with constant inputs. `state`
 /// has q and v, with number k of state i at [k * count + i]; `inputs` has the same layout. `state`
@@ -194,16 +196,16 @@ using StepLoop = void (*)(std::size_t count, std::size_t steps, double t, double
 /// An emitted `step` in loops.
 struct StepLoops {
   std::shared_ptr<const void> code = {};  ///< keeps the loops callable
-  StepLoop one = nullptr;                 ///< for one state; ignores `count`
-  StepLoop in_packs = nullptr;            ///< for `count` states in packs
+  StepLoop one_state_loop = nullptr;      ///< for one state; ignores `count`
+  StepLoop pack_loop = nullptr;           ///< for `count` states in packs
   std::size_t entries = 0;                ///< entries of the result of the step
 };
 
 /// Compiles loops over the `step` of a program, followed by `projected` if the program has it. The
 /// scene must emit double and a batch header. Parameters are arguments, with their values in the
-/// model. Errors and cost: as compile_timed().
-[[nodiscard]] Result<StepLoops> compile_steps(const EmittedFiles& files, const Model& model,
-                                              const Scene& scene, const Program& program,
-                                              const Limits& limits);
+/// model. Errors and cost: as compile_timed_functions().
+[[nodiscard]] Result<StepLoops> compile_step_loops(const EmittedFiles& files, const Model& model,
+                                                   const Scene& scene, const Program& program,
+                                                   const Limits& limits);
 
 }  // namespace elgen

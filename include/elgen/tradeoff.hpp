@@ -1,7 +1,7 @@
 // TradeoffTable: costs and errors of the designs of one output, or of runs.
 //
 // A design is a scene. plan() lists designs; the pipeline and the compiler then run for each
-// design. find_costs() and find_errors() measure the results, and rank_rows() ranks them.
+// design. measure_costs() and find_errors() measure the results, and rank_rows() ranks them.
 // check_max_error() checks `max_error` of a scene.
 //
 // Costs and errors have noise. Two costs are equal if their ratio is at most equality_factor or
@@ -27,7 +27,7 @@
 namespace elgen {
 
 /// The model and scene from which designs are made.
-struct DesignBase {
+struct DesignSource {
   const CheckedModel& checked;        ///< the first output of its scene is the output to design
   const FileSyntax* scene = nullptr;  ///< null: no scene file
   /// The `max_error` that scene_text() writes. It applies in the ranges of `scene` and in `ranges`
@@ -78,7 +78,7 @@ struct DesignChoices {
 };
 
 /// E644 for each key of the scene that contradicts a pinned dimension.
-[[nodiscard]] Diagnostics scene_conflicts(const DesignBase& base,
+[[nodiscard]] Diagnostics scene_conflicts(const DesignSource& base,
                                           const std::vector<PinnedDimension>& pinned);
 
 struct PlannedDesign {
@@ -95,11 +95,11 @@ struct TradeoffPlan {
 /// The possible combinations of scalar, batch, sines and parameters for the first function of
 /// `program`, restricted by `choices`. E631: an unknown dimension in `choices`. E645: no design
 /// remains.
-[[nodiscard]] Result<TradeoffPlan> plan(const CheckedModel& checked, const Program& program,
-                                        const DesignChoices& choices);
+[[nodiscard]] Result<TradeoffPlan> plan_designs(const CheckedModel& checked, const Program& program,
+                                                const DesignChoices& choices);
 
 /// The design as a scene file for the model at `model_path`.
-[[nodiscard]] std::string scene_text(const DesignBase& base, const Design& design,
+[[nodiscard]] std::string scene_text(const DesignSource& base, const Design& design,
                                      const std::string& model_path);
 
 /// The design with default scalar, packs and sines. Designs with equal keys have the same
@@ -107,7 +107,7 @@ struct TradeoffPlan {
 [[nodiscard]] Design derivation_key(const Design& design);
 
 /// The number high + low, to 32 digits.
-struct ExactNumber {
+struct TwoDoubleNumber {
   double high = 0;
   double low = 0;
 };
@@ -117,7 +117,7 @@ struct TradeoffStates {
   /// A design in float rounds the states; this rounding is part of its error.
   std::vector<Arguments<double>> states = {};
   std::vector<std::size_t> field_sizes = {};
-  std::vector<std::vector<ExactNumber>> exact = {};  ///< by state and entry
+  std::vector<std::vector<TwoDoubleNumber>> exact = {};  ///< by state and entry
   Arguments<double> low = {};   ///< lower ends of the ranges from which states are drawn
   Arguments<double> high = {};  ///< upper ends
   std::uint64_t seed = 1;       ///< of the search for worse states
@@ -132,24 +132,24 @@ struct TradeoffSampling {
 /// States inside the ranges of the model, narrowed by the scene, and the values of the first
 /// function of the program at these states, in 60 digits with exact parameters. E521: the function
 /// has no value. Cost: one operation of Real per instruction and state.
-[[nodiscard]] Result<TradeoffStates> tradeoff_states(const CheckedModel& exact,
-                                                     const Program& program,
-                                                     const TradeoffSampling& sampling);
+[[nodiscard]] Result<TradeoffStates> sample_tradeoff_states(const CheckedModel& exact,
+                                                            const Program& program,
+                                                            const TradeoffSampling& sampling);
 
 /// For each state the error: the largest |x - x*| of an entry x with exact value x*, divided by the
 /// largest |x*| of the entries of the same field at all states. Infinite if an x is NaN. `results`
-/// has the layout of DesignValues.
+/// has the layout of DesignEvaluator.
 [[nodiscard]] std::vector<double> state_errors(const std::vector<double>& results,
                                                const TradeoffStates& states);
 
 /// A function that computes the entries of a design at states: entry k of state i at
 /// [k * states.size() + i]. It is never called with an empty list of states.
-using DesignValues = std::function<std::vector<double>(const std::vector<Arguments<double>>&)>;
+using DesignEvaluator = std::function<std::vector<double>(const std::vector<Arguments<double>>&)>;
 
 struct FoundErrors {
-  double worst = 0;              ///< largest error at the states and in the search
-  double median = 0;             ///< median of the errors at the states
-  Arguments<double> where = {};  ///< the worst state
+  double worst = 0;                    ///< largest error at the states and in the search
+  double median = 0;                   ///< median of the errors at the states
+  Arguments<double> worst_state = {};  ///< the worst state
 };
 
 /// The errors at `states`, and in a pattern search for worse states inside the ranges. The search
@@ -160,7 +160,7 @@ struct FoundErrors {
 /// 60 digits. Errors are relative to the largest |x*| of the field at `states` or, if that is
 /// larger, at the evaluated state. The result is deterministic.
 [[nodiscard]] FoundErrors find_errors(const CheckedModel& exact, const Program& program,
-                                      const TradeoffStates& states, const DesignValues& design);
+                                      const TradeoffStates& states, const DesignEvaluator& design);
 
 /// A table shows the worst error found, times this factor.
 inline constexpr double search_margin = 1.5;
@@ -193,10 +193,10 @@ struct DesignErrors {
 
 /// The errors of a design from several samples. worst, least: search_margin times the largest and
 /// the smallest FoundErrors::worst. median: the median of the medians. `samples` must not be empty.
-[[nodiscard]] DesignErrors errors_of(std::vector<FoundErrors> samples);
+[[nodiscard]] DesignErrors combine_errors(std::vector<FoundErrors> samples);
 
-/// A piece of work that consists of equal parts. find_costs() sets `cost` to the cost of one part,
-/// in ns of processor time.
+/// A piece of work that consists of equal parts. measure_costs() sets `cost` to the cost of one
+/// part, in ns of processor time.
 struct TimedWork {
   std::function<void()> run = {};
   std::size_t parts = 1;
@@ -206,7 +206,7 @@ struct TimedWork {
 /// Measures the costs of all works in alternating rounds, so that changes of the machine affect all
 /// of them. The number of rounds is chosen so that the measurement takes about `seconds`, but
 /// between 9 and 1001.
-void find_costs(const std::vector<TimedWork>& works, double seconds = 1.5);
+void measure_costs(const std::vector<TimedWork>& works, double seconds = 1.5);
 
 /// A run by an emitted step of fixed length.
 struct PlannedRun {
@@ -222,20 +222,20 @@ struct PlannedRun {
 
 /// q and v at the end of a run from the start of the model. During each step, inputs have their
 /// value at the start of the step. `program` has the equations for simulate().
-[[nodiscard]] std::vector<double> end_of_run(const CheckedModel& checked, const Program& program,
+[[nodiscard]] std::vector<double> run_to_end(const CheckedModel& checked, const Program& program,
                                              const StepLoops& loops, const PlannedRun& run,
                                              double time);
 
-/// A piece of work for find_costs(): some steps of `length` from the start of the model, for one
+/// A piece of work for measure_costs(): some steps of `length` from the start of the model, for one
 /// state, or for 256 states in packs. Its parts are the steps of each state.
-[[nodiscard]] TimedWork timed_steps(const CheckedModel& checked, const Program& program,
-                                    const StepLoops& loops, bool in_packs, double length);
+[[nodiscard]] TimedWork make_step_work(const CheckedModel& checked, const Program& program,
+                                       const StepLoops& loops, bool in_packs, double length);
 
 /// The worst and the median error of the coordinates and rates at the end of a run. The error of a
 /// number is its distance from the reference, divided by ReferenceRun::largest. Angles that wrap
 /// are compared modulo 2 pi.
-[[nodiscard]] DesignErrors errors_of(const std::vector<double>& last, const ReferenceRun& reference,
-                                     const Model& model);
+[[nodiscard]] DesignErrors run_errors(const std::vector<double>& last,
+                                      const ReferenceRun& reference, const Model& model);
 
 struct TradeoffRow {
   std::vector<std::string> values = {};  ///< by dimension
@@ -277,11 +277,12 @@ struct TradeoffTable {
 
 /// The cheapest row with a worst error of at most `max_error`; if several of these rows have the
 /// same rank, the most accurate. Null if no row qualifies.
-[[nodiscard]] const TradeoffRow* cheapest_within(const TradeoffTable& table, double max_error);
-/// cheapest_within() for table.max_error; null if no row qualifies or max_error is not set.
+[[nodiscard]] const TradeoffRow* cheapest_accurate_row(const TradeoffTable& table,
+                                                       double max_error);
+/// cheapest_accurate_row() for table.max_error; null if no row qualifies or max_error is not set.
 [[nodiscard]] const TradeoffRow* picked_row(const TradeoffTable& table);
 /// The first row with the smallest worst error; null if all rows failed.
-[[nodiscard]] const TradeoffRow* most_accurate(const TradeoffTable& table);
+[[nodiscard]] const TradeoffRow* most_accurate_row(const TradeoffTable& table);
 
 /// The table as text for people.
 [[nodiscard]] std::string to_text(const TradeoffTable& table);

@@ -32,18 +32,25 @@ namespace elgen {
 
 /// `derived`, the program of elgen/steps.hpp, with the summands of each field added up to one
 /// entry: `functions` over the definitions of the derivation, `readable` as in books. The function
-/// of a velocity has the fields of BookField.
+/// of a velocity has the fields of LagrangeStepField.
 ///
 /// A last function is added, with one field per acceleration: its equation of motion, solved for
 /// it. The field has no rows if the scene expands the equations, if constraints act, if a closed
 /// form is missing or too long, if the equation contains two other accelerations, or if the
 /// equation of the other acceleration contains a third one.
-[[nodiscard]] Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms,
-                                    Program derived);
+[[nodiscard]] Program typeset_derivation(const CheckedModel& checked, const ClosedForms& forms,
+                                         Program derived);
 
 /// The fields of the function of a velocity: the fields of elgen/steps.hpp, and `left`, which is
 /// d/dt dL/dv - dL/dq + dD/dv.
-enum class BookField : std::uint8_t { momentum, momentum_rate, partial, dissipation, force, left };
+enum class LagrangeStepField : std::uint8_t {
+  momentum,
+  momentum_rate,
+  partial,
+  dissipation,
+  force,
+  left
+};
 
 /// A function with the value `form` as its only entry, over the leaves: written as in books, or in
 /// its shortest form if the book form is too long. Without fields if both are too long to read.

@@ -31,7 +31,7 @@ struct ValueFunction {
 /// The values of a function at a state.
 struct ValueRecord {
   std::size_t function = 0;            ///< index in ValueTable::functions
-  std::string place = {};              ///< "start", "rest", "moving", "parameters", "state"
+  std::string state_name = {};         ///< "start", "rest", "moving", "parameters", "state"
   State state = {};                    ///< contains all parameters, also fixed parameters
   std::vector<cln::cl_R> values = {};  ///< row-major, field after field
   /// For each value, the number of digits that emitted code in double computes correctly, from a
@@ -53,10 +53,10 @@ struct ValueTable {
 };
 
 struct StateOptions {
-  int digits = 17;       ///< at most most_value_digits
+  int digits = 17;       ///< at most max_value_digits
   bool projects = true;  ///< moves variables that `--state` does not set onto the constraints
 };
-inline constexpr int most_value_digits = 60;
+inline constexpr int max_value_digits = 60;
 
 /// The values of the outputs of a scene at the start of the model, changed by `--state`. Unless
 /// `--state` sets them, accelerations are 0, momenta are computed from the rates, and inputs from
@@ -65,7 +65,7 @@ inline constexpr int most_value_digits = 60;
 [[nodiscard]] Result<ValueTable> state_values(const CheckedModel& checked,
                                               const StateOptions& options);
 
-struct VectorOptions {
+struct TestVectorOptions {
   std::size_t samples = 16;  ///< states per function
   std::uint64_t seed = 1;
 };
@@ -77,7 +77,7 @@ struct VectorOptions {
 /// undefined or not known to enough digits. E521: a function has no record. E633: a function
 /// contains an open function.
 [[nodiscard]] Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& program,
-                                              const VectorOptions& options);
+                                              const TestVectorOptions& options);
 
 /// A table of one state: the state, and the matrices with names of rows and columns.
 [[nodiscard]] std::string to_text(const ValueTable& table);

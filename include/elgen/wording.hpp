@@ -13,16 +13,16 @@ namespace elgen {
 
 /// Text of the user in back-ticks, on one line: each run of blanks and line ends becomes one space,
 /// invisible characters become their names, and text longer than 60 characters is cut.
-[[nodiscard]] std::string in_backticks(std::string_view text);
+[[nodiscard]] std::string quote_text(std::string_view text);
 
 /// The source text of a span in back-ticks.
 [[nodiscard]] std::string in_backticks(const Span& span);
 
 /// Replaces each run of blanks and line ends by one space, and removes the spaces at both ends.
-[[nodiscard]] std::string one_line(std::string_view text);
+[[nodiscard]] std::string collapse_blanks(std::string_view text);
 
 /// A path in messages: invisible characters and line ends are written as \x0a.
-[[nodiscard]] std::string shown_path(std::string_view path);
+[[nodiscard]] std::string printable_path(std::string_view path);
 
 /// The text broken at blanks into lines of at most `width` bytes. All lines except the first start
 /// with `indent`.

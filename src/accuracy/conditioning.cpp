@@ -12,18 +12,18 @@ namespace elgen {
 namespace {
 
 /// The operands of an instruction as dual numbers; one of them has tangent 1.
-struct OperandsWithTangent {
+struct DualOperands {
   const std::vector<Real>& values;
-  std::uint32_t moving;
+  std::uint32_t seed_operand;
 
   [[nodiscard]] Dual<Real> operator[](std::uint32_t at) const {
-    return {values[at], Real(at == moving ? 1 : 0)};
+    return {values[at], Real(at == seed_operand ? 1 : 0)};
   }
 };
 
 /// x rounded to a double, within an ulp, which the error bound includes. Infinite or 0 if x is
 /// outside the range of doubles.
-double rounded(const Real& x) {
+double round_to_double(const Real& x) {
   return x.is_defined() ? cln::double_approx(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -57,16 +57,16 @@ Conditioning::Conditioning(const Program& program, const Function& function,
     : program_(program),
       function_(function),
       values_(std::move(values)),
-      parameters_(std::move(parameters)) {
+      is_parameter_(std::move(parameters)) {
   slopes_.reserve(values_.size());
   for (const Instruction& i : function.instructions) {
     const std::size_t operands = operand_count(i);
     Slopes<Real>& slopes = slopes_.emplace_back();
     if (operands > 0) slopes.by_a = slope(i, i.a);
     if (operands > 1 && i.b != i.a) slopes.by_b = slope(i, i.b);
-    rounded_slopes_.push_back({rounded(slopes.by_a), rounded(slopes.by_b)});
+    rounded_slopes_.push_back({round_to_double(slopes.by_a), round_to_double(slopes.by_b)});
   }
-  for (const Real& value : values_) rounded_values_.push_back(rounded(value));
+  for (const Real& value : values_) rounded_values_.push_back(round_to_double(value));
 }
 
 /// The derivative of an instruction by an operand: 1 or -1 for a term, the other factor for a
@@ -78,11 +78,11 @@ Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
   if (is_product && values_[operand].is_defined()) return values_[is_first ? i.b : i.a];
   static const Arguments<Dual<Real>> no_leaves;
   const interpreter::NumberRules<Dual<Real>> rules{no_leaves};
-  return fold_instruction(rules, program_, i, OperandsWithTangent{values_, operand}).slope;
+  return fold_instruction(rules, program_, i, DualOperands{values_, operand}).slope;
 }
 
 bool Conditioning::counts_as_input(const Instruction& i) const {
-  if (i.opcode == Opcode::constant) return !parameters_.empty() && parameters_[i.a];
+  if (i.opcode == Opcode::constant) return !is_parameter_.empty() && is_parameter_[i.a];
   return is_leaf(i.opcode);
 }
 
@@ -105,7 +105,7 @@ std::optional<double> Conditioning::conditioning_in_double(std::uint32_t instruc
   return std::nullopt;
 }
 
-Real Conditioning::of(std::uint32_t instruction) const {
+Real Conditioning::absolute_condition(std::uint32_t instruction) const {
   if (const auto k = conditioning_in_double(instruction)) return Real(exact_value(*k));
   std::vector<Real> adjoints(instruction + 1, Real());
   adjoints[instruction] = Real(1);

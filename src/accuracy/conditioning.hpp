@@ -20,7 +20,7 @@ namespace elgen {
 inline constexpr double tolerated_loss = 64;
 
 /// Losses within this factor count as equal; then the cheaper formula is chosen.
-inline constexpr double similar_losses = 8;
+inline constexpr double loss_equality_factor = 8;
 
 /// K of the values of a function at one point.
 class Conditioning {
@@ -34,7 +34,7 @@ class Conditioning {
   /// K of an instruction; undefined if a derivative is undefined. K is computed in double, to four
   /// digits and with an error bound; if the bound is too large, K is computed in Real. Cost: ten
   /// operations of double, and two of Real if needed, for each earlier instruction.
-  [[nodiscard]] Real of(std::uint32_t instruction) const;
+  [[nodiscard]] Real absolute_condition(std::uint32_t instruction) const;
 
  private:
   [[nodiscard]] Real slope(const Instruction& i, std::uint32_t operand) const;
@@ -53,7 +53,7 @@ class Conditioning {
   const Program& program_;
   const Function& function_;
   std::vector<Real> values_;
-  std::vector<bool> parameters_;
+  std::vector<bool> is_parameter_;
   std::vector<Slopes<Real>> slopes_ = {};
   std::vector<double> rounded_values_ = {};
   std::vector<Slopes<double>> rounded_slopes_ = {};

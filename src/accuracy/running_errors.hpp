@@ -24,7 +24,7 @@ namespace elgen {
 
 /// The constants of a scalar type in the error formulas.
 template <class Number>
-struct Rounding {
+struct RoundingConstants {
   Number roundoff;   ///< u
   Number underflow;  ///< eta/u
   Number smallest;   ///< the smallest normal number; a smaller result has the error eta
@@ -34,7 +34,7 @@ struct Rounding {
 
 /// The constants of Scalar, which is double or float. With Number = double, only of double.
 template <class Scalar, class Number = Real>
-[[nodiscard]] const Rounding<Number>& rounding();
+[[nodiscard]] const RoundingConstants<Number>& rounding_constants();
 
 /// True for +-2^n with an integer n. Multiplying by such a number is exact.
 [[nodiscard]] bool is_power_of_two(const Real& x);
@@ -42,7 +42,7 @@ template <class Scalar, class Number = Real>
 
 /// A value with its running error.
 template <class Number>
-struct Running {
+struct RunningValue {
   Number value = {};
   Number error = {};        ///< E, in u; undefined if the value or a derivative is undefined
   bool is_lost = false;     ///< E is invalid: the divisor or argument of an operation is uncertain
@@ -50,38 +50,38 @@ struct Running {
 };
 
 template <class Number>
-[[nodiscard]] std::vector<Number> values_of(const std::vector<Running<Number>>& all) {
+[[nodiscard]] std::vector<Number> values_of(const std::vector<RunningValue<Number>>& all) {
   std::vector<Number> values;
   values.reserve(all.size());
-  for (const Running<Number>& x : all) values.push_back(x.value);
+  for (const RunningValue<Number>& x : all) values.push_back(x.value);
   return values;
 }
 
 /// The running error of a leaf, which is rounded once if the scalar cannot represent its value.
 template <class Number>
-[[nodiscard]] Running<Number> running_leaf(const cln::cl_R& value,
-                                           const Rounding<Number>& rounding);
+[[nodiscard]] RunningValue<Number> running_leaf(const cln::cl_R& value,
+                                                const RoundingConstants<Number>& rounding);
 
 /// True if the rules replace f(x, y) by its limit for x -> +-infinity: for exponential functions at
 /// |x| > 2^20. A finite limit then equals the value in 64 digits. A limit of 0 must not be used as
 /// a divisor. For a function of one argument, `y` is x.
-[[nodiscard]] bool takes_limit(FunctionId function, const Real& x, const Real& y);
+[[nodiscard]] bool is_replaced_by_limit(FunctionId function, const Real& x, const Real& y);
 
 /// Whether leaves are exact or have one rounding error each. With a rounding error of q = 1e6, both
 /// cos(q + 1) and cos(q)*cos(1) - sin(q)*sin(1) lose the digits that the angle q loses.
-enum class Leaves : std::uint8_t { exact, rounded };
+enum class LeafRounding : std::uint8_t { exact, rounded };
 
 template <class Number>
-[[nodiscard]] LeafValues<Running<Number>> running_leaves(const Arguments<double>& point,
-                                                         Leaves leaves);
+[[nodiscard]] LeafValues<RunningValue<Number>> running_leaves(const Arguments<double>& point,
+                                                              LeafRounding leaves);
 
 /// Rules of fold.hpp that compute running errors.
 template <class Number>
 struct RunningErrorRules {
-  using Value = Running<Number>;
+  using Value = RunningValue<Number>;
 
   LeafValues<Value> leaves;
-  const Rounding<Number>& rounding = elgen::rounding<double, Number>();
+  const RoundingConstants<Number>& rounding = elgen::rounding_constants<double, Number>();
 
   [[nodiscard]] Value constant(const Constant& constant) const {
     return running_leaf(constant.value, rounding);

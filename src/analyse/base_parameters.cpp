@@ -22,15 +22,15 @@ using cln::cl_R;
 
 constexpr std::uint64_t seed_of_states = 1;
 
-/// Digits of floats, in addition to the 64 digits of Real. Entries below `least_entry` are 0.
+/// Digits of floats, in addition to the 64 digits of Real. Entries below `zero_threshold` are 0.
 constexpr unsigned more_digits = 96;
-const cl_R& least_entry() {
+const cl_R& zero_threshold() {
   static const cl_R value = power_of_ten(-100);
   return value;
 }
 
 /// Elimination over residues. The pivot is in the first row with a non-zero entry.
-struct ResiduePivot {
+struct ResidueField {
   using Number = cl_MI;
   static constexpr EchelonForm form = EchelonForm::reduced;
 
@@ -38,12 +38,12 @@ struct ResiduePivot {
   [[nodiscard]] static cl_MI negate(const cl_MI& x) { return -x; }
   [[nodiscard]] static cl_MI multiply(const cl_MI& x, const cl_MI& y) { return x * y; }
   [[nodiscard]] static cl_MI divide(const cl_MI& x, const cl_MI& y) { return x * cln::recip(y); }
-  [[nodiscard]] static cl_MI reduce(const cl_MI& x, const cl_MI& factor, const cl_MI& y) {
+  [[nodiscard]] static cl_MI subtract_product(const cl_MI& x, const cl_MI& factor, const cl_MI& y) {
     return x - factor * y;
   }
   [[nodiscard]] static bool is_zero(const cl_MI& x) { return cln::zerop(x); }
   [[nodiscard]] static bool is_defined(const cl_MI&) { return true; }
-  [[nodiscard]] static const PivotCandidate<cl_MI>* best(
+  [[nodiscard]] static const PivotCandidate<cl_MI>* best_pivot(
       const std::vector<PivotCandidate<cl_MI>>& candidates, std::size_t) {
     return &candidates.front();
   }
@@ -51,12 +51,12 @@ struct ResiduePivot {
 
 /// The number of states: enough for twice as many rows as columns, plus 8 states for columns that
 /// are 0 in most rows.
-std::size_t states_for(std::size_t rows, std::size_t columns) {
+std::size_t state_count(std::size_t rows, std::size_t columns) {
   return 2 * (columns + rows - 1) / rows + 8;
 }
 
 /// The number of entries of Y, which is the first field of the regressor.
-std::size_t entries_of_matrix(const Function& regressor) {
+std::size_t matrix_entry_count(const Function& regressor) {
   return regressor.fields.front().entries.size();
 }
 
@@ -70,15 +70,15 @@ bool store_base_parameters(const Echelon<Field>& echelon, const ToNumber& number
     BaseParameter& base = found.base.emplace_back();
     base.parameter = static_cast<std::uint32_t>(pivot.column);
     has_effect[pivot.column] = true;
-    for (const auto& entry : echelon.rest(pivot)) {
+    for (const auto& entry : echelon.row_without_pivot(pivot)) {
       const std::optional<cl_R> factor = number(entry.value);
       if (!factor) return false;
-      base.others.push_back({static_cast<std::uint32_t>(entry.column), *factor});
+      base.regrouped_terms.push_back({static_cast<std::uint32_t>(entry.column), *factor});
       has_effect[entry.column] = true;
     }
   }
   for (std::uint32_t k = 0; k < has_effect.size(); ++k) {
-    if (!has_effect[k]) found.without_effect.push_back(k);
+    if (!has_effect[k]) found.unidentifiable.push_back(k);
   }
   return true;
 }
@@ -90,34 +90,35 @@ bool find_by_residues(const CheckedModel& checked, const Program& program,
   Sampler draw(seed_of_states);
   std::vector<cl_MI> matrix;
   for (std::size_t i = 0; i < found.states; ++i) {
-    const std::vector<Residue> entries = residues_of(checked.model, program, regressor, draw);
-    for (std::size_t k = 0; k < entries_of_matrix(regressor); ++k) {
+    const std::vector<Residue> entries = sample_residues(checked.model, program, regressor, draw);
+    for (std::size_t k = 0; k < matrix_entry_count(regressor); ++k) {
       if (!entries[k].value) return false;
       matrix.push_back(*entries[k].value);
     }
   }
-  ResiduePivot field;
+  ResidueField field;
   const std::size_t columns = found.parameters.size();
   BaseParameters exact = found;
   exact.is_exact = true;
   const bool are_rational = store_base_parameters(
-      Echelon<ResiduePivot>(field, matrix, columns, columns),
-      [](const cl_MI& factor) -> std::optional<cl_R> { return rational_of(factor); }, exact);
+      Echelon<ResidueField>(field, matrix, columns, columns),
+      [](const cl_MI& factor) -> std::optional<cl_R> { return reconstruct_rational(factor); },
+      exact);
   if (are_rational) found = std::move(exact);
   return are_rational;
 }
 
 /// Rows of Y at a drawn state in long floats, each scaled to a largest entry of 1. None if Y has no
 /// value at the state.
-std::optional<std::vector<cl_R>> sampled_rows(const CheckedModel& checked, const Program& program,
-                                              const Function& regressor, const State& state) {
+std::optional<std::vector<cl_R>> regressor_rows(const CheckedModel& checked, const Program& program,
+                                                const Function& regressor, const State& state) {
   static const cln::float_format_t digits = cln::float_format(64 + more_digits);
   const OracleValues values =
-      defined_values(evaluate(program, regressor, arguments_at<Real>(state)));
+      to_oracle_values(evaluate(program, regressor, arguments_at<Real>(state)));
   if (!values) return std::nullopt;
-  const std::size_t columns = entries_of_matrix(regressor) / checked.model.velocities.size();
-  std::vector<cl_R> rows(
-      values->begin(), values->begin() + static_cast<std::ptrdiff_t>(entries_of_matrix(regressor)));
+  const std::size_t columns = matrix_entry_count(regressor) / checked.model.velocities.size();
+  std::vector<cl_R> rows(values->begin(), values->begin() + static_cast<std::ptrdiff_t>(
+                                                                matrix_entry_count(regressor)));
   for (std::size_t first = 0; first < rows.size(); first += columns) {
     cl_R largest = 0;
     for (std::size_t k = 0; k < columns; ++k)
@@ -136,15 +137,15 @@ bool find_by_samples(const CheckedModel& checked, const Program& program, const 
   Sampler draw(seed_of_states);
   std::vector<cl_R> matrix;
   const std::size_t columns = found.parameters.size();
-  const std::size_t wanted = found.states * entries_of_matrix(regressor);
+  const std::size_t wanted = found.states * matrix_entry_count(regressor);
   for (std::size_t i = 0; i < draws_per_state * found.states && matrix.size() < wanted; ++i) {
     State state = nominal_state(checked.model, checked.scene);
     draw_motion(checked.model, draw, 0, state);
-    const auto rows = sampled_rows(checked, program, regressor, state);
+    const auto rows = regressor_rows(checked, program, regressor, state);
     if (rows) matrix.insert(matrix.end(), rows->begin(), rows->end());
   }
   if (matrix.size() < wanted) return false;
-  LargestPivot<cl_R, EchelonForm::reduced> field(least_entry(), least_entry());
+  LargestPivot<cl_R, EchelonForm::reduced> field(zero_threshold(), zero_threshold());
   return store_base_parameters(
       Echelon<LargestPivot<cl_R, EchelonForm::reduced>>(field, matrix, columns, columns),
       [](const cl_R& factor) { return std::optional(factor); }, found);
@@ -158,7 +159,7 @@ void add_values(const CheckedModel& checked, BaseParameters& found) {
   if (!values) return;
   for (BaseParameter& base : found.base) {
     base.value = (*values)[base.parameter];
-    for (const WeightedParameter& other : base.others) {
+    for (const WeightedParameter& other : base.regrouped_terms) {
       base.value = base.value + other.factor * (*values)[other.parameter];
     }
   }
@@ -166,7 +167,7 @@ void add_values(const CheckedModel& checked, BaseParameters& found) {
 
 }  // namespace
 
-std::vector<OutputRequest> outputs_of_base_parameters(const Model& model) {
+std::vector<OutputRequest> outputs_for_base_parameters(const Model& model) {
   return available_requests(model, {OutputKind::regressor});
 }
 
@@ -176,10 +177,10 @@ Result<BaseParameters> find_base_parameters(const AnalysisInput& input) {
   if (regressor == nullptr) {
     Report report;
     (void)require_request(checked.model, "regressor", checked.model.name_span, report);
-    return report.sorted();
+    return report.sorted_diagnostics();
   }
   BaseParameters found{inertial_parameters(checked.model)};
-  found.states = states_for(checked.model.velocities.size(), found.parameters.size());
+  found.states = state_count(checked.model.velocities.size(), found.parameters.size());
   const bool is_found = find_by_residues(checked, input.recursive, *regressor, found) ||
                         with_digits(more_digits, [&] {
                           return find_by_samples(checked, input.recursive, *regressor, found);

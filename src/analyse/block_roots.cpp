@@ -21,10 +21,10 @@ using cln::cl_R;
 /// The searched turn starts at this angle, so that halving the turn never splits it at a multiple
 /// of a quarter turn.
 constexpr double first_angle = -2.6;
-constexpr double turn_above = 0x1.921fb54442d19p2;  // more than 2 pi
+constexpr double two_pi_bound = 0x1.921fb54442d19p2;  // more than 2 pi
 
 /// Undecided boxes are joined if their distance is less than this multiple of their lengths.
-constexpr double neighbourhood = 10;
+constexpr double join_distance_factor = 10;
 
 /// The largest numbers of Newton starts in open boxes, and of places. A place is a union of
 /// undecided boxes that touch.
@@ -35,31 +35,31 @@ constexpr std::size_t most_places = 16;
 constexpr std::uint32_t most_order = 8;
 
 /// `angle`, shifted by whole turns into (-pi, pi].
-Real wrapped_angle(const Real& angle) { return -turned_above(-angle, -whole_turn() / Real(2)); }
+Real wrap_angle(const Real& angle) { return -wrap_above(-angle, -whole_turn() / Real(2)); }
 
 class BlockSearch {
  public:
   BlockSearch(RestSystem& system, const RestBlock& block) : system_(system), block_(block) {
     for (const std::uint32_t coordinate : block.coordinates) {
       unknowns_.kinds.push_back(system.kinds[coordinate]);
-      along_.push_back(system.model.coordinates[coordinate].velocity);
+      velocities_.push_back(system.model.coordinates[coordinate].velocity);
     }
     unknowns_.coordinates = block.coordinates;
     for (const std::uint32_t row : block.rows) {
-      if (system.row(row)) forms_.push_back(*system.row(row));
+      if (system.equation_form(row)) forms_.push_back(*system.equation_form(row));
     }
-    std::ranges::sort(along_);
-    along_.erase(std::unique(along_.begin(), along_.end()), along_.end());
+    std::ranges::sort(velocities_);
+    velocities_.erase(std::unique(velocities_.begin(), velocities_.end()), velocities_.end());
     choose_rows();
-    rows_ = function_of(block.rows);
-    square_ = function_of(chosen_rows_);
+    rows_ = select_rows(block.rows);
+    square_ = select_rows(chosen_rows_);
   }
 
   Result<BlockRoots> operator()(const Limits& most) {
-    if (block_.coordinates.empty()) return constant_equation();
+    if (block_.coordinates.empty()) return solve_constant_equation();
     if (has_all_forms()) {
       const auto linear = linear_solution(system_.forms, forms_, unknowns_, start());
-      if (linear) return linear_roots(*linear);
+      if (linear) return accept_linear_solution(*linear);
     }
     if (std::ranges::find(unknowns_.kinds, SearchKind::start) != unknowns_.kinds.end()) {
       result_.completeness = Completeness::searched;
@@ -74,7 +74,7 @@ class BlockSearch {
                           "give it one, as in `range = [-1, 1]`"};
       }
     }
-    search(most);
+    search_domain_boxes(most);
     return std::move(result_);
   }
 
@@ -83,7 +83,7 @@ class BlockSearch {
 
   [[nodiscard]] Arguments<Real> start() const { return arguments_at<Real>(system_.state); }
 
-  [[nodiscard]] Function function_of(const std::vector<std::uint32_t>& rows) const {
+  [[nodiscard]] Function select_rows(const std::vector<std::uint32_t>& rows) const {
     std::vector<std::uint32_t> entries;
     const std::vector<std::uint32_t> all = entries_of(system_.residual());
     for (const std::uint32_t row : rows) entries.push_back(all[row]);
@@ -93,31 +93,32 @@ class BlockSearch {
   /// The roots of an equation without coordinates: none, or one root without values. The equation
   /// is proved to be 0 only for rational values of the parameters; a value that is 0 in 64 digits
   /// proves nothing.
-  BlockRoots constant_equation() {
+  BlockRoots solve_constant_equation() {
     const Real value = evaluate(system_.program, rows_, start())[0];
     if (value.is_defined() && !is_near(value, Real(), root_digits)) return std::move(result_);
     result_.roots.emplace_back();
     result_.is_identity = has_all_forms() && forms_[0].numerator.empty();
-    const std::optional<Replacements> values = parameter_values(system_.state.parameters);
-    const Value there = has_all_forms() && values
-                            ? substituted(system_.forms.algebra, forms_[0], *values)
-                            : Value();
+    const std::optional<Replacements> values = parameter_replacements(system_.state.parameters);
+    const OptionalFraction there = has_all_forms() && values
+                                       ? substitute(system_.forms.algebra, forms_[0], *values)
+                                       : OptionalFraction();
     if (!there || !there->numerator.empty()) result_.completeness = Completeness::undecided;
     return std::move(result_);
   }
 
-  BlockRoots linear_roots(const LinearSolution& solution) {
+  BlockRoots accept_linear_solution(const LinearSolution& solution) {
     if (!solution.is_solvable) return std::move(result_);
     for (std::size_t i = 0; i < solution.values.size(); ++i) {
-      const CoordinateAtRest& value = solution.values[i];
-      if (!value.is_any && !is_searched(i, Real(value.value))) return std::move(result_);
+      const RestCoordinate& value = solution.values[i];
+      if (!value.is_arbitrary && !is_in_search_range(i, Real(value.value)))
+        return std::move(result_);
     }
     result_.roots.push_back(solution.values);
     return std::move(result_);
   }
 
-  [[nodiscard]] bool is_searched(std::size_t unknown, const Real& highest,
-                                 const Real& width = {}) const {
+  [[nodiscard]] bool is_in_search_range(std::size_t unknown, const Real& highest,
+                                        const Real& width = {}) const {
     return is_in_range(system_.model.coordinates[unknowns_.coordinates[unknown]],
                        unknowns_.kinds[unknown], highest, width);
   }
@@ -127,7 +128,7 @@ class BlockSearch {
     for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
       const Coordinate& coordinate = system_.model.coordinates[unknowns_.coordinates[i]];
       if (unknowns_.kinds[i] == SearchKind::turn) {
-        result.push_back({first_angle, first_angle + turn_above + 1e-9});
+        result.push_back({first_angle, first_angle + two_pi_bound + 1e-9});
       } else {
         result.push_back({ScalarTraits<Enclosure>::from_real(coordinate.range->low).low,
                           ScalarTraits<Enclosure>::from_real(coordinate.range->high).high});
@@ -148,15 +149,17 @@ class BlockSearch {
     return 1 + square_.instructions.size() * (2 * n + 2) + 2 * n * n * n;
   }
 
-  void search(const Limits& most) {
-    const BoxedEquations equations{system_.program, square_, unknowns_.coordinates, known_leaves()};
+  void search_domain_boxes(const Limits& most) {
+    const IntervalEquations equations{system_.program, square_, unknowns_.coordinates,
+                                      known_leaves()};
     const std::uint64_t affordable = most.enclosures / enclosures_of_box();
-    BoxSearch found = search_boxes(equations, domain(), std::min(most.boxes, affordable));
+    BoxSearchResult found = search_boxes(equations, domain(), std::min(most.boxes, affordable));
     result_.boxes = found.examined;
     result_.enclosures = found.examined * enclosures_of_box();
-    if (!found.open_boxes.empty()) result_.limit = affordable < most.boxes ? "enclosures" : "boxes";
-    for (const Box& box : found.single) add_root_of(box);
-    for (const Box& place : joined_places(found)) decide_place(equations, place);
+    if (!found.open_boxes.empty())
+      result_.reached_limit = affordable < most.boxes ? "enclosures" : "boxes";
+    for (const Box& box : found.single) add_box_root(box);
+    for (const Box& place : join_undecided_boxes(found)) decide_box(equations, place);
     if (found.open_boxes.empty()) return;
     result_.completeness = Completeness::searched;
     const std::size_t step = std::max<std::size_t>(found.open_boxes.size() / most_starts, 1);
@@ -180,27 +183,27 @@ class BlockSearch {
   void choose_rows() {
     chosen_rows_ = block_.rows;
     std::stable_partition(chosen_rows_.begin(), chosen_rows_.end(), [this](std::uint32_t row) {
-      return std::ranges::find(along_, row) != along_.end();
+      return std::ranges::find(velocities_, row) != velocities_.end();
     });
-    if (chosen_rows_.size() > along_.size()) chosen_rows_.resize(along_.size());
+    if (chosen_rows_.size() > velocities_.size()) chosen_rows_.resize(velocities_.size());
   }
 
   /// The root to which Newton's method converges from `first`.
   [[nodiscard]] std::optional<Arguments<Real>> newton_root(const Arguments<Real>& first) const {
-    return newton_solution(system_.model, system_.program, square_, first, along_);
+    return newton_solution(system_.model, system_.program, square_, first, velocities_);
   }
 
   void add_newton_root(const Arguments<Real>& first) {
-    if (const auto root = newton_root(first)) add(*root);
+    if (const auto root = newton_root(first)) add_root(*root);
   }
 
   /// Adds the root of a box. If Newton's method leaves the box, the box is undecided.
-  void add_root_of(const Box& box) {
+  void add_box_root(const Box& box) {
     const auto root = newton_root(middle_of(box));
     if (root && is_in_box(box, *root)) {
-      add(*root);
+      add_root(*root);
     } else {
-      note_undecided(box);
+      record_undecided_box(box);
     }
   }
 
@@ -215,18 +218,18 @@ class BlockSearch {
     return true;
   }
 
-  void add(Arguments<Real> root) {
+  void add_root(Arguments<Real> root) {
     for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
       Real& q = root.q[unknowns_.coordinates[i]];
       // An angle is searched over a whole turn, beyond its range, to find chart breaks.
-      if (unknowns_.kinds[i] == SearchKind::turn) q = wrapped_angle(q);
-      if (unknowns_.kinds[i] == SearchKind::range && !is_searched(i, q)) return;
+      if (unknowns_.kinds[i] == SearchKind::turn) q = wrap_angle(q);
+      if (unknowns_.kinds[i] == SearchKind::range && !is_in_search_range(i, q)) return;
     }
     for (const Real& value : evaluate(system_.program, rows_, root)) {
       if (!is_near(value, Real(), root_digits)) return;
     }
     if (is_known(root)) return;
-    std::optional<std::vector<CoordinateAtRest>> exact;
+    std::optional<std::vector<RestCoordinate>> exact;
     if (has_all_forms()) exact = exact_root(system_.forms, forms_, unknowns_, root);
     if (!exact) {
       exact.emplace();
@@ -248,23 +251,23 @@ class BlockSearch {
   }
 
   /// Joins undecided boxes that touch each other. Boxes inside a box with one root are dropped.
-  [[nodiscard]] std::vector<Box> joined_places(const BoxSearch& found) const {
+  [[nodiscard]] std::vector<Box> join_undecided_boxes(const BoxSearchResult& found) const {
     std::vector<Box> places;
     for (const Box& box : found.undecided) {
       const bool is_decided = std::ranges::any_of(
-          found.single, [&](const Box& single) { return holds(single, box, 0); });
-      if (!is_decided) join(places, box);
+          found.single, [&](const Box& single) { return contains_or_touches(single, box, 0); });
+      if (!is_decided) join_box(places, box);
     }
-    for (const Box& box : found.open_boxes) join(places, box);
+    for (const Box& box : found.open_boxes) join_box(places, box);
     return places;
   }
 
   /// Joins a box with all places that it touches, or with every place if there are `most_places`
   /// places already.
-  static void join(std::vector<Box>& places, Box whole) {
+  static void join_box(std::vector<Box>& places, Box whole) {
     const bool is_crowded = places.size() >= most_places;
     const auto joins = [&](const Box& place) {
-      if (!is_crowded && !holds(place, whole, 1)) return false;
+      if (!is_crowded && !contains_or_touches(place, whole, 1)) return false;
       for (std::size_t i = 0; i < whole.size(); ++i) {
         whole[i] = {std::min(whole[i].low, place[i].low), std::max(whole[i].high, place[i].high)};
       }
@@ -277,9 +280,9 @@ class BlockSearch {
 
   /// True if `outer` contains `inner`; if `slack` is 1, true if the boxes intersect or nearly
   /// touch.
-  static bool holds(const Box& outer, const Box& inner, int slack) {
+  static bool contains_or_touches(const Box& outer, const Box& inner, int slack) {
     for (std::size_t i = 0; i < outer.size(); ++i) {
-      const double length = neighbourhood * (inner[i].high - inner[i].low);
+      const double length = join_distance_factor * (inner[i].high - inner[i].low);
       const bool is_apart =
           slack > 0 ? inner[i].low > outer[i].high + length || inner[i].high < outer[i].low - length
                     : inner[i].low < outer[i].low || inner[i].high > outer[i].high;
@@ -288,22 +291,22 @@ class BlockSearch {
     return true;
   }
 
-  /// Adds the root that plain_root() finds, if it solves the equations. The place stays undecided,
-  /// unless it has one coordinate and the added root (a zero of any order) is proved to be its only
-  /// root.
-  void decide_place(const BoxedEquations& equations, const Box& place) {
-    if (const auto root = plain_root(place)) {
-      add(*root);
+  /// Adds the root that quarter_turn_point() finds, if it solves the equations. The place stays
+  /// undecided, unless it has one coordinate and the added root (a zero of any order) is proved to
+  /// be its only root.
+  void decide_box(const IntervalEquations& equations, const Box& place) {
+    if (const auto root = quarter_turn_point(place)) {
+      add_root(*root);
       if (is_only_root(equations, place, *root)) return;
     }
-    note_undecided(place);
+    record_undecided_box(place);
   }
 
-  void note_undecided(const Box& place) {
+  void record_undecided_box(const Box& place) {
     for (std::size_t i = 0; i < place.size(); ++i) {
       const Real low(exact_value(place[i].low));
       const Real high(exact_value(place[i].high));
-      if (!is_searched(i, high, high - low)) return;
+      if (!is_in_search_range(i, high, high - low)) return;
     }
     result_.completeness = std::max(result_.completeness, Completeness::undecided);
     UndecidedBox& box = result_.undecided.emplace_back();
@@ -311,14 +314,14 @@ class BlockSearch {
       const cl_R length = exact_value(place[i].high) - exact_value(place[i].low);
       const Real middle(exact_value(place[i].low) + length / 2);
       const bool turns = unknowns_.kinds[i] == SearchKind::turn;
-      const cl_R at = (turns ? wrapped_angle(middle) : middle).value();
+      const cl_R at = (turns ? wrap_angle(middle) : middle).value();
       box[unknowns_.coordinates[i]] = {at - length / 2, at + length / 2};
     }
   }
 
   /// A point of the place whose angles are multiples of a quarter turn and whose other coordinates
   /// are 0, if it exists. add() tests whether it solves the equations.
-  [[nodiscard]] std::optional<Arguments<Real>> plain_root(const Box& place) const {
+  [[nodiscard]] std::optional<Arguments<Real>> quarter_turn_point(const Box& place) const {
     Arguments<Real> root = start();
     for (std::size_t i = 0; i < place.size(); ++i) {
       const double quarter = to_double(whole_turn().value()) / 4;
@@ -331,27 +334,28 @@ class BlockSearch {
     return root;
   }
 
-  [[nodiscard]] bool is_only_root(const BoxedEquations& equations, const Box& place,
+  [[nodiscard]] bool is_only_root(const IntervalEquations& equations, const Box& place,
                                   const Arguments<Real>& root) {
     if (place.size() != 1 || !has_all_forms() || block_.rows.size() != 1) return false;
     const std::uint32_t coordinate = block_.coordinates[0];
     const auto exact = exact_root(system_.forms, forms_, unknowns_, root);
-    const auto order =
-        exact ? root_order(system_, block_.rows[0], coordinate, exact->front()) : std::nullopt;
+    const auto order = exact
+                           ? leading_derivative(system_, block_.rows[0], coordinate, exact->front())
+                           : std::nullopt;
     const auto derivative =
         order ? form_program(system_.program.leaves, system_.forms.algebra, order->derivative)
               : std::nullopt;
     if (!derivative) return false;
-    const BoxedEquations slope{derivative->program, derivative->function, equations.unknowns,
-                               equations.leaves};
-    const Enclosure over_place = values_on(slope, place)[0];
-    return over_place.defined == Definedness::everywhere && !may_contain(over_place, 0);
+    const IntervalEquations slope{derivative->program, derivative->function, equations.unknowns,
+                                  equations.leaves};
+    const Enclosure over_place = enclose_values(slope, place)[0];
+    return over_place.definedness == Definedness::everywhere && !may_contain(over_place, 0);
   }
 
   RestSystem& system_;
   const RestBlock& block_;
   Unknowns unknowns_ = {};
-  std::vector<std::uint32_t> along_ = {};        ///< velocities of the unknowns
+  std::vector<std::uint32_t> velocities_ = {};   ///< velocities of the unknowns
   std::vector<std::uint32_t> chosen_rows_ = {};  ///< at most one per unknown
   std::vector<Fraction> forms_ = {};             ///< closed forms of the rows that have one
   Function rows_ = {};
@@ -361,19 +365,20 @@ class BlockSearch {
 
 }  // namespace
 
-std::optional<RootOrder> root_order(RestSystem& system, std::uint32_t row, std::uint32_t coordinate,
-                                    const CoordinateAtRest& root) {
-  std::optional<Replacements> values = parameter_values(system.state.parameters);
-  if (!values || !root.form || !system.row(row)) return std::nullopt;
-  const Replacements place = replacements_of({coordinate}, {root});
-  RootOrder result{1, *system.row(row)};
+std::optional<LeadingDerivative> leading_derivative(RestSystem& system, std::uint32_t row,
+                                                    std::uint32_t coordinate,
+                                                    const RestCoordinate& root) {
+  std::optional<Replacements> values = parameter_replacements(system.state.parameters);
+  if (!values || !root.closed_form || !system.equation_form(row)) return std::nullopt;
+  const Replacements place = coordinate_replacements({coordinate}, {root});
+  LeadingDerivative result{1, *system.equation_form(row)};
   for (; result.order <= most_order; ++result.order) {
     const auto next =
         partial_derivative(system.forms, result.derivative, coordinate, system.state.q.size());
     if (!next) return std::nullopt;
     result.derivative = *next;
-    const Value number =
-        substituted(system.forms.algebra, substituted(system.forms.algebra, *next, place), *values);
+    const OptionalFraction number =
+        substitute(system.forms.algebra, substitute(system.forms.algebra, *next, place), *values);
     if (!number) return std::nullopt;
     if (!number->numerator.empty()) return result;
   }

@@ -22,7 +22,7 @@ struct RestSystem {
 
   [[nodiscard]] const Function& residual() const { return program.functions[0]; }
   /// The form of the equation of a velocity; none if the form exceeds the budget.
-  [[nodiscard]] const std::optional<Fraction>& row(std::uint32_t velocity) const {
+  [[nodiscard]] const std::optional<Fraction>& equation_form(std::uint32_t velocity) const {
     return forms.functions[0].fields[0].entries[velocity];
   }
 };
@@ -30,28 +30,29 @@ struct RestSystem {
 /// The roots of one block, each with the values of the block's coordinates in order.
 struct BlockRoots {
   bool is_identity = false;  ///< an equation without coordinates is 0 = 0 for all parameters
-  std::vector<std::vector<CoordinateAtRest>> roots = {};
+  std::vector<std::vector<RestCoordinate>> roots = {};
   Completeness completeness = Completeness::proved;
   std::vector<UndecidedBox> undecided = {};
   std::uint64_t boxes = 0;
   std::uint64_t enclosures = 0;
   std::uint64_t starts = 0;
-  std::string_view limit = {};  ///< "boxes" or "enclosures"; empty: no limit was reached
+  std::string_view reached_limit = {};  ///< "boxes" or "enclosures"; empty: no limit was reached
 };
 
 /// The roots of `block`, or E531 for a coordinate without a range. The search stops at the limits
-/// of boxes and enclosures in `most`.
+/// of boxes and enclosures in `limits`.
 [[nodiscard]] Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block,
-                                             const Limits& most);
+                                             const Limits& limits);
 
 /// Of the derivatives of a row by one coordinate, the first that is not 0 at a root. At the root
 /// and the values of the parameters, the row and its derivatives of lower order are exactly 0.
-struct RootOrder {
+struct LeadingDerivative {
   std::uint32_t order = 1;  ///< of the derivative; equals the multiplicity of the root
   Fraction derivative = {};
 };
-[[nodiscard]] std::optional<RootOrder> root_order(RestSystem& system, std::uint32_t row,
-                                                  std::uint32_t coordinate,
-                                                  const CoordinateAtRest& root);
+[[nodiscard]] std::optional<LeadingDerivative> leading_derivative(RestSystem& system,
+                                                                  std::uint32_t row,
+                                                                  std::uint32_t coordinate,
+                                                                  const RestCoordinate& root);
 
 }  // namespace elgen

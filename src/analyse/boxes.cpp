@@ -23,7 +23,7 @@ constexpr double margin = 0.05;
 /// So boxes along a curve of solutions have equal sizes when the limit is reached.
 constexpr double refinement = 16;
 
-Box enlarged(const Box& box) {
+Box enlarge_box(const Box& box) {
   Box result;
   for (const Enclosure& side : box) {
     const double by = margin * length(side) + 1e-300;
@@ -34,7 +34,7 @@ Box enlarged(const Box& box) {
 
 Box middle_of(const Box& box) {
   Box result;
-  for (const Enclosure& side : box) result.push_back(enclosure_of(middle(side)));
+  for (const Enclosure& side : box) result.push_back(point_enclosure(middle(side)));
   return result;
 }
 
@@ -55,21 +55,21 @@ bool is_inside(const Box& inner, const Box& outer) {
   return true;
 }
 
-bool are_defined(const std::vector<Enclosure>& values) {
+bool are_all_finite(const std::vector<Enclosure>& values) {
   return std::ranges::all_of(values, [](const Enclosure& value) {
-    return value.defined == Definedness::everywhere && std::isfinite(value.low) &&
+    return value.definedness == Definedness::everywhere && std::isfinite(value.low) &&
            std::isfinite(value.high);
   });
 }
 
-class Search {
+class KrawczykSearch {
  public:
-  Search(const BoxedEquations& equations, const Box& domain)
+  KrawczykSearch(const IntervalEquations& equations, const Box& domain)
       : equations_(equations), domain_(domain), size_(domain.size()) {
     rows_ = entries_of(equations.function).size();
   }
 
-  BoxSearch operator()(std::uint64_t most) {
+  BoxSearchResult operator()(std::uint64_t most) {
     std::vector<Box> open{domain_};
     while (true) {
       while (!open.empty() && result_.examined < most) {
@@ -88,13 +88,13 @@ class Search {
 
  private:
   void examine(Box box, std::vector<Box>& open) {
-    const std::vector<Enclosure> values = values_on(equations_, box);
+    const std::vector<Enclosure> values = enclose_values(equations_, box);
     if (!std::ranges::all_of(values,
                              [](const Enclosure& value) { return may_contain(value, 0); })) {
       return;
     }
-    const Box tested = enlarged(box);
-    if (const std::optional<Box> image = krawczyk(tested)) {
+    const Box tested = enlarge_box(box);
+    if (const std::optional<Box> image = krawczyk_image(tested)) {
       const std::optional<Box> rest = intersection(*image, box);
       if (is_inside(*image, tested)) {
         result_.single.push_back(*image);
@@ -128,12 +128,12 @@ class Search {
 
   /// K(box) of the first n equations, n the number of unknowns; none if J has no inverse, or if a
   /// value is undefined.
-  [[nodiscard]] std::optional<Box> krawczyk(const Box& box) const {
+  [[nodiscard]] std::optional<Box> krawczyk_image(const Box& box) const {
     if (rows_ < size_) return std::nullopt;
-    const std::optional<std::vector<Enclosure>> slopes = slopes_on(box);
+    const std::optional<std::vector<Enclosure>> slopes = enclose_jacobian(box);
     const Box centre = middle_of(box);
-    const std::vector<Enclosure> values = values_on(equations_, centre);
-    if (!slopes || !are_defined(values)) return std::nullopt;
+    const std::vector<Enclosure> values = enclose_values(equations_, centre);
+    if (!slopes || !are_all_finite(values)) return std::nullopt;
     const auto n = static_cast<Eigen::Index>(size_);
     Eigen::MatrixXd jacobian(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -146,12 +146,12 @@ class Search {
     Box image;
     for (std::size_t i = 0; i < size_; ++i) {
       const auto weight = [&](std::size_t j) {
-        return enclosure_of(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+        return point_enclosure(inverse(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
       };
       Enclosure sum = centre[i];
       for (std::size_t j = 0; j < size_; ++j) sum = sum - weight(j) * values[j];
       for (std::size_t k = 0; k < size_; ++k) {
-        Enclosure rest = enclosure_of(i == k ? 1 : 0);
+        Enclosure rest = point_enclosure(i == k ? 1 : 0);
         for (std::size_t j = 0; j < size_; ++j) {
           rest = rest - weight(j) * (*slopes)[j * size_ + k];
         }
@@ -159,48 +159,49 @@ class Search {
       }
       image.push_back(sum);
     }
-    if (!are_defined(image)) return std::nullopt;
+    if (!are_all_finite(image)) return std::nullopt;
     return image;
   }
 
   /// df/dq, row-major; none if an entry is undefined.
-  [[nodiscard]] std::optional<std::vector<Enclosure>> slopes_on(const Box& box) const {
+  [[nodiscard]] std::optional<std::vector<Enclosure>> enclose_jacobian(const Box& box) const {
     LeafValues<Dual<Enclosure>> leaves = map_leaves(
         [](const Enclosure& x) {
-          return Dual<Enclosure>{x, enclosure_of(0)};
+          return Dual<Enclosure>{x, point_enclosure(0)};
         },
         equations_.leaves);
     for (std::size_t i = 0; i < size_; ++i) leaves.q[equations_.unknowns[i]].value = box[i];
     std::vector<Enclosure> slopes(rows_ * size_);
     for (std::size_t k = 0; k < size_; ++k) {
       Enclosure& along = leaves.q[equations_.unknowns[k]].slope;
-      along = enclosure_of(1);
+      along = point_enclosure(1);
       const auto entries = evaluate(equations_.program, equations_.function, leaves);
-      along = enclosure_of(0);
+      along = point_enclosure(0);
       for (std::size_t i = 0; i < rows_; ++i) slopes[i * size_ + k] = entries[i].slope;
     }
-    if (!are_defined(slopes)) return std::nullopt;
+    if (!are_all_finite(slopes)) return std::nullopt;
     return slopes;
   }
 
-  const BoxedEquations& equations_;
+  const IntervalEquations& equations_;
   const Box& domain_;
   std::size_t size_;
   std::size_t rows_ = 0;
   double resolution_ = box_resolution * (refinement * refinement * refinement * refinement);
-  BoxSearch result_;
+  BoxSearchResult result_;
 };
 
 }  // namespace
 
-std::vector<Enclosure> values_on(const BoxedEquations& equations, const Box& box) {
+std::vector<Enclosure> enclose_values(const IntervalEquations& equations, const Box& box) {
   LeafValues<Enclosure> leaves = equations.leaves;
   for (std::size_t i = 0; i < box.size(); ++i) leaves.q[equations.unknowns[i]] = box[i];
   return evaluate(equations.program, equations.function, leaves);
 }
 
-BoxSearch search_boxes(const BoxedEquations& equations, const Box& domain, std::uint64_t most) {
-  return Search(equations, domain)(most);
+BoxSearchResult search_boxes(const IntervalEquations& equations, const Box& domain,
+                             std::uint64_t most) {
+  return KrawczykSearch(equations, domain)(most);
 }
 
 }  // namespace elgen

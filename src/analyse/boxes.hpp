@@ -20,7 +20,7 @@ namespace elgen {
 
 /// Equations f = 0, at least as many as unknown coordinates. `function` has the entries f; `leaves`
 /// has the values of all known leaves.
-struct BoxedEquations {
+struct IntervalEquations {
   const Program& program;
   const Function& function;
   std::vector<std::uint32_t> unknowns = {};  ///< coordinates
@@ -30,7 +30,7 @@ struct BoxedEquations {
 /// One enclosure for each unknown.
 using Box = std::vector<Enclosure>;
 
-struct BoxSearch {
+struct BoxSearchResult {
   std::vector<Box> single = {};      ///< each has one simple solution; two may share a solution
   std::vector<Box> undecided = {};   ///< smaller than the resolution
   std::vector<Box> open_boxes = {};  ///< not yet decided when the limit was reached
@@ -40,12 +40,13 @@ struct BoxSearch {
 /// A box whose sides are shorter than this fraction of the domain is not halved again.
 inline constexpr double box_resolution = 1e-7;
 
-/// Examines at most `most` boxes. Cost per box: up to two evaluations of f, and an evaluation of
-/// its slopes per unknown.
-[[nodiscard]] BoxSearch search_boxes(const BoxedEquations& equations, const Box& domain,
-                                     std::uint64_t most);
+/// Examines at most `max_boxes` boxes. Cost per box: up to two evaluations of f, and an evaluation
+/// of its slopes per unknown.
+[[nodiscard]] BoxSearchResult search_boxes(const IntervalEquations& equations, const Box& domain,
+                                           std::uint64_t max_boxes);
 
 /// The values of all equations on a box.
-[[nodiscard]] std::vector<Enclosure> values_on(const BoxedEquations& equations, const Box& box);
+[[nodiscard]] std::vector<Enclosure> enclose_values(const IntervalEquations& equations,
+                                                    const Box& box);
 
 }  // namespace elgen

@@ -45,10 +45,10 @@ class EquilibriumSearch {
       Result<BlockRoots> roots = block_roots(system, block, left);
       if (!roots) return roots.diagnostics;
       merge_counts(*roots);
-      if (!roots->limit.empty()) {
-        const bool is_boxes = roots->limit == "boxes";
+      if (!roots->reached_limit.empty()) {
+        const bool is_boxes = roots->reached_limit == "boxes";
         result_.limit =
-            fmt::format("{}={}", roots->limit, is_boxes ? limits.boxes : limits.enclosures);
+            fmt::format("{}={}", roots->reached_limit, is_boxes ? limits.boxes : limits.enclosures);
       }
       left.boxes -= std::min(left.boxes, roots->boxes);
       left.enclosures -= std::min(left.enclosures, roots->enclosures);
@@ -61,47 +61,48 @@ class EquilibriumSearch {
     if (is_none) result_.completeness = Completeness::proved;
     if (Diagnostics errors = make_points(system); !errors.empty()) return errors;
     std::erase_if(result_.points, [this](const RestPoint& point) {
-      return breaks_chart(rest_, point, result_.breaks) || !is_in_ranges(point.state);
+      return find_chart_breaks(rest_, point, result_.chart_singularities) ||
+             !is_in_ranges(point.state);
     });
     return std::move(result_);
   }
 
   /// Analyses only the given state, which must be an equilibrium (else E532).
-  Result<Equilibria> at_start() {
+  Result<Equilibria> analyse_start() {
     if (Diagnostics errors = prepare(); !errors.empty()) return errors;
-    if (Diagnostics errors = balance_errors(); !errors.empty()) return errors;
+    if (Diagnostics errors = check_balance(); !errors.empty()) return errors;
     RestSystem system{model_, rest_.program, result_.forms, result_.kinds, state_};
     for (const RestBlock& block : blocks_) {
-      roots_.emplace_back().roots.push_back(values_at_start(system, block));
+      roots_.emplace_back().roots.push_back(start_root(system, block));
     }
     result_.completeness = Completeness::searched;
-    result_.is_given = true;
+    result_.has_given_point = true;
     if (Diagnostics errors = make_points(system); !errors.empty()) return errors;
-    name_free_coordinates(result_.points.front());
+    set_free_closed_forms(result_.points.front());
     return std::move(result_);
   }
 
  private:
   /// Coordinates in no equation at rest keep their start value. If the start value is 0, or for an
   /// angle a multiple of a quarter turn, the coordinate gets a closed form.
-  void name_free_coordinates(RestPoint& point) {
+  void set_free_closed_forms(RestPoint& point) {
     for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
-      CoordinateAtRest& coordinate = point.coordinates[i];
-      if (!coordinate.is_any || model_.coordinates[i].rotation) continue;
+      RestCoordinate& coordinate = point.coordinates[i];
+      if (!coordinate.is_arbitrary || model_.coordinates[i].rotation) continue;
       const bool turns = is_angle(model_.coordinates[i]);
       const auto plain =
           exact_root(result_.forms, {}, {{i}, {turns ? SearchKind::turn : SearchKind::none}},
                      arguments_at<Real>(point.state));
-      if (plain) coordinate.form = plain->front().form;
+      if (plain) coordinate.closed_form = plain->front().closed_form;
     }
   }
 
   Diagnostics prepare() {
-    rows_ = occurrences(rest_.program, rest_.residual());
+    rows_ = coordinate_occurrences(rest_.program, rest_.residual());
     if (const Expression* const kink = find_kink(model_)) {
       return {{Code::E530, kink->span, "a force with a kink has no linear part at rest"}};
     }
-    if (std::ranges::any_of(rows_, &Occurrence::has_time)) {
+    if (std::ranges::any_of(rows_, &CoordinateOccurrence::has_time)) {
       return {{Code::E530, {}, "the equations at rest contain t"}};
     }
     result_.forms = present(rest_.program);
@@ -115,18 +116,18 @@ class EquilibriumSearch {
   /// Removes coordinates from rows that do not contain them at the values of the parameters:
   /// (m1 a - m2 b) g cos(theta) does not contain theta if m1 a = m2 b.
   void leave_out_coordinates() {
-    const std::optional<Replacements> values = parameter_values(state_.parameters);
+    const std::optional<Replacements> values = parameter_replacements(state_.parameters);
     for (std::uint32_t row = 0; values && row < rows_.size(); ++row) {
-      const Value there = substituted(result_.forms.algebra,
-                                      result_.forms.functions[0].fields[0].entries[row], *values);
+      const OptionalFraction there = substitute(
+          result_.forms.algebra, result_.forms.functions[0].fields[0].entries[row], *values);
       if (!there) continue;
       std::erase_if(rows_[row].coordinates, [&](std::uint32_t coordinate) {
-        return !holds_coordinate(result_.forms.algebra, *there, coordinate);
+        return !contains_coordinate(result_.forms.algebra, *there, coordinate);
       });
     }
   }
 
-  [[nodiscard]] Diagnostics balance_errors() const {
+  [[nodiscard]] Diagnostics check_balance() const {
     // Start values have 60 digits or more. Sums of forces lose a few digits.
     static const cl_R tolerance = power_of_ten(-40);
     const std::vector<Real> residual =
@@ -134,7 +135,7 @@ class EquilibriumSearch {
     for (std::size_t i = 0; i < residual.size(); ++i) {
       if (residual[i].is_defined() && cln::abs(residual[i].value()) < tolerance) continue;
       const std::string value =
-          residual[i].is_defined() ? short_text(residual[i].value()) : "undefined";
+          residual[i].is_defined() ? short_number_text(residual[i].value()) : "undefined";
       return {{Code::E532,
                {},
                fmt::format("`{}` does not stay at rest there: bias - B u is {}",
@@ -144,14 +145,14 @@ class EquilibriumSearch {
     return {};
   }
 
-  [[nodiscard]] std::vector<CoordinateAtRest> values_at_start(RestSystem& system,
-                                                              const RestBlock& block) const {
+  [[nodiscard]] std::vector<RestCoordinate> start_root(RestSystem& system,
+                                                       const RestBlock& block) const {
     std::vector<Fraction> rows;
     for (const std::uint32_t row : block.rows) {
-      if (system.row(row)) rows.push_back(*system.row(row));
+      if (system.equation_form(row)) rows.push_back(*system.equation_form(row));
     }
     Unknowns unknowns{block.coordinates, {}};
-    std::vector<CoordinateAtRest> numbers;
+    std::vector<RestCoordinate> numbers;
     for (const std::uint32_t coordinate : block.coordinates) {
       unknowns.kinds.push_back(result_.kinds[coordinate]);
       numbers.push_back({false, state_.q[coordinate]});
@@ -162,12 +163,12 @@ class EquilibriumSearch {
 
   /// True if x comes before y in the list: closed forms without acos and asin come first, by value;
   /// then all other values, by magnitude.
-  static bool comes_before(const std::vector<CoordinateAtRest>& x,
-                           const std::vector<CoordinateAtRest>& y) {
+  static bool comes_before(const std::vector<RestCoordinate>& x,
+                           const std::vector<RestCoordinate>& y) {
     static const cl_R noise = power_of_ten(-40);
     for (std::size_t i = 0; i < x.size(); ++i) {
-      const auto is_plain = [](const CoordinateAtRest& value) {
-        return value.form && !value.sinusoid;
+      const auto is_plain = [](const RestCoordinate& value) {
+        return value.closed_form && !value.inverse_argument;
       };
       if (is_plain(x[i]) != is_plain(y[i])) return is_plain(x[i]);
       const cl_R difference =
@@ -187,8 +188,8 @@ class EquilibriumSearch {
       for (const std::uint32_t coordinate : block.coordinates) {
         // If the chart breaks within a turn, only the declared range is searched.
         const Coordinate& searched = model_.coordinates[coordinate];
-        const bool is_periodic = !(searched.singular && searched.range) &&
-                                 std::ranges::none_of(rows_, [&](const Occurrence& row) {
+        const bool is_periodic = !(searched.singular_condition && searched.range) &&
+                                 std::ranges::none_of(rows_, [&](const CoordinateOccurrence& row) {
                                    return row.outside_sinusoids.contains(coordinate);
                                  });
         result_.kinds[coordinate] = turns         ? SearchKind::start
@@ -207,7 +208,8 @@ class EquilibriumSearch {
     const auto& v0 = known.functions[0].fields[0].entries[0];
     Arithmetic arithmetic(known.algebra);
     const Function& rest_energy = rest_.program.functions[2];
-    const Value w = entries_of(rest_energy, fold<Value>(arithmetic, rest_.program, rest_energy))[0];
+    const OptionalFraction w =
+        entries_of(rest_energy, fold<OptionalFraction>(arithmetic, rest_.program, rest_energy))[0];
     result_.has_rest_kinetic_energy = !v0 || !w || !is_proved_equal(known, *v0, *w);
   }
 
@@ -215,8 +217,8 @@ class EquilibriumSearch {
     result_.completeness = std::max(result_.completeness, roots.completeness);
     result_.boxes += roots.boxes;
     result_.starts += roots.starts;
-    result_.undecided.insert(result_.undecided.end(), roots.undecided.begin(),
-                             roots.undecided.end());
+    result_.undecided_boxes.insert(result_.undecided_boxes.end(), roots.undecided.begin(),
+                                   roots.undecided.end());
   }
 
   /// Adds a point for each combination of roots. The root of the last block varies fastest.
@@ -251,24 +253,24 @@ class EquilibriumSearch {
     for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
       point.coordinates[i] = {true, state_.q[i]};
     }
-    RestConditions here = conditions_;
+    LagrangeDirichletPremises here = conditions_;
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      const std::vector<CoordinateAtRest>& root = roots_[b].roots[chosen[b]];
+      const std::vector<RestCoordinate>& root = roots_[b].roots[chosen[b]];
       if (root.empty() && !roots_[b].is_identity) point.is_exact = false;
       for (std::size_t i = 0; i < root.size(); ++i) {
         const std::uint32_t coordinate = blocks_[b].coordinates[i];
         point.coordinates[coordinate] = root[i];
-        if (!root[i].is_any && !root[i].form) point.is_exact = false;
+        if (!root[i].is_arbitrary && !root[i].closed_form) point.is_exact = false;
         point.state.q[coordinate] = root[i].value;
       }
     }
-    for (const CoordinateAtRest& coordinate : point.coordinates) {
-      if (coordinate.is_any) ++here.free_count;
+    for (const RestCoordinate& coordinate : point.coordinates) {
+      if (coordinate.is_arbitrary) ++here.free_count;
     }
     fill_matrices(point);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       if (blocks_[b].coordinates.size() == 1 && blocks_[b].rows.size() == 1) {
-        note_degenerate(system, blocks_[b], roots_[b].roots[chosen[b]][0], point, here);
+        add_degenerate_term(system, blocks_[b], roots_[b].roots[chosen[b]][0], point, here);
       }
     }
     point.stability = stability_of(point, here);
@@ -286,32 +288,32 @@ class EquilibriumSearch {
     const Arguments<Real> at = arguments_at<Real>(point.state);
     std::vector<std::uint32_t> velocities(model_.velocities.size());
     for (std::uint32_t i = 0; i < velocities.size(); ++i) velocities[i] = i;
-    point.mass = mass_at(rest_, point.state);
+    point.mass = mass_matrix_at(rest_, point.state);
     point.stiffness =
-        real_values(position_slopes(model_, rest_.program, rest_.residual(), at, velocities));
-    point.damping = real_values(velocity_slopes(moving_, OutputKind::bias, at));
+        values_or_zero(position_slopes(model_, rest_.program, rest_.residual(), at, velocities));
+    point.damping = values_or_zero(velocity_slopes(moving_, OutputKind::bias, at));
     if (!model_.inputs.empty()) {
       point.input_matrix =
-          real_values(evaluate(moving_, *find_function(moving_, OutputKind::input_matrix), at));
+          values_or_zero(evaluate(moving_, *find_function(moving_, OutputKind::input_matrix), at));
     }
   }
 
   /// If K is exactly 0 along the coordinate of the block, notes the leading term of W.
-  void note_degenerate(RestSystem& system, const RestBlock& block, const CoordinateAtRest& root,
-                       const RestPoint& point, RestConditions& here) {
+  void add_degenerate_term(RestSystem& system, const RestBlock& block, const RestCoordinate& root,
+                           const RestPoint& point, LagrangeDirichletPremises& here) {
     const std::uint32_t coordinate = block.coordinates[0];
-    const auto order = root_order(system, block.rows[0], coordinate, root);
+    const auto order = leading_derivative(system, block.rows[0], coordinate, root);
     if (!order || order->order == 1) return;
     // W = r^(m) (q - q0)^(m + 1)/(m + 1)! + ...
     cln::cl_RA factorial = 1;
     for (std::uint32_t i = 2; i <= order->order + 1; ++i) factorial = factorial * i;
-    const Value there =
-        substituted(system.forms.algebra, order->derivative, replacements_of({coordinate}, {root}));
+    const OptionalFraction there = substitute(system.forms.algebra, order->derivative,
+                                              coordinate_replacements({coordinate}, {root}));
     Arithmetic arithmetic(system.forms.algebra);
-    const Value coefficient = arithmetic.multiply(there, fraction_of(1 / factorial));
+    const OptionalFraction coefficient = arithmetic.multiply(there, fraction_of(1 / factorial));
     if (!coefficient) return;
     const Real number =
-        value_of(system.forms.algebra, *coefficient, arguments_at<Real>(point.state));
+        evaluate_form(system.forms.algebra, *coefficient, arguments_at<Real>(point.state));
     here.degenerate.push_back({coordinate, order->order + 1, *coefficient});
     here.is_positive.push_back(number.is_defined() && cln::plusp(number.value()));
   }
@@ -320,21 +322,21 @@ class EquilibriumSearch {
   Program moving_;
   RestProgram rest_;
   State state_ = {};
-  std::vector<Occurrence> rows_ = {};
+  std::vector<CoordinateOccurrence> rows_ = {};
   std::vector<RestBlock> blocks_ = {};
   std::vector<BlockRoots> roots_ = {};
-  RestConditions conditions_ = {};
+  LagrangeDirichletPremises conditions_ = {};
   Equilibria result_ = {};
 };
 
 /// The start state. Inputs have the values of their laws, or 0.
-Result<State> start_of(const CheckedModel& checked) {
+Result<State> start_state(const CheckedModel& checked) {
   const Model& model = checked.model;
   State state = nominal_state(model, checked.scene);
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     state.q[i] = model.coordinates[i].start_value;
   }
-  Result<std::vector<cl_R>> inputs = inputs_of(checked, state);
+  Result<std::vector<cl_R>> inputs = rest_inputs(checked, state);
   if (!inputs) return inputs.diagnostics;
   state.u = std::move(*inputs);
   return state;
@@ -342,8 +344,8 @@ Result<State> start_of(const CheckedModel& checked) {
 
 /// The state of an [[equilibrium]], or the start state if `name` is empty. Coordinates that the
 /// [[equilibrium]] does not set have their start value.
-Result<State> state_at(const CheckedModel& checked, const std::string& name) {
-  Result<State> state = start_of(checked);
+Result<State> named_state(const CheckedModel& checked, const std::string& name) {
+  Result<State> state = start_state(checked);
   if (!state || name.empty()) return state;
   const Model& model = checked.model;
   const auto found = std::ranges::find(model.equilibria, name, &Equilibrium::name);
@@ -361,11 +363,13 @@ Result<State> state_at(const CheckedModel& checked, const std::string& name) {
   return Diagnostic{Code::E532, found->span, "the point has no value at these parameters"};
 }
 
-Result<EquilibriumSearch> search_of(const AnalysisInput& input) {
+Result<EquilibriumSearch> make_equilibrium_search(const AnalysisInput& input) {
   const CheckedModel& checked = input.checked;
-  const Result<State> state = input.about ? state_at(checked, *input.about) : start_of(checked);
+  const Result<State> state =
+      input.equilibrium_name ? named_state(checked, *input.equilibrium_name) : start_state(checked);
   if (!state) return state.diagnostics;
-  Program moving = with_closed_forms(input.recursive, Reader::code);  // without leaves that cancel
+  Program moving =
+      with_closed_forms(input.recursive, Audience::code);  // without leaves that cancel
   Result<RestProgram> rest = rest_program(moving, state->u);
   if (!rest) return rest.diagnostics;
   return EquilibriumSearch(checked, std::move(moving), std::move(*rest), *state);
@@ -373,7 +377,7 @@ Result<EquilibriumSearch> search_of(const AnalysisInput& input) {
 
 }  // namespace
 
-std::vector<OutputRequest> outputs_of_equilibria(const Model& model) {
+std::vector<OutputRequest> outputs_for_equilibria(const Model& model) {
   return available_requests(
       model, {OutputKind::mass_matrix, OutputKind::potential_energy, OutputKind::dissipation,
               OutputKind::applied_force, OutputKind::bias, OutputKind::energy_function,
@@ -381,9 +385,9 @@ std::vector<OutputRequest> outputs_of_equilibria(const Model& model) {
 }
 
 Result<Equilibria> find_equilibria(const AnalysisInput& input) {
-  Result<EquilibriumSearch> search = search_of(input);
+  Result<EquilibriumSearch> search = make_equilibrium_search(input);
   if (!search) return search.diagnostics;
-  return input.about ? search->at_start() : (*search)(input.limits);
+  return input.equilibrium_name ? search->analyse_start() : (*search)(input.limits);
 }
 
 }  // namespace elgen

@@ -17,15 +17,15 @@ using FormEchelon = Echelon<FormField>;
 /// sum_u x_u coefficient_u = 0 for the unknowns x_u; coefficients contain parameters only.
 using Equation = FormEchelon::Row;
 
-class Conditions {
+class MonomialEquations {
  public:
-  Conditions(ClosedForms& forms, FormField& field)
+  MonomialEquations(ClosedForms& forms, FormField& field)
       : algebra_(forms.algebra),
         field_(field),
         motions_(forms.algebra, [](const Atom& leaf) { return leaf.leaf != Opcode::parameter; }) {}
 
   /// Adds the equations of one row; false if the budget is exceeded.
-  bool add(std::vector<Value> row) {
+  bool add_row(std::vector<OptionalFraction> row) {
     if (!clear_denominators(row)) return false;
     std::map<Monomial, std::map<std::size_t, Polynomial>, MonomialLess> sums;
     for (std::size_t u = 0; u < row.size(); ++u) {
@@ -33,8 +33,8 @@ class Conditions {
         Monomial moving;
         Monomial constant;
         for (const AtomPower& power : monomial) {
-          note(power.atom);
-          (motions_.holds(power.atom) ? moving : constant).push_back(power);
+          check_independence(power.atom);
+          (motions_.contains(power.atom) ? moving : constant).push_back(power);
         }
         add_term(sums[moving][u], constant, coefficient);
       }
@@ -57,19 +57,19 @@ class Conditions {
   /// Sets is_complete_ to false if the atoms may depend on each other. Powers 0 and 1 of a single
   /// root are independent. But sqrt(a) sqrt(b) may be a third root, and a root of an expression in
   /// sines and cosines may equal a sine.
-  void note(AtomId id) {
+  void check_independence(AtomId id) {
     if (algebra_.atoms[id].kind != AtomKind::root) {
       is_complete_ = is_complete_ && is_independent(algebra_, id);
     } else if (roots_.insert(id).second) {
       const Fraction& radicand = algebra_.atoms[id].arguments[0];
-      is_complete_ = is_complete_ && is_of_leaves(radicand.numerator) &&
+      is_complete_ = is_complete_ && has_only_leaves(radicand.numerator) &&
                      std::ranges::all_of(radicand.denominator, [this](const auto& factor) {
-                       return is_of_leaves(algebra_.factors[factor.first].shown);
+                       return has_only_leaves(algebra_.factors[factor.first].shown);
                      });
     }
   }
 
-  [[nodiscard]] bool is_of_leaves(const Polynomial& sum) const {
+  [[nodiscard]] bool has_only_leaves(const Polynomial& sum) const {
     return std::ranges::all_of(sum, [this](const auto& term) {
       return std::ranges::all_of(term.first, [this](const AtomPower& power) {
         return algebra_.atoms[power.atom].kind == AtomKind::leaf;
@@ -81,24 +81,24 @@ class Conditions {
 
   /// Multiplies a row by its common denominator until no denominator remains: squares of roots may
   /// introduce new denominators. Returns false if an entry has no form.
-  bool clear_denominators(std::vector<Value>& row) {
+  bool clear_denominators(std::vector<OptionalFraction>& row) {
     for (;;) {
       Denominator common;
-      for (const Value& entry : row) {
+      for (const OptionalFraction& entry : row) {
         if (!entry) return false;
         for (const auto& [factor, exponent] : entry->denominator) {
           common[factor] = std::max(common[factor], exponent);
         }
       }
       if (common.empty()) return true;
-      for (Value& entry : row) entry = numerator_over(common, *entry);
+      for (OptionalFraction& entry : row) entry = scale_to_denominator(common, *entry);
     }
   }
 
   /// Multiplies an entry by the common denominator.
-  Value numerator_over(Denominator common, const Fraction& entry) {
+  OptionalFraction scale_to_denominator(Denominator common, const Fraction& entry) {
     for (const auto& [factor, exponent] : entry.denominator) common[factor] -= exponent;
-    Value result = Fraction{entry.numerator, {}};
+    OptionalFraction result = Fraction{entry.numerator, {}};
     for (const auto& [factor, exponent] : common) {
       for (std::int32_t i = 0; i < exponent; ++i) {
         result = field_.multiply(result, fraction_of(algebra_.factors[factor].shown));
@@ -116,7 +116,7 @@ class Conditions {
 };
 
 /// Sets the unknown of each equation with one term to 0, and removes it from all other equations.
-std::vector<Equation> with_zero_unknowns(std::vector<Equation> equations) {
+std::vector<Equation> eliminate_zero_unknowns(std::vector<Equation> equations) {
   std::set<std::size_t> zeros;
   for (bool is_done = false; !is_done;) {
     is_done = true;
@@ -133,22 +133,22 @@ std::vector<Equation> with_zero_unknowns(std::vector<Equation> equations) {
 }
 
 /// The derivatives of R; none if a derivative has no form.
-std::optional<ResidualSlopes<Value>> slopes_of(ClosedForms& forms, const GeneratorClass& all,
-                                               const OpenTerms& open_values,
-                                               const std::vector<Value>& residual) {
+std::optional<ResidualSlopes<OptionalFraction>> residual_slopes(
+    ClosedForms& forms, const GeneratorLayout& all, const OpenValueRates& open_values,
+    const std::vector<OptionalFraction>& residual) {
   const std::size_t n = all.velocity_count;
   const std::vector<Fraction> still(n);
-  const auto slopes_along = [&](const LeafRates& rates, std::vector<Value>& slopes,
+  const auto slopes_along = [&](const LeafRates& rates, std::vector<OptionalFraction>& slopes,
                                 std::size_t column, std::size_t columns) {
     slopes.resize(n * columns);
     for (std::size_t i = 0; i < n; ++i) {
-      slopes[i * columns + column] = rate_along(forms, *residual[i], rates);
+      slopes[i * columns + column] = directional_derivative(forms, *residual[i], rates);
       if (!slopes[i * columns + column]) return false;
     }
     return true;
   };
   const Fraction one = fraction_of(cln::cl_RA(1));
-  ResidualSlopes<Value> slopes;
+  ResidualSlopes<OptionalFraction> slopes;
   for (std::size_t k = 0; k < n; ++k) {
     LeafRates by_position{still, still, still, open_values};
     LeafRates by_velocity = by_position;
@@ -168,9 +168,9 @@ std::optional<ResidualSlopes<Value>> slopes_of(ClosedForms& forms, const Generat
 
 }  // namespace
 
-MotionPoint<Value> leaf_point(FormField& field, const Model& model,
-                              const std::vector<Value>& residual) {
-  MotionPoint<Value> at;
+MotionPoint<OptionalFraction> symbolic_motion_point(FormField& field, const Model& model,
+                                                    const std::vector<OptionalFraction>& residual) {
+  MotionPoint<OptionalFraction> at;
   for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
     at.q.push_back(field.leaf(Opcode::coordinate, i));
   }
@@ -184,29 +184,29 @@ MotionPoint<Value> leaf_point(FormField& field, const Model& model,
 }
 
 std::optional<ExactGenerators> exact_generators(ClosedForms& forms, const Model& model,
-                                                const OpenTerms& open_values,
-                                                const std::vector<Value>& residual) {
-  const GeneratorClass all(model);
+                                                const OpenValueRates& open_values,
+                                                const std::vector<OptionalFraction>& residual) {
+  const GeneratorLayout all(model);
   const bool are_known =
-      std::ranges::all_of(residual, [](const Value& x) { return x.has_value(); });
+      std::ranges::all_of(residual, [](const OptionalFraction& x) { return x.has_value(); });
   if (!all.rotations.empty() || !are_known) return std::nullopt;
-  const auto slopes = slopes_of(forms, all, open_values, residual);
+  const auto slopes = residual_slopes(forms, all, open_values, residual);
   if (!slopes) return std::nullopt;
   FormField field(forms.algebra);
-  Conditions equations(forms, field);
-  for (std::vector<Value>& row :
-       conditions(field, all, leaf_point(field, model, residual), *slopes)) {
-    if (!equations.add(std::move(row))) return std::nullopt;
+  MonomialEquations equations(forms, field);
+  for (std::vector<OptionalFraction>& row :
+       symmetry_conditions(field, all, symbolic_motion_point(field, model, residual), *slopes)) {
+    if (!equations.add_row(std::move(row))) return std::nullopt;
   }
   ExactGenerators result;
   result.is_complete = equations.is_complete();
   result.has_root = equations.has_root();
-  const FormEchelon echelon(field, with_zero_unknowns(std::move(equations).equations()),
+  const FormEchelon echelon(field, eliminate_zero_unknowns(std::move(equations).equations()),
                             all.size());
   if (!echelon.is_defined()) return std::nullopt;
-  for (const std::vector<Value>& solution : echelon.kernel()) {
+  for (const std::vector<OptionalFraction>& solution : echelon.kernel()) {
     std::vector<Fraction>& entries = result.basis.emplace_back();
-    for (const Value& entry : solution) entries.push_back(*entry);
+    for (const OptionalFraction& entry : solution) entries.push_back(*entry);
   }
   return result;
 }

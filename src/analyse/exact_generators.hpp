@@ -16,8 +16,8 @@ namespace elgen {
 /// becomes none. The pivot of a column is in the shortest row.
 class FormField : public Arithmetic {
  public:
-  using Number = Value;
-  using Candidates = std::vector<PivotCandidate<Value>>;
+  using Number = OptionalFraction;
+  using Candidates = std::vector<PivotCandidate<OptionalFraction>>;
   static constexpr EchelonForm form = EchelonForm::reduced;
 
   /// `work`: limit of term products; the default takes less than two seconds. `terms`: limit of
@@ -25,21 +25,25 @@ class FormField : public Arithmetic {
   explicit FormField(Algebra& algebra, std::size_t work = 4'000'000, std::size_t terms = 60'000)
       : Arithmetic(algebra, work, terms) {}
 
-  [[nodiscard]] static Value integer(int value) { return fraction_of(cln::cl_RA(value)); }
-  [[nodiscard]] Value reduce(const Value& x, const Value& factor, const Value& y) {
+  [[nodiscard]] static OptionalFraction integer(int value) {
+    return fraction_of(cln::cl_RA(value));
+  }
+  [[nodiscard]] OptionalFraction subtract_product(const OptionalFraction& x,
+                                                  const OptionalFraction& factor,
+                                                  const OptionalFraction& y) {
     return subtract(x, multiply(factor, y));
   }
-  [[nodiscard]] static bool is_zero(const Value& x) { return x && x->numerator.empty(); }
-  [[nodiscard]] static bool is_defined(const Value& x) { return x.has_value(); }
-  [[nodiscard]] static const PivotCandidate<Value>* best(const Candidates& candidates,
-                                                         std::size_t) {
-    return &*std::ranges::min_element(candidates, {}, &PivotCandidate<Value>::length);
+  [[nodiscard]] static bool is_zero(const OptionalFraction& x) { return x && x->numerator.empty(); }
+  [[nodiscard]] static bool is_defined(const OptionalFraction& x) { return x.has_value(); }
+  [[nodiscard]] static const PivotCandidate<OptionalFraction>* best_pivot(
+      const Candidates& candidates, std::size_t) {
+    return &*std::ranges::min_element(candidates, {}, &PivotCandidate<OptionalFraction>::length);
   }
 };
 
 /// The point whose q, v, a and t are the leaves, with the given R.
-[[nodiscard]] MotionPoint<Value> leaf_point(FormField& field, const Model& model,
-                                            const std::vector<Value>& residual);
+[[nodiscard]] MotionPoint<OptionalFraction> symbolic_motion_point(
+    FormField& field, const Model& model, const std::vector<OptionalFraction>& residual);
 
 /// Generators with coefficients in the parameters.
 struct ExactGenerators {
@@ -53,9 +57,8 @@ struct ExactGenerators {
 
 /// Solves dR + A^T R = 0 in closed form. None for models with rotations, or if the budget is
 /// exceeded. Cost: 3 n + 1 derivatives of R, and an elimination over fractions of polynomials.
-[[nodiscard]] std::optional<ExactGenerators> exact_generators(ClosedForms& forms,
-                                                              const Model& model,
-                                                              const OpenTerms& open_values,
-                                                              const std::vector<Value>& residual);
+[[nodiscard]] std::optional<ExactGenerators> exact_generators(
+    ClosedForms& forms, const Model& model, const OpenValueRates& open_values,
+    const std::vector<OptionalFraction>& residual);
 
 }  // namespace elgen

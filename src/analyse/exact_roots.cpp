@@ -29,7 +29,7 @@ bool is_same_angle(const Real& x, const Real& y) {
 }
 
 /// A search for the leaf `coordinate`; without `coordinate`, for the leaves of all coordinates.
-LeafSearch search_of(const Algebra& algebra, std::optional<std::uint32_t> coordinate) {
+LeafSearch coordinate_search(const Algebra& algebra, std::optional<std::uint32_t> coordinate) {
   return {algebra, [coordinate](const Atom& leaf) {
             return leaf.leaf == Opcode::coordinate && (!coordinate || leaf.index == *coordinate);
           }};
@@ -40,7 +40,7 @@ std::optional<std::int32_t> sinusoid_power(const Algebra& algebra, const AtomPow
                                            std::uint32_t coordinate) {
   const Atom& atom = algebra.atoms[power.atom];
   if (atom.kind != AtomKind::circular) return std::nullopt;
-  const Atom* const leaf = leaf_within(algebra, atom);
+  const Atom* const leaf = find_argument_leaf(algebra, atom);
   const bool is_it =
       leaf != nullptr && leaf->leaf == Opcode::coordinate && leaf->index == coordinate;
   const cl_RA multiple = cl_RA(power.exponent) / atom.divisor;
@@ -51,17 +51,17 @@ std::optional<std::int32_t> sinusoid_power(const Algebra& algebra, const AtomPow
 /// Coefficients of z^0, z^1, …. None if the coordinate also occurs outside of e^(i k q).
 using Coefficients = std::vector<Polynomial>;
 
-std::optional<Coefficients> in_sinusoids(const Algebra& algebra, const Polynomial& sum,
-                                         std::uint32_t coordinate) {
+std::optional<Coefficients> sinusoid_coefficients(const Algebra& algebra, const Polynomial& sum,
+                                                  std::uint32_t coordinate) {
   std::map<std::int32_t, Polynomial> by_power;
-  LeafSearch search = search_of(algebra, coordinate);
+  LeafSearch search = coordinate_search(algebra, coordinate);
   for (const auto& [monomial, coefficient] : sum) {
     Monomial rest;
     std::int32_t total = 0;
     for (const AtomPower& power : monomial) {
       if (const auto sinusoid = sinusoid_power(algebra, power, coordinate)) {
         total += *sinusoid;
-      } else if (search.holds(power.atom)) {
+      } else if (search.contains(power.atom)) {
         return std::nullopt;
       } else {
         rest.push_back(power);
@@ -81,12 +81,12 @@ std::optional<Coefficients> in_sinusoids(const Algebra& algebra, const Polynomia
 }
 
 /// Divides out the factor z - root as often as possible.
-void divide_out_root(Coefficients& coefficients, const Gaussian& root) {
+void divide_out_root(Coefficients& coefficients, const GaussianRational& root) {
   while (coefficients.size() > 1) {
     Coefficients quotient(coefficients.size() - 1);
     Polynomial carried;
     for (std::size_t k = coefficients.size(); k-- > 0;) {
-      carried = sum(coefficients[k], scaled(carried, root));
+      carried = sum(coefficients[k], multiply_by_term(carried, root));
       if (k > 0) quotient[k - 1] = carried;
     }
     if (!carried.empty()) return;
@@ -100,18 +100,20 @@ struct KnownSinusoid {
   bool is_cosine = true;
 };
 
-std::optional<KnownSinusoid> sinusoid_of(Arithmetic& arithmetic, Coefficients coefficients) {
-  for (const Gaussian& root : std::array<Gaussian, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
+std::optional<KnownSinusoid> solve_for_sinusoid(Arithmetic& arithmetic, Coefficients coefficients) {
+  for (const GaussianRational& root :
+       std::array<GaussianRational, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
     divide_out_root(coefficients, root);
   }
   if (coefficients.size() != 3) return std::nullopt;
-  const bool is_cosine = sum(coefficients[0], scaled(coefficients[2], {-1, 0})).empty();
+  const bool is_cosine = sum(coefficients[0], multiply_by_term(coefficients[2], {-1, 0})).empty();
   const bool is_sine = sum(coefficients[0], coefficients[2]).empty();
   if (!is_cosine && !is_sine) return std::nullopt;
   // c1 + 2 c2 cos(q) = 0 or c1 + 2 i c2 sin(q) = 0
-  const Gaussian factor = is_cosine ? Gaussian{cl_RA(-1) / 2, 0} : Gaussian{0, cl_RA(1) / 2};
-  const Value value =
-      arithmetic.divide(fraction_of(scaled(coefficients[1], factor)), fraction_of(coefficients[2]));
+  const GaussianRational factor =
+      is_cosine ? GaussianRational{cl_RA(-1) / 2, 0} : GaussianRational{0, cl_RA(1) / 2};
+  const OptionalFraction value = arithmetic.divide(
+      fraction_of(multiply_by_term(coefficients[1], factor)), fraction_of(coefficients[2]));
   return value ? std::optional(KnownSinusoid{*value, is_cosine}) : std::nullopt;
 }
 
@@ -125,45 +127,46 @@ class SingleUnknownRoot {
         coordinate_(coordinate),
         arithmetic_(forms.algebra) {}
 
-  std::optional<CoordinateAtRest> of(const Fraction& row) {
-    if (const auto sinusoids = in_sinusoids(algebra_, row.numerator, coordinate_)) {
-      const auto sinusoid = sinusoid_of(arithmetic_, *sinusoids);
-      return sinusoid ? angle(*sinusoid) : std::nullopt;
+  std::optional<RestCoordinate> find(const Fraction& row) {
+    if (const auto sinusoids = sinusoid_coefficients(algebra_, row.numerator, coordinate_)) {
+      const auto sinusoid = solve_for_sinusoid(arithmetic_, *sinusoids);
+      return sinusoid ? matching_angle(*sinusoid) : std::nullopt;
     }
-    return linear(row.numerator);
+    return linear_root(row.numerator);
   }
 
  private:
-  [[nodiscard]] const Real& number() const { return root_.q[coordinate_]; }
+  [[nodiscard]] const Real& root_value() const { return root_.q[coordinate_]; }
 
   /// Of the two angles with this cosine or sine, the angle that equals the root.
-  std::optional<CoordinateAtRest> angle(const KnownSinusoid& sinusoid) {
+  std::optional<RestCoordinate> matching_angle(const KnownSinusoid& sinusoid) {
     const FunctionId inverse = sinusoid.is_cosine ? FunctionId::acos : FunctionId::asin;
-    const Value square = arithmetic_.multiply(sinusoid.value, sinusoid.value);
-    const Value other =
+    const OptionalFraction square = arithmetic_.multiply(sinusoid.value, sinusoid.value);
+    const OptionalFraction other =
         arithmetic_.square_root(arithmetic_.subtract(fraction_of(cl_RA(1)), square));
-    const Value first = arithmetic_.call(inverse, sinusoid.value, {});
-    const Value second = sinusoid.is_cosine ? arithmetic_.negate(first)
-                                            : arithmetic_.subtract(arithmetic_.pi(), first);
+    const OptionalFraction first = arithmetic_.call(inverse, sinusoid.value, {});
+    const OptionalFraction second = sinusoid.is_cosine
+                                        ? arithmetic_.negate(first)
+                                        : arithmetic_.subtract(arithmetic_.pi(), first);
     for (const auto& [angle, signed_other] :
          {std::pair{first, other}, std::pair{second, arithmetic_.negate(other)}}) {
-      if (!angle || !is_same_angle(value_of(algebra_, *angle, root_), number())) continue;
+      if (!angle || !is_same_angle(evaluate_form(algebra_, *angle, root_), root_value())) continue;
       if (!signed_other) return std::nullopt;
       const CosineAndSine sinusoids = sinusoid.is_cosine
                                           ? CosineAndSine{sinusoid.value, *signed_other}
                                           : CosineAndSine{*signed_other, sinusoid.value};
-      return CoordinateAtRest{false, number().value(), angle, sinusoid.value, sinusoids};
+      return RestCoordinate{false, root_value().value(), angle, sinusoid.value, sinusoids};
     }
     return std::nullopt;
   }
 
-  std::optional<CoordinateAtRest> linear(const Polynomial& row) {
+  std::optional<RestCoordinate> linear_root(const Polynomial& row) {
     const auto solution =
         linear_solution(forms_, {fraction_of(row)}, {{coordinate_}, {SearchKind::none}}, root_);
     if (!solution || !solution->is_solvable) return std::nullopt;
-    const CoordinateAtRest& value = solution->values[0];
-    if (value.is_any || !is_near(Real(value.value), number())) return std::nullopt;
-    return CoordinateAtRest{false, number().value(), value.form};
+    const RestCoordinate& value = solution->values[0];
+    if (value.is_arbitrary || !is_near(Real(value.value), root_value())) return std::nullopt;
+    return RestCoordinate{false, root_value().value(), value.closed_form};
   }
 
   ClosedForms& forms_;
@@ -174,15 +177,16 @@ class SingleUnknownRoot {
 };
 
 /// The root if it is 0 or, for an angle, a multiple of a quarter turn; else none.
-std::optional<CoordinateAtRest> plain_value(Algebra& algebra, SearchKind kind, const Real& root) {
+std::optional<RestCoordinate> quarter_turn_value(Algebra& algebra, SearchKind kind,
+                                                 const Real& root) {
   Arithmetic arithmetic(algebra);
-  if (is_near(root, Real())) return CoordinateAtRest{false, 0, Fraction{}};
+  if (is_near(root, Real())) return RestCoordinate{false, 0, Fraction{}};
   if (kind != SearchKind::turn) return std::nullopt;
   for (const cl_RA& count : {cl_RA(1), cl_RA(1) / 2, cl_RA(-1) / 2}) {
     const Real angle = whole_turn() * Real(count / 2);
     if (!is_same_angle(angle, root)) continue;
-    const Value form = arithmetic.multiply(arithmetic.pi(), fraction_of(count));
-    return CoordinateAtRest{false, angle.value(), form};
+    const OptionalFraction form = arithmetic.multiply(arithmetic.pi(), fraction_of(count));
+    return RestCoordinate{false, angle.value(), form};
   }
   return std::nullopt;
 }
@@ -190,7 +194,7 @@ std::optional<CoordinateAtRest> plain_value(Algebra& algebra, SearchKind kind, c
 bool is_solved(Algebra& algebra, const std::vector<Fraction>& rows,
                const Replacements& replacements) {
   return std::ranges::all_of(rows, [&](const Fraction& row) {
-    const Value value = substituted(algebra, row, replacements);
+    const OptionalFraction value = substitute(algebra, row, replacements);
     return value && value->numerator.empty();
   });
 }
@@ -198,25 +202,26 @@ bool is_solved(Algebra& algebra, const std::vector<Fraction>& rows,
 // Linear equations.
 
 /// Closed forms, with pivots that are not 0 at the values of the parameters.
-class FormsAtParameters : public FormField {
+class NumericPivotField : public FormField {
  public:
-  FormsAtParameters(Algebra& algebra, const Arguments<Real>& at)
-      : FormField(algebra, PresentBudget{}.products, PresentBudget{}.terms),
+  NumericPivotField(Algebra& algebra, const Arguments<Real>& at)
+      : FormField(algebra, ClosedFormBudget{}.products, ClosedFormBudget{}.terms),
         algebra_(algebra),
         at_(at) {}
 
-  [[nodiscard]] Real number(const Fraction& fraction) const {
-    return value_of(algebra_, fraction, at_);
+  [[nodiscard]] Real evaluate(const Fraction& fraction) const {
+    return evaluate_form(algebra_, fraction, at_);
   }
-  [[nodiscard]] bool vanishes(const Fraction& fraction) const {
-    return is_near(number(fraction), Real());
+  [[nodiscard]] bool vanishes_numerically(const Fraction& fraction) const {
+    return is_near(evaluate(fraction), Real());
   }
 
   /// The first candidate that is not 0 in 64 digits. If all candidates are 0 in 64 digits, the
   /// elimination is undecided, because this does not prove that they are 0.
-  [[nodiscard]] const PivotCandidate<Value>* best(const Candidates& candidates, std::size_t) {
-    for (const PivotCandidate<Value>& candidate : candidates) {
-      if (!vanishes(**candidate.entry)) return &candidate;
+  [[nodiscard]] const PivotCandidate<OptionalFraction>* best_pivot(const Candidates& candidates,
+                                                                   std::size_t) {
+    for (const PivotCandidate<OptionalFraction>& candidate : candidates) {
+      if (!vanishes_numerically(**candidate.entry)) return &candidate;
     }
     is_undecided_ = true;
     return nullptr;
@@ -231,44 +236,46 @@ class FormsAtParameters : public FormField {
 
 /// Columns: the unknowns from last to first, so that the first unknowns remain arbitrary; then the
 /// constant term.
-using RestEchelon = Echelon<FormsAtParameters>;
+using RestEchelon = Echelon<NumericPivotField>;
 
 /// The value of the unknown of a pivot. `row` is the row of the pivot without the pivot itself.
-std::optional<CoordinateAtRest> solved_for(FormsAtParameters& field, const RestEchelon::Row& row,
-                                           const std::vector<std::uint32_t>& unknowns) {
+std::optional<RestCoordinate> solve_pivot_row(NumericPivotField& field, const RestEchelon::Row& row,
+                                              const std::vector<std::uint32_t>& unknowns) {
   const std::size_t n = unknowns.size();
-  Value value = Fraction{};
+  OptionalFraction value = Fraction{};
   for (auto entry = row.rbegin(); entry != row.rend(); ++entry) {
-    Value term = entry->value;
+    OptionalFraction term = entry->value;
     if (entry->column < n) {
-      const Value other = field.leaf(Opcode::coordinate, unknowns[n - 1 - entry->column]);
+      const OptionalFraction other =
+          field.leaf(Opcode::coordinate, unknowns[n - 1 - entry->column]);
       term = field.multiply(term, other);
     }
     value = field.subtract(value, term);
   }
   if (!value) return std::nullopt;
-  const Real number = field.number(*value);
+  const Real number = field.evaluate(*value);
   if (!number.is_defined()) return std::nullopt;
-  return CoordinateAtRest{false, number.value(), value};
+  return RestCoordinate{false, number.value(), value};
 }
 
-std::optional<LinearSolution> solution_of(FormsAtParameters& field,
-                                          std::vector<RestEchelon::Row> rows,
-                                          const std::vector<std::uint32_t>& unknowns,
-                                          const Arguments<Real>& at) {
+std::optional<LinearSolution> solve_rows(NumericPivotField& field,
+                                         std::vector<RestEchelon::Row> rows,
+                                         const std::vector<std::uint32_t>& unknowns,
+                                         const Arguments<Real>& at) {
   const std::size_t n = unknowns.size();
   const RestEchelon echelon(field, std::move(rows), n);
   if (!echelon.is_defined() || field.is_undecided()) return std::nullopt;
   LinearSolution solution;
-  for (const Value& rest : echelon.contradictions()) {
-    if (field.vanishes(*rest)) return std::nullopt;
+  for (const OptionalFraction& rest : echelon.contradictions()) {
+    if (field.vanishes_numerically(*rest)) return std::nullopt;
     solution.is_solvable = false;
   }
   for (const std::uint32_t unknown : unknowns) {
     solution.values.push_back({true, at.q[unknown].value()});
   }
   for (auto pivot = echelon.pivots().rbegin(); pivot != echelon.pivots().rend(); ++pivot) {
-    const std::optional<CoordinateAtRest> value = solved_for(field, echelon.rest(*pivot), unknowns);
+    const std::optional<RestCoordinate> value =
+        solve_pivot_row(field, echelon.row_without_pivot(*pivot), unknowns);
     if (!value) return std::nullopt;
     solution.values[n - 1 - pivot->column] = *value;
   }
@@ -277,10 +284,10 @@ std::optional<LinearSolution> solution_of(FormsAtParameters& field,
 
 /// Multiplies a row by the powers of unknowns in its denominators, and adds these unknowns to
 /// `poles`.
-Value without_poles(Algebra& algebra, const Fraction& row, const Unknowns& unknowns,
-                    std::set<std::uint32_t>& poles) {
+OptionalFraction clear_poles(Algebra& algebra, const Fraction& row, const Unknowns& unknowns,
+                             std::set<std::uint32_t>& poles) {
   Monomial powers;
-  for (const AtomPower& power : divisor_powers(row)) {
+  for (const AtomPower& power : monomial_denominator(row)) {
     const Atom& atom = algebra.atoms[power.atom];
     const bool is_unknown =
         atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate &&
@@ -290,15 +297,16 @@ Value without_poles(Algebra& algebra, const Fraction& row, const Unknowns& unkno
     powers.push_back(power);
   }
   if (powers.empty()) return row;
-  return Arithmetic(algebra).multiply(row, fraction_of(Polynomial{{powers, Gaussian{1, 0}}}));
+  return Arithmetic(algebra).multiply(row,
+                                      fraction_of(Polynomial{{powers, GaussianRational{1, 0}}}));
 }
 
 /// True if an unknown that occurs in a denominator is 0.
 bool is_at_pole(const LinearSolution& solution, const Unknowns& unknowns,
                 const std::set<std::uint32_t>& poles) {
   for (std::size_t i = 0; i < solution.values.size(); ++i) {
-    const CoordinateAtRest& value = solution.values[i];
-    const bool is_zero = !value.is_any && is_near(Real(value.value), Real());
+    const RestCoordinate& value = solution.values[i];
+    const bool is_zero = !value.is_arbitrary && is_near(Real(value.value), Real());
     if (is_zero && poles.contains(unknowns.coordinates[i])) return true;
   }
   return false;
@@ -308,7 +316,7 @@ bool is_at_pole(const LinearSolution& solution, const Unknowns& unknowns,
 
 std::optional<LinearSolution> linear_solution(ClosedForms& forms, const std::vector<Fraction>& rows,
                                               const Unknowns& unknowns, const Arguments<Real>& at) {
-  FormsAtParameters field(forms.algebra, at);
+  NumericPivotField field(forms.algebra, at);
   const std::size_t n = unknowns.coordinates.size();
   std::vector<RestEchelon::Row> equations;
   Replacements origin;
@@ -317,50 +325,52 @@ std::optional<LinearSolution> linear_solution(ClosedForms& forms, const std::vec
   }
   std::set<std::uint32_t> poles;
   for (const Fraction& given : rows) {
-    const Value row = without_poles(forms.algebra, given, unknowns, poles);
+    const OptionalFraction row = clear_poles(forms.algebra, given, unknowns, poles);
     if (!row) return std::nullopt;
     RestEchelon::Row equation;
     for (const std::uint32_t coordinate : unknowns.coordinates) {
       const auto slope = partial_derivative(forms, *row, coordinate, at.q.size());
-      if (!slope || holds_coordinate(forms.algebra, *slope)) return std::nullopt;
+      if (!slope || contains_coordinate(forms.algebra, *slope)) return std::nullopt;
       equation.push_back({n - 1 - equation.size(), *slope});
     }
-    const Value rest = substituted(forms.algebra, row, origin);
+    const OptionalFraction rest = substitute(forms.algebra, row, origin);
     if (!rest) return std::nullopt;
     std::ranges::reverse(equation);
     equation.push_back({n, *rest});
     equations.push_back(std::move(equation));
   }
   std::optional<LinearSolution> solution =
-      solution_of(field, std::move(equations), unknowns.coordinates, at);
+      solve_rows(field, std::move(equations), unknowns.coordinates, at);
   if (solution && is_at_pole(*solution, unknowns, poles)) solution->is_solvable = false;
   return solution;
 }
 
-bool holds_coordinate(const Algebra& algebra, const Fraction& form,
-                      std::optional<std::uint32_t> coordinate) {
-  return search_of(algebra, coordinate).holds(form);
+bool contains_coordinate(const Algebra& algebra, const Fraction& form,
+                         std::optional<std::uint32_t> coordinate) {
+  return coordinate_search(algebra, coordinate).contains(form);
 }
 
-Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,
-                             const std::vector<CoordinateAtRest>& values) {
+Replacements coordinate_replacements(const std::vector<std::uint32_t>& coordinates,
+                                     const std::vector<RestCoordinate>& values) {
   Replacements result;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!values[i].form) continue;
-    result[{Opcode::coordinate, coordinates[i]}] = {*values[i].form, values[i].sinusoids};
+    if (!values[i].closed_form) continue;
+    result[{Opcode::coordinate, coordinates[i]}] = {*values[i].closed_form,
+                                                    values[i].cosine_and_sine};
   }
   return result;
 }
 
-std::optional<std::vector<CoordinateAtRest>> exact_root(ClosedForms& forms,
-                                                        const std::vector<Fraction>& rows,
-                                                        const Unknowns& unknowns,
-                                                        const Arguments<Real>& root) {
+std::optional<std::vector<RestCoordinate>> exact_root(ClosedForms& forms,
+                                                      const std::vector<Fraction>& rows,
+                                                      const Unknowns& unknowns,
+                                                      const Arguments<Real>& root) {
   Algebra& algebra = forms.algebra;
-  std::vector<CoordinateAtRest> values(unknowns.coordinates.size());
+  std::vector<RestCoordinate> values(unknowns.coordinates.size());
   std::optional<std::size_t> open;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto plain = plain_value(algebra, unknowns.kinds[i], root.q[unknowns.coordinates[i]]);
+    const auto plain =
+        quarter_turn_value(algebra, unknowns.kinds[i], root.q[unknowns.coordinates[i]]);
     if (plain) {
       values[i] = *plain;
     } else if (open) {
@@ -369,21 +379,22 @@ std::optional<std::vector<CoordinateAtRest>> exact_root(ClosedForms& forms,
       open = i;
     }
   }
-  if (!open && is_solved(algebra, rows, replacements_of(unknowns.coordinates, values))) {
+  if (!open && is_solved(algebra, rows, coordinate_replacements(unknowns.coordinates, values))) {
     return values;
   }
   // A root may be pi/2 only at these values of the parameters, such as asin(tau/(m g l)).
   if (!open && values.size() == 1) open = 0;
   if (!open) return std::nullopt;
   values[*open] = {};
-  const Replacements known = replacements_of(unknowns.coordinates, values);
+  const Replacements known = coordinate_replacements(unknowns.coordinates, values);
   for (const Fraction& row : rows) {
-    const Value left = substituted(algebra, row, known);
-    if (!left || !search_of(algebra, unknowns.coordinates[*open]).holds(*left)) continue;
-    const auto value = SingleUnknownRoot(forms, root, unknowns.coordinates[*open]).of(*left);
+    const OptionalFraction left = substitute(algebra, row, known);
+    if (!left || !coordinate_search(algebra, unknowns.coordinates[*open]).contains(*left)) continue;
+    const auto value = SingleUnknownRoot(forms, root, unknowns.coordinates[*open]).find(*left);
     if (!value) continue;
     values[*open] = *value;
-    if (is_solved(algebra, rows, replacements_of(unknowns.coordinates, values))) return values;
+    if (is_solved(algebra, rows, coordinate_replacements(unknowns.coordinates, values)))
+      return values;
   }
   return std::nullopt;
 }

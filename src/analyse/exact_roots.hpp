@@ -27,7 +27,7 @@ struct Unknowns {
 };
 
 /// The closed forms of a root, one per unknown; none if the root has none of the forms above.
-[[nodiscard]] std::optional<std::vector<CoordinateAtRest>> exact_root(
+[[nodiscard]] std::optional<std::vector<RestCoordinate>> exact_root(
     ClosedForms& forms, const std::vector<Fraction>& rows, const Unknowns& unknowns,
     const Arguments<Real>& root);
 
@@ -38,7 +38,7 @@ struct Unknowns {
 /// 64 digits but not the empty sum.
 struct LinearSolution {
   bool is_solvable = true;
-  std::vector<CoordinateAtRest> values = {};
+  std::vector<RestCoordinate> values = {};
 };
 [[nodiscard]] std::optional<LinearSolution> linear_solution(ClosedForms& forms,
                                                             const std::vector<Fraction>& rows,
@@ -46,11 +46,11 @@ struct LinearSolution {
                                                             const Arguments<Real>& at);
 
 /// Replacements of the unknowns by their closed forms. Unknowns without a form are kept.
-[[nodiscard]] Replacements replacements_of(const std::vector<std::uint32_t>& coordinates,
-                                           const std::vector<CoordinateAtRest>& values);
+[[nodiscard]] Replacements coordinate_replacements(const std::vector<std::uint32_t>& coordinates,
+                                                   const std::vector<RestCoordinate>& values);
 
 /// True if a form contains the coordinate; by default, if it contains any coordinate.
-[[nodiscard]] bool holds_coordinate(const Algebra& algebra, const Fraction& form,
-                                    std::optional<std::uint32_t> coordinate = {});
+[[nodiscard]] bool contains_coordinate(const Algebra& algebra, const Fraction& form,
+                                       std::optional<std::uint32_t> coordinate = {});
 
 }  // namespace elgen

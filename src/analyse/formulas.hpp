@@ -21,22 +21,23 @@
 namespace elgen {
 
 /// True if the numerator of a form contains more than numbers and pi.
-[[nodiscard]] bool holds_leaves(const Algebra& algebra, const Fraction& form);
+[[nodiscard]] bool contains_leaves(const Algebra& algebra, const Fraction& form);
 
 /// The smallest monomial whose product with the numerator of a form has no negative exponents.
-[[nodiscard]] Monomial divisor_powers(const Fraction& form);
+[[nodiscard]] Monomial monomial_denominator(const Fraction& form);
 
 /// The smallest product that clears all divisors of a form: negative powers in its monomials, and
 /// its denominator.
-[[nodiscard]] Value divisor_of(Algebra& algebra, const Fraction& form);
+[[nodiscard]] OptionalFraction full_denominator(Algebra& algebra, const Fraction& form);
 
 /// A form as a program of one value; none if the form is too long.
-[[nodiscard]] std::optional<Linearised> form_program(const LeafNames& leaves,
-                                                     const Algebra& algebra, const Fraction& form);
+[[nodiscard]] std::optional<LinearisedNetwork> form_program(const LeafNames& leaves,
+                                                            const Algebra& algebra,
+                                                            const Fraction& form);
 
 /// The value in 64 digits; undefined if the form has no value or is too long.
-[[nodiscard]] Real value_of(const Algebra& algebra, const Fraction& form,
-                            const Arguments<Real>& at);
+[[nodiscard]] Real evaluate_form(const Algebra& algebra, const Fraction& form,
+                                 const Arguments<Real>& at);
 
 /// Finds the atoms and forms that contain a wanted leaf; the results for atoms are memoised.
 class LeafSearch {
@@ -45,27 +46,27 @@ class LeafSearch {
   LeafSearch(const Algebra& algebra, std::function<bool(const Atom&)> is_wanted)
       : algebra_(algebra), is_wanted_(std::move(is_wanted)) {}
 
-  [[nodiscard]] bool holds(AtomId id) {
+  [[nodiscard]] bool contains(AtomId id) {
     if (const auto known = known_.find(id); known != known_.end()) return known->second;
     const Atom& atom = algebra_.atoms[id];
     const bool found = atom.kind == AtomKind::leaf
                            ? is_wanted_(atom)
                            : std::ranges::any_of(atom.arguments, [this](const Fraction& argument) {
-                               return holds(argument);
+                               return contains(argument);
                              });
     known_[id] = found;
     return found;
   }
-  [[nodiscard]] bool holds(const Polynomial& sum) {
+  [[nodiscard]] bool contains(const Polynomial& sum) {
     return std::ranges::any_of(sum, [this](const auto& term) {
       return std::ranges::any_of(term.first,
-                                 [this](const AtomPower& power) { return holds(power.atom); });
+                                 [this](const AtomPower& power) { return contains(power.atom); });
     });
   }
-  [[nodiscard]] bool holds(const Fraction& form) {
-    return holds(form.numerator) ||
+  [[nodiscard]] bool contains(const Fraction& form) {
+    return contains(form.numerator) ||
            std::ranges::any_of(form.denominator, [this](const auto& factor) {
-             return holds(algebra_.factors[factor.first].shown);
+             return contains(algebra_.factors[factor.first].shown);
            });
   }
 
@@ -86,13 +87,14 @@ using Replacements = std::map<std::pair<Opcode, std::uint32_t>, Replacement>;
 
 /// The form after the replacements; none if the form is none, if a denominator becomes 0, or if the
 /// result exceeds the budget.
-[[nodiscard]] Value substituted(Algebra& algebra, const Value& form,
-                                const Replacements& replacements);
+[[nodiscard]] OptionalFraction substitute(Algebra& algebra, const OptionalFraction& form,
+                                          const Replacements& replacements);
 
 /// The leaf x if the function's argument is a numeric multiple of x, else null.
-[[nodiscard]] const Atom* leaf_within(const Algebra& algebra, const Atom& function);
+[[nodiscard]] const Atom* find_argument_leaf(const Algebra& algebra, const Atom& function);
 
 /// Replacements of all parameters by their values; none if a value is not rational.
-[[nodiscard]] std::optional<Replacements> parameter_values(const std::vector<cln::cl_R>& values);
+[[nodiscard]] std::optional<Replacements> parameter_replacements(
+    const std::vector<cln::cl_R>& values);
 
 }  // namespace elgen

@@ -16,113 +16,115 @@
 namespace elgen {
 namespace {
 
-class FrequencyForms {
+class FrequencySolver {
  public:
-  FrequencyForms(ClosedForms& forms, const FormsAtRest& at_rest, std::size_t size)
+  FrequencySolver(ClosedForms& forms, const RestMatrices& at_rest, std::size_t size)
       : forms_(forms), at_rest_(at_rest), size_(size) {}
 
   std::vector<SquaredFrequency> operator()() {
     std::vector<SquaredFrequency> all;
-    for (const RestBlock& block : coupled()) {
+    for (const RestBlock& block : coupled_blocks()) {
       const std::vector<std::uint32_t>& joined = block.coordinates;
-      if (joined.size() == 1) add_one(all, joined[0]);
-      if (joined.size() == 2) add_two(all, joined[0], joined[1]);
+      if (joined.size() == 1) add_single_frequency(all, joined[0]);
+      if (joined.size() == 2) add_block_frequencies(all, joined[0], joined[1]);
     }
     return all;
   }
 
  private:
   /// The blocks of coordinates that M and K couple.
-  [[nodiscard]] std::vector<RestBlock> coupled() const {
-    std::vector<Occurrence> rows(size_);
+  [[nodiscard]] std::vector<RestBlock> coupled_blocks() const {
+    std::vector<CoordinateOccurrence> rows(size_);
     for (std::uint32_t i = 0; i < rows.size(); ++i) {
       rows[i].coordinates.insert(i);
       for (std::uint32_t j = 0; j < i; ++j) {
-        const bool is_joined = !m(i, j).numerator.empty() || !k(i, j).numerator.empty();
+        const bool is_joined = !mass(i, j).numerator.empty() || !stiffness(i, j).numerator.empty();
         if (is_joined) rows[i].coordinates.insert(j);
       }
     }
     return rest_blocks(rows);
   }
 
-  [[nodiscard]] const Fraction& m(std::size_t i, std::size_t k) const {
+  [[nodiscard]] const Fraction& mass(std::size_t i, std::size_t k) const {
     return at_rest_.mass[i * size_ + k];
   }
-  [[nodiscard]] const Fraction& k(std::size_t i, std::size_t j) const {
+  [[nodiscard]] const Fraction& stiffness(std::size_t i, std::size_t j) const {
     return at_rest_.stiffness[i * size_ + j];
   }
 
   /// Adds w^2 = K/M.
-  void add_one(std::vector<SquaredFrequency>& all, std::size_t i) {
-    const Value square = Arithmetic(forms_.algebra).divide(k(i, i), m(i, i));
+  void add_single_frequency(std::vector<SquaredFrequency>& all, std::size_t i) {
+    const OptionalFraction square = Arithmetic(forms_.algebra).divide(stiffness(i, i), mass(i, i));
     if (square) all.push_back({*square});
   }
 
   /// Adds the roots b/2a -+ sqrt((b/2a)^2 - c/a) of a x^2 - b x + c = det(K - x M).
-  void add_two(std::vector<SquaredFrequency>& all, std::size_t i, std::size_t j) {
+  void add_block_frequencies(std::vector<SquaredFrequency>& all, std::size_t i, std::size_t j) {
     Arithmetic at(forms_.algebra);
     const auto determinant = [&](const Fraction& x, const Fraction& y, const Fraction& z) {
       return at.subtract(at.multiply(x, y), at.multiply(z, z));
     };
-    const Value a = determinant(m(i, i), m(j, j), m(i, j));
-    const Value c = determinant(k(i, i), k(j, j), k(i, j));
-    const Value mixed = at.multiply(fraction_of(cln::cl_RA(2)), at.multiply(m(i, j), k(i, j)));
-    const Value b =
-        at.subtract(at.add(at.multiply(m(i, i), k(j, j)), at.multiply(m(j, j), k(i, i))), mixed);
-    const Value middle = at.divide(b, at.multiply(fraction_of(cln::cl_RA(2)), a));
-    const Value square = at.subtract(at.multiply(middle, middle), at.divide(c, a));
-    if (middle && square) add_pair(all, *middle, *square);
+    const OptionalFraction a = determinant(mass(i, i), mass(j, j), mass(i, j));
+    const OptionalFraction c = determinant(stiffness(i, i), stiffness(j, j), stiffness(i, j));
+    const OptionalFraction mixed =
+        at.multiply(fraction_of(cln::cl_RA(2)), at.multiply(mass(i, j), stiffness(i, j)));
+    const OptionalFraction b = at.subtract(
+        at.add(at.multiply(mass(i, i), stiffness(j, j)), at.multiply(mass(j, j), stiffness(i, i))),
+        mixed);
+    const OptionalFraction middle = at.divide(b, at.multiply(fraction_of(cln::cl_RA(2)), a));
+    const OptionalFraction square = at.subtract(at.multiply(middle, middle), at.divide(c, a));
+    if (middle && square) add_root_pair(all, *middle, *square);
   }
 
   /// Adds middle -+ sqrt(square), with the common divisor d and the common factor s:
   ///     s (middle d/s -+ sqrt(square d^2/s^2))/d
   /// If the radicand is a square, adds two formulas without a root. The sign of the root does not
   /// matter, because both signs occur.
-  void add_pair(std::vector<SquaredFrequency>& all, const Fraction& middle,
-                const Fraction& square) {
+  void add_root_pair(std::vector<SquaredFrequency>& all, const Fraction& middle,
+                     const Fraction& square) {
     if (square.numerator.empty()) {
       all.push_back({middle});
       return;
     }
     Arithmetic at(forms_.algebra);
-    const Fraction d = whole_divisor_of(middle);
-    const Value left = at.multiply(middle, d);
-    const Value right = at.multiply(square, at.multiply(d, d));
+    const Fraction d = integer_denominator(middle);
+    const OptionalFraction left = at.multiply(middle, d);
+    const OptionalFraction right = at.multiply(square, at.multiply(d, d));
     if (!left || !right) return;
     if (const auto sum = exact_square_root(*right)) {
-      const Value root = at.divide(*sum, d);
-      const Value first = at.subtract(middle, root);
-      const Value second = at.add(middle, root);
+      const OptionalFraction root = at.divide(*sum, d);
+      const OptionalFraction first = at.subtract(middle, root);
+      const OptionalFraction second = at.add(middle, root);
       if (!first || !second) return;
       all.push_back({*first});
       all.push_back({*second});
       return;
     }
     const Fraction s = shared_factor(*left, *right);
-    const Value above = at.divide(left, s);
-    const Value root = at.square_root(at.divide(right, at.multiply(s, s)));
+    const OptionalFraction above = at.divide(left, s);
+    const OptionalFraction root = at.square_root(at.divide(right, at.multiply(s, s)));
     if (above && root) all.push_back({*above, root, s, d});
   }
 
   /// A sum with rational coefficients whose square is x, if it exists.
   static std::optional<Fraction> exact_square_root(const Fraction& x) {
-    const Gaussian& lead = x.numerator.rbegin()->second;
+    const GaussianRational& lead = x.numerator.rbegin()->second;
     cln::cl_RA root;
     const bool is_square = x.denominator.empty() && cln::zerop(lead.imaginary) &&
                            cln::plusp(lead.real) && cln::sqrtp(lead.real, &root);
     if (!is_square) return std::nullopt;
-    const auto sum = square_root(scaled(x.numerator, {cln::recip(lead.real), 0}));
-    return sum ? std::optional(fraction_of(scaled(*sum, {root, 0}))) : std::nullopt;
+    const auto sum = square_root(multiply_by_term(x.numerator, {cln::recip(lead.real), 0}));
+    return sum ? std::optional(fraction_of(multiply_by_term(*sum, {root, 0}))) : std::nullopt;
   }
 
   /// The smallest form that clears the divisors of x and makes its coefficients integers.
-  Fraction whole_divisor_of(const Fraction& x) {
+  Fraction integer_denominator(const Fraction& x) {
     cln::cl_I whole = 1;
     for (const auto& [monomial, coefficient] : x.numerator) {
       whole = cln::lcm(whole, cln::denominator(coefficient.real));
     }
     Arithmetic at(forms_.algebra);
-    return at.multiply(divisor_of(forms_.algebra, x), fraction_of(cln::cl_RA(whole)))
+    return at.multiply(full_denominator(forms_.algebra, x), fraction_of(cln::cl_RA(whole)))
         .value_or(fraction_of(cln::cl_RA(1)));
   }
 
@@ -147,26 +149,26 @@ class FrequencyForms {
           x.numerator.empty() ? exponent / 2 : std::min(of_x[atom], exponent / 2);
       if (power > 0) shared.push_back({atom, power});
     }
-    return fraction_of(Polynomial{{shared, Gaussian{1, 0}}});
+    return fraction_of(Polynomial{{shared, GaussianRational{1, 0}}});
   }
 
   ClosedForms& forms_;
-  const FormsAtRest& at_rest_;
+  const RestMatrices& at_rest_;
   std::size_t size_;
 };
 
 }  // namespace
 
-FormsAtRest forms_at_rest(const Model& model, ClosedForms& forms, const RestPoint& point) {
+RestMatrices rest_matrices(const Model& model, ClosedForms& forms, const RestPoint& point) {
   std::vector<std::uint32_t> coordinates(point.coordinates.size());
   std::iota(coordinates.begin(), coordinates.end(), 0);
-  const Replacements place = replacements_of(coordinates, point.coordinates);
+  const Replacements place = coordinate_replacements(coordinates, point.coordinates);
   const ClosedField rows = forms.functions[0].fields[0];
   const ClosedField masses = forms.functions[1].fields[0];
-  FormsAtRest found;
-  const auto add = [&](std::vector<Fraction>& list, const Value& form) {
-    const Value value = substituted(forms.algebra, form, place);
-    if (value && !holds_coordinate(forms.algebra, *value)) list.push_back(*value);
+  RestMatrices found;
+  const auto add = [&](std::vector<Fraction>& list, const OptionalFraction& form) {
+    const OptionalFraction value = substitute(forms.algebra, form, place);
+    if (value && !contains_coordinate(forms.algebra, *value)) list.push_back(*value);
   };
   const std::size_t n = model.velocities.size();
   for (std::size_t i = 0; i < n * n; ++i) {
@@ -183,10 +185,10 @@ FormsAtRest forms_at_rest(const Model& model, ClosedForms& forms, const RestPoin
   return found;
 }
 
-std::vector<SquaredFrequency> squared_frequencies(ClosedForms& forms, const FormsAtRest& at_rest,
+std::vector<SquaredFrequency> squared_frequencies(ClosedForms& forms, const RestMatrices& at_rest,
                                                   std::size_t size) {
   if (at_rest.mass.empty() || at_rest.stiffness.empty()) return {};
-  return FrequencyForms(forms, at_rest, size)();
+  return FrequencySolver(forms, at_rest, size)();
 }
 
 }  // namespace elgen

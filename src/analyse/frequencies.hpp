@@ -13,14 +13,14 @@
 namespace elgen {
 
 /// M and K, n x n, row-major. A matrix is empty if one of its entries has no closed form.
-struct FormsAtRest {
+struct RestMatrices {
   std::vector<Fraction> mass = {};
   std::vector<Fraction> stiffness = {};
 };
 
 /// M and K at a point. `forms` are the closed forms of the equilibria; their algebra grows.
-[[nodiscard]] FormsAtRest forms_at_rest(const Model& model, ClosedForms& forms,
-                                        const RestPoint& point);
+[[nodiscard]] RestMatrices rest_matrices(const Model& model, ClosedForms& forms,
+                                         const RestPoint& point);
 
 /// w^2 = middle, or if `root` is set, two values w^2 = factor (middle -+ root)/divisor.
 struct SquaredFrequency {
@@ -33,7 +33,7 @@ struct SquaredFrequency {
 /// w^2 of each block of one or two coordinates out of `size`. A block of two has two entries
 /// without a root if the radicand is a square. Empty if M or K has no closed form.
 [[nodiscard]] std::vector<SquaredFrequency> squared_frequencies(ClosedForms& forms,
-                                                                const FormsAtRest& at_rest,
+                                                                const RestMatrices& at_rest,
                                                                 std::size_t size);
 
 }  // namespace elgen

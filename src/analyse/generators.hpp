@@ -24,8 +24,8 @@
 namespace elgen {
 
 /// The unknowns in order: A by rows, c, b, then s and b of each rotation, then dt.
-struct GeneratorClass {
-  explicit GeneratorClass(const Model& model) : velocity_count(model.velocities.size()) {
+struct GeneratorLayout {
+  explicit GeneratorLayout(const Model& model) : velocity_count(model.velocities.size()) {
     for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
       if (model.coordinates[i].rotation) continue;
       coordinates.push_back(i);
@@ -45,18 +45,22 @@ struct GeneratorClass {
   std::vector<RotationIndices> rotations = {};
   std::size_t velocity_count = 0;
 
-  [[nodiscard]] std::size_t scalars() const { return coordinates.size(); }
-  [[nodiscard]] std::size_t size() const { return time() + 1; }
-  [[nodiscard]] std::size_t a(std::size_t i, std::size_t k) const { return i * scalars() + k; }
-  [[nodiscard]] std::size_t c(std::size_t i) const { return scalars() * scalars() + i; }
-  [[nodiscard]] std::size_t b(std::size_t i) const { return c(scalars()) + i; }
-  [[nodiscard]] std::size_t world_turn(std::size_t rotation, std::size_t axis) const {
-    return b(scalars()) + std::size_t{2} * axis_count * rotation + axis;
+  [[nodiscard]] std::size_t scalar_count() const { return coordinates.size(); }
+  [[nodiscard]] std::size_t size() const { return time_index() + 1; }
+  [[nodiscard]] std::size_t a_index(std::size_t i, std::size_t k) const {
+    return i * scalar_count() + k;
   }
-  [[nodiscard]] std::size_t body_turn(std::size_t rotation, std::size_t axis) const {
-    return world_turn(rotation, axis) + axis_count;
+  [[nodiscard]] std::size_t c_index(std::size_t i) const {
+    return scalar_count() * scalar_count() + i;
   }
-  [[nodiscard]] std::size_t time() const { return world_turn(rotations.size(), 0); }
+  [[nodiscard]] std::size_t b_index(std::size_t i) const { return c_index(scalar_count()) + i; }
+  [[nodiscard]] std::size_t world_turn_index(std::size_t rotation, std::size_t axis) const {
+    return b_index(scalar_count()) + std::size_t{2} * axis_count * rotation + axis;
+  }
+  [[nodiscard]] std::size_t body_turn_index(std::size_t rotation, std::size_t axis) const {
+    return world_turn_index(rotation, axis) + axis_count;
+  }
+  [[nodiscard]] std::size_t time_index() const { return world_turn_index(rotations.size(), 0); }
 };
 
 /// A point of a motion and R at this point, as numbers or closed forms.
@@ -123,39 +127,39 @@ struct PointChange {
   std::vector<Number> position = {};
   std::vector<Number> velocity = {};
   std::vector<Number> acceleration = {};
-  std::vector<Number> transposed = {};
+  std::vector<Number> transposed_residual = {};
 };
 
 /// The change of `at` by the generator with the unknowns x.
 template <class Field>
-PointChange<typename Field::Number> change_of(Field& field, const GeneratorClass& all,
-                                              const MotionPoint<typename Field::Number>& at,
-                                              const std::vector<typename Field::Number>& x) {
+PointChange<typename Field::Number> apply_generator(Field& field, const GeneratorLayout& layout,
+                                                    const MotionPoint<typename Field::Number>& at,
+                                                    const std::vector<typename Field::Number>& x) {
   using Number = typename Field::Number;
-  const std::vector<Number> none(all.velocity_count, field.integer(0));
+  const std::vector<Number> none(layout.velocity_count, field.integer(0));
   PointChange<Number> change{none, none, none, none};
   const auto add = [&](Number& to, const Number& factor, const Number& term) {
     if (!field.is_zero(factor)) to = field.add(to, field.multiply(factor, term));
   };
-  for (std::size_t i = 0; i < all.scalars(); ++i) {
-    const std::uint32_t own = all.velocities[i];
-    for (std::size_t k = 0; k < all.scalars(); ++k) {
-      const Number& factor = x[all.a(i, k)];
-      const std::uint32_t other = all.velocities[k];
-      add(change.position[own], factor, at.q[all.coordinates[k]]);
+  for (std::size_t i = 0; i < layout.scalar_count(); ++i) {
+    const std::uint32_t own = layout.velocities[i];
+    for (std::size_t k = 0; k < layout.scalar_count(); ++k) {
+      const Number& factor = x[layout.a_index(i, k)];
+      const std::uint32_t other = layout.velocities[k];
+      add(change.position[own], factor, at.q[layout.coordinates[k]]);
       add(change.velocity[own], factor, at.v[other]);
       add(change.acceleration[own], factor, at.a[other]);
-      add(change.transposed[other], factor, at.residual[own]);
+      add(change.transposed_residual[other], factor, at.residual[own]);
     }
-    add(change.position[own], x[all.c(i)], at.t);
-    add(change.position[own], x[all.b(i)], field.integer(1));
-    add(change.velocity[own], x[all.c(i)], field.integer(1));
+    add(change.position[own], x[layout.c_index(i)], at.t);
+    add(change.position[own], x[layout.b_index(i)], field.integer(1));
+    add(change.velocity[own], x[layout.c_index(i)], field.integer(1));
   }
-  for (std::size_t r = 0; r < all.rotations.size(); ++r) {
-    const auto& [first_coordinate, first] = all.rotations[r];
+  for (std::size_t r = 0; r < layout.rotations.size(); ++r) {
+    const auto& [first_coordinate, first] = layout.rotations[r];
     for (std::size_t j = 0; j < axis_count; ++j) {
-      const Number& world = x[all.world_turn(r, j)];
-      const Number& body = x[all.body_turn(r, j)];
+      const Number& world = x[layout.world_turn_index(r, j)];
+      const Number& body = x[layout.body_turn_index(r, j)];
       const auto axis = world_axis(field, at.q, first_coordinate, j);
       const auto velocity = cross_with_unit(field, at.v, first, j);
       const auto acceleration = cross_with_unit(field, at.a, first, j);
@@ -165,7 +169,7 @@ PointChange<typename Field::Number> change_of(Field& field, const GeneratorClass
         add(change.velocity[first + k], body, velocity[k]);
         add(change.acceleration[first + k], body, acceleration[k]);
         // [b]x R = -(R x b)
-        add(change.transposed[first + k], field.negate(body), residual[k]);
+        add(change.transposed_residual[first + k], field.negate(body), residual[k]);
       }
       add(change.position[first + j], body, field.integer(1));
     }
@@ -175,10 +179,10 @@ PointChange<typename Field::Number> change_of(Field& field, const GeneratorClass
 
 /// to + sum_k slope_ik change_k
 template <class Field>
-typename Field::Number add_slope_product(Field& field, typename Field::Number to,
-                                         const std::vector<typename Field::Number>& slope,
-                                         std::size_t i,
-                                         const std::vector<typename Field::Number>& change) {
+typename Field::Number plus_slope_product(Field& field, typename Field::Number to,
+                                          const std::vector<typename Field::Number>& slope,
+                                          std::size_t i,
+                                          const std::vector<typename Field::Number>& change) {
   for (std::size_t k = 0; k < change.size(); ++k) {
     if (field.is_zero(change[k])) continue;
     to = field.add(to, field.multiply(slope[i * change.size() + k], change[k]));
@@ -189,8 +193,8 @@ typename Field::Number add_slope_product(Field& field, typename Field::Number to
 /// The coefficients of all unknowns x in dR_i + (A^T R)_i: n rows of `all.size()` entries. For a
 /// symmetry, the product of each row with x is 0.
 template <class Field>
-std::vector<std::vector<typename Field::Number>> conditions(
-    Field& field, const GeneratorClass& all, const MotionPoint<typename Field::Number>& at,
+std::vector<std::vector<typename Field::Number>> symmetry_conditions(
+    Field& field, const GeneratorLayout& all, const MotionPoint<typename Field::Number>& at,
     const ResidualSlopes<typename Field::Number>& slopes) {
   using Number = typename Field::Number;
   const std::size_t n = all.velocity_count;
@@ -198,16 +202,16 @@ std::vector<std::vector<typename Field::Number>> conditions(
   std::vector<Number> unit(all.size(), field.integer(0));
   for (std::size_t u = 0; u + 1 < all.size(); ++u) {
     unit[u] = field.integer(1);
-    const PointChange<Number> change = change_of(field, all, at, unit);
+    const PointChange<Number> change = apply_generator(field, all, at, unit);
     unit[u] = field.integer(0);
     for (std::size_t i = 0; i < n; ++i) {
-      Number sum =
-          add_slope_product(field, change.transposed[i], slopes.by_position, i, change.position);
-      sum = add_slope_product(field, sum, slopes.by_velocity, i, change.velocity);
-      rows[i][u] = add_slope_product(field, sum, slopes.by_acceleration, i, change.acceleration);
+      Number sum = plus_slope_product(field, change.transposed_residual[i], slopes.by_position, i,
+                                      change.position);
+      sum = plus_slope_product(field, sum, slopes.by_velocity, i, change.velocity);
+      rows[i][u] = plus_slope_product(field, sum, slopes.by_acceleration, i, change.acceleration);
     }
   }
-  for (std::size_t i = 0; i < n; ++i) rows[i][all.time()] = slopes.by_time[i];
+  for (std::size_t i = 0; i < n; ++i) rows[i][all.time_index()] = slopes.by_time[i];
   return rows;
 }
 

@@ -15,8 +15,8 @@ namespace elgen {
 namespace {
 
 /// dq/dt for unit velocity: a column of N(q).
-std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
-                               std::uint32_t velocity) {
+std::vector<Real> unit_velocity_rates(const Model& model, const Arguments<Real>& at,
+                                      std::uint32_t velocity) {
   std::vector<Real> rates(at.q.size());
   const Velocity& moved = model.velocities[velocity];
   if (!moved.rotation) {
@@ -27,7 +27,7 @@ std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
   std::ranges::fill(state.v, cln::cl_R(0));
   state.v[velocity] = 1;
   const OracleValues values =
-      oracle_values(model, request_of(model, OutputKind::coordinate_rates, 0), state);
+      oracle_values(model, make_request(model, OutputKind::coordinate_rates, 0), state);
   for (std::size_t i = 0; values && i < rates.size(); ++i) rates[i] = Real((*values)[i]);
   return rates;
 }
@@ -35,8 +35,9 @@ std::vector<Real> rate_of_unit(const Model& model, const Arguments<Real>& at,
 /// The derivatives of the entries of a function along `columns` directions, row-major.
 /// point(k, direction) sets the k-th direction; all leaves of `direction` are 0 before the call.
 template <class Point>
-std::vector<Real> slopes_along(const Program& program, const Function& function,
-                               const Arguments<Real>& at, std::size_t columns, const Point& point) {
+std::vector<Real> directional_slopes(const Program& program, const Function& function,
+                                     const Arguments<Real>& at, std::size_t columns,
+                                     const Point& point) {
   std::vector<Real> slopes(entry_count(function) * columns);
   for (std::size_t k = 0; k < columns; ++k) {
     Arguments<Real> direction = map_leaves([](const Real&) { return Real(); }, at);
@@ -50,8 +51,8 @@ std::vector<Real> slopes_along(const Program& program, const Function& function,
 constexpr int most_steps = 200;
 
 /// Solves A x = b with A n x n, row-major; none if A is singular.
-std::optional<std::vector<Real>> solved(const std::vector<Real>& matrix,
-                                        const std::vector<Real>& right_side) {
+std::optional<std::vector<Real>> solve_linear(const std::vector<Real>& matrix,
+                                              const std::vector<Real>& right_side) {
   const std::size_t n = right_side.size();
   std::vector<Real> both;
   for (std::size_t i = 0; i < n; ++i) {
@@ -69,16 +70,17 @@ std::optional<std::vector<Real>> solved(const std::vector<Real>& matrix,
 std::vector<Real> position_slopes(const Model& model, const Program& program,
                                   const Function& function, const Arguments<Real>& at,
                                   const std::vector<std::uint32_t>& along) {
-  return slopes_along(program, function, at, along.size(),
-                      [&](std::size_t k, Arguments<Real>& direction) {
-                        direction.q = rate_of_unit(model, at, along[k]);
-                      });
+  return directional_slopes(program, function, at, along.size(),
+                            [&](std::size_t k, Arguments<Real>& direction) {
+                              direction.q = unit_velocity_rates(model, at, along[k]);
+                            });
 }
 
 std::vector<Real> velocity_slopes(const Program& program, OutputKind kind,
                                   const Arguments<Real>& at) {
-  return slopes_along(program, *find_function(program, kind), at, at.v.size(),
-                      [](std::size_t k, Arguments<Real>& direction) { direction.v[k] = Real(1); });
+  return directional_slopes(
+      program, *find_function(program, kind), at, at.v.size(),
+      [](std::size_t k, Arguments<Real>& direction) { direction.v[k] = Real(1); });
 }
 
 std::optional<Arguments<Real>> newton_solution(const Model& model, const Program& program,
@@ -88,18 +90,18 @@ std::optional<Arguments<Real>> newton_solution(const Model& model, const Program
   if (entry_count(function) != along.size()) return std::nullopt;
   for (int i = 0; i < most_steps; ++i) {
     std::vector<Real> values = evaluate(program, function, start);
-    if (std::ranges::all_of(values, Operators<Real>::is_zero)) return start;
-    const auto step = solved(position_slopes(model, program, function, start, along), values);
+    if (std::ranges::all_of(values, FieldOperations<Real>::is_zero)) return start;
+    const auto step = solve_linear(position_slopes(model, program, function, start, along), values);
     if (!step) return std::nullopt;
     Real longest;
     Real largest(1);
     for (std::size_t k = 0; k < along.size(); ++k) {
-      const std::vector<Real> rates = rate_of_unit(model, start, along[k]);
+      const std::vector<Real> rates = unit_velocity_rates(model, start, along[k]);
       for (std::size_t c = 0; c < rates.size(); ++c)
         start.q[c] = start.q[c] - rates[c] * (*step)[k];
       longest = max(longest, abs((*step)[k]));
     }
-    scale_quaternions(model, start);
+    normalize_quaternions(model, start);
     for (const Real& q : start.q) largest = max(largest, abs(q));
     if (!longest.is_defined() || !largest.is_defined()) return std::nullopt;
     if (!(longest > largest * smallest_step)) return start;

@@ -13,7 +13,7 @@ namespace elgen {
 /// column of an angular velocity is the slope along a turn about a body axis.
 [[nodiscard]] std::vector<Real> position_slopes(const Model& model, const Program& program,
                                                 const Function& function, const Arguments<Real>& at,
-                                                const std::vector<std::uint32_t>& along);
+                                                const std::vector<std::uint32_t>& velocities);
 
 /// df/dv of the entries of a function, row-major, one column per velocity.
 [[nodiscard]] std::vector<Real> velocity_slopes(const Program& program, OutputKind kind,

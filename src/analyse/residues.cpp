@@ -18,18 +18,18 @@ const cl_I& prime() {
   return value;
 }
 
-cl_MI integer(int value) { return residue_field()->canonhom(value); }
+cl_MI integer_residue(int value) { return residue_field()->canonhom(value); }
 
-PointOfCircle turned(const PointOfCircle& a, const PointOfCircle& b) {
+CirclePoint add_angles(const CirclePoint& a, const CirclePoint& b) {
   return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
 }
 
-PointOfCircle mirrored(const PointOfCircle& a) { return {a.cosine, -a.sine}; }
+CirclePoint negate_angle(const CirclePoint& a) { return {a.cosine, -a.sine}; }
 
 /// The point ((1 - s^2), 2 s)/(1 + s^2) of the unit circle.
-PointOfCircle circle_point(const cl_MI& s) {
-  const cl_MI scale = cln::recip(integer(1) + s * s);
-  return {(integer(1) - s * s) * scale, integer(2) * s * scale};
+CirclePoint circle_point(const cl_MI& s) {
+  const cl_MI scale = cln::recip(integer_residue(1) + s * s);
+  return {(integer_residue(1) - s * s) * scale, integer_residue(2) * s * scale};
 }
 
 /// k modulo 4, if the constant is k pi/2 with integer k; else none.
@@ -38,7 +38,7 @@ std::optional<int> quarter_turns(const ConstantForm& form) {
   if (form.kind != ConstantKind::product) return std::nullopt;
   cln::cl_RA factor = 2;
   bool has_pi = false;
-  for (const ConstantPart& part : form.parts) {
+  for (const ConstantOperand& part : form.operands) {
     if (part.form.kind == ConstantKind::pi && part.weight == 1 && !has_pi) {
       has_pi = true;
     } else if (part.form.kind == ConstantKind::rational) {
@@ -52,12 +52,12 @@ std::optional<int> quarter_turns(const ConstantForm& form) {
                   : std::nullopt;
 }
 
-std::optional<PointOfCircle> multiple(const PointOfCircle& angle, const cl_I& times) {
+std::optional<CirclePoint> multiply_angle(const CirclePoint& angle, const cl_I& times) {
   constexpr int most = 16;
   if (times > most || times < -most) return std::nullopt;
-  PointOfCircle sum{integer(1), integer(0)};
-  for (int i = 0; cl_I(i) < cln::abs(times); ++i) sum = turned(sum, angle);
-  return times < 0 ? mirrored(sum) : sum;
+  CirclePoint sum{integer_residue(1), integer_residue(0)};
+  for (int i = 0; cl_I(i) < cln::abs(times); ++i) sum = add_angles(sum, angle);
+  return times < 0 ? negate_angle(sum) : sum;
 }
 
 struct ResidueRules {
@@ -66,9 +66,9 @@ struct ResidueRules {
   [[nodiscard]] Residue constant(const Constant& constant) const {
     Residue result;
     if (is_rational(constant)) result.value = residue_of(cln::the<cln::cl_RA>(constant.value));
-    if (cln::zerop(constant.value)) result.angle = {integer(1), integer(0)};
+    if (cln::zerop(constant.value)) result.angle = {integer_residue(1), integer_residue(0)};
     if (const auto turns = quarter_turns(constant.form)) {
-      result.angle = multiple({integer(0), integer(1)}, *turns);
+      result.angle = multiply_angle({integer_residue(0), integer_residue(1)}, *turns);
     }
     return result;
   }
@@ -78,13 +78,13 @@ struct ResidueRules {
   [[nodiscard]] Residue negate(const Residue& x) const {
     Residue result;
     if (x.value) result.value = -*x.value;
-    if (x.angle) result.angle = mirrored(*x.angle);
+    if (x.angle) result.angle = negate_angle(*x.angle);
     return result;
   }
   [[nodiscard]] Residue add(const Residue& x, const Residue& y) const {
     Residue result;
     if (x.value && y.value) result.value = *x.value + *y.value;
-    if (x.angle && y.angle) result.angle = turned(*x.angle, *y.angle);
+    if (x.angle && y.angle) result.angle = add_angles(*x.angle, *y.angle);
     return result;
   }
   [[nodiscard]] Residue subtract(const Residue& x, const Residue& y) const {
@@ -95,9 +95,9 @@ struct ResidueRules {
     if (x.value && y.value) result.value = *x.value * *y.value;
     for (const auto& [angle, factor] : {std::pair(&x, &y), std::pair(&y, &x)}) {
       if (!angle->angle || !factor->value || result.angle) continue;
-      const auto times = rational_of(*factor->value);
+      const auto times = reconstruct_rational(*factor->value);
       const bool is_whole = times && cln::denominator(*times) == 1;
-      if (is_whole) result.angle = multiple(*angle->angle, cln::numerator(*times));
+      if (is_whole) result.angle = multiply_angle(*angle->angle, cln::numerator(*times));
     }
     return result;
   }
@@ -113,7 +113,7 @@ struct ResidueRules {
   }
 };
 
-LeafValues<Residue> drawn_leaves(const Model& model, const Program& program, Sampler& draw) {
+LeafValues<Residue> draw_leaves(const Model& model, const Program& program, Sampler& draw) {
   const auto drawn = [&draw](const std::string&) {
     const cl_MI s = residue_of(draw.number());
     return Residue{.value = residue_of(draw.number()), .angle = circle_point(s)};
@@ -125,17 +125,17 @@ LeafValues<Residue> drawn_leaves(const Model& model, const Program& program, Sam
     leaves.parameters[i] = {};
     if (!is_rational(value)) continue;
     leaves.parameters[i].value = residue_of(cln::the<cln::cl_RA>(value));
-    if (cln::zerop(value)) leaves.parameters[i].angle = {integer(1), integer(0)};
+    if (cln::zerop(value)) leaves.parameters[i].angle = {integer_residue(1), integer_residue(0)};
   }
   // A random unit quaternion: the inverse of the stereographic projection at a random point s.
   for (const Rotation& rotation : model.rotations) {
     const std::array<cl_MI, 3> s{residue_of(draw.number()), residue_of(draw.number()),
                                  residue_of(draw.number())};
     const cl_MI square = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
-    const cl_MI scale = cln::recip(integer(1) + square);
-    leaves.q[rotation.first_coordinate] = {.value = (integer(1) - square) * scale};
+    const cl_MI scale = cln::recip(integer_residue(1) + square);
+    leaves.q[rotation.first_coordinate] = {.value = (integer_residue(1) - square) * scale};
     for (std::size_t i = 0; i < 3; ++i) {
-      leaves.q[rotation.first_coordinate + 1 + i] = {.value = integer(2) * s[i] * scale};
+      leaves.q[rotation.first_coordinate + 1 + i] = {.value = integer_residue(2) * s[i] * scale};
     }
   }
   return leaves;
@@ -155,7 +155,7 @@ cl_MI residue_of(const cln::cl_RA& number) {
 
 /// Rational reconstruction: Euclid's algorithm for prime and residue, up to the first remainder
 /// below the bound.
-std::optional<cln::cl_RA> rational_of(const cl_MI& residue) {
+std::optional<cln::cl_RA> reconstruct_rational(const cl_MI& residue) {
   const cl_I bound = cln::ash(cl_I(1), 250);
   cl_I before = prime();
   cl_I remainder = residue_field()->retract(residue);
@@ -174,9 +174,9 @@ std::optional<cln::cl_RA> rational_of(const cl_MI& residue) {
   return cln::cl_RA(remainder) / factor;
 }
 
-std::vector<Residue> residues_of(const Model& model, const Program& program,
-                                 const Function& function, Sampler& draw) {
-  const LeafValues<Residue> leaves = drawn_leaves(model, program, draw);
+std::vector<Residue> sample_residues(const Model& model, const Program& program,
+                                     const Function& function, Sampler& draw) {
+  const LeafValues<Residue> leaves = draw_leaves(model, program, draw);
   return entries_of(function, fold<Residue>(ResidueRules{leaves}, program, function));
 }
 

@@ -22,9 +22,9 @@ namespace elgen {
 
 /// The unique rational number with numerator and denominator below 2^250 that has this residue, if
 /// it exists.
-[[nodiscard]] std::optional<cln::cl_RA> rational_of(const cln::cl_MI& residue);
+[[nodiscard]] std::optional<cln::cl_RA> reconstruct_rational(const cln::cl_MI& residue);
 
-struct PointOfCircle {
+struct CirclePoint {
   cln::cl_MI cosine;
   cln::cl_MI sine;
 };
@@ -33,12 +33,12 @@ struct PointOfCircle {
 /// such as the value of pi or the angle of most numbers.
 struct Residue {
   std::optional<cln::cl_MI> value = {};
-  std::optional<PointOfCircle> angle = {};
+  std::optional<CirclePoint> angle = {};
 };
 
 /// The entries of a function at a random state, with the parameters of the model. An entry has no
 /// value if it depends on an irrational constant, a root or a function other than sine and cosine.
-[[nodiscard]] std::vector<Residue> residues_of(const Model& model, const Program& program,
-                                               const Function& function, Sampler& draw);
+[[nodiscard]] std::vector<Residue> sample_residues(const Model& model, const Program& program,
+                                                   const Function& function, Sampler& sampler);
 
 }  // namespace elgen

@@ -29,20 +29,21 @@ struct RestRules : GraphRules {
 
   RestRules(Graph& to, const std::vector<cln::cl_R>& given) : GraphRules{to}, inputs(given) {}
 
-  [[nodiscard]] Ref leaf(Opcode kind, std::uint32_t number) const {
+  [[nodiscard]] SignedNode leaf(Opcode kind, std::uint32_t number) const {
     if (kind == Opcode::velocity) return graph.rational(0);
     if (kind == Opcode::input) return graph.rational(cln::rational(inputs[number]));
     return graph.leaf(kind, number);
   }
-  [[nodiscard]] Ref divide(Ref x, Ref y) const {
+  [[nodiscard]] SignedNode divide(SignedNode x, SignedNode y) const {
     if (graph.is_zero(y.node)) throw NoValueAtRest();
     return GraphRules::divide(x, y);
   }
 };
 
-std::vector<Ref> entries_at_rest(const RestRules& rules, const Program& program, OutputKind kind) {
+std::vector<SignedNode> entries_at_rest(const RestRules& rules, const Program& program,
+                                        OutputKind kind) {
   const Function& function = *find_function(program, kind);
-  return entries_of(function, fold<Ref>(rules, program, function));
+  return entries_of(function, fold<SignedNode>(rules, program, function));
 }
 
 /// Appends a function with the entries `expressions`, shaped like the function `kind` in `shapes`.
@@ -59,11 +60,11 @@ Expressions residual_of(const Program& moving, const std::vector<cln::cl_R>& inp
   const RestRules rules(residual.graph, inputs);
   residual.values = entries_at_rest(rules, moving, OutputKind::bias);
   if (inputs.empty()) return residual;
-  const std::vector<Ref> matrix = entries_at_rest(rules, moving, OutputKind::input_matrix);
+  const std::vector<SignedNode> matrix = entries_at_rest(rules, moving, OutputKind::input_matrix);
   for (std::size_t i = 0; i < residual.values.size(); ++i) {
-    std::vector<Ref> terms{residual.values[i]};
+    std::vector<SignedNode> terms{residual.values[i]};
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-      const Ref u = residual.graph.rational(cln::rational(inputs[k]));
+      const SignedNode u = residual.graph.rational(cln::rational(inputs[k]));
       terms.push_back(-residual.graph.product({{matrix[i * inputs.size() + k], 1}, {u, 1}}));
     }
     residual.values[i] = residual.graph.sum(terms);
@@ -76,10 +77,10 @@ Expressions residual_of(const Program& moving, const std::vector<cln::cl_R>& inp
 struct LinearOccurrence {
   std::map<std::uint32_t, cl_RA> multiples = {};
   std::optional<cl_RA> number = {};
-  Occurrence all = {};
+  CoordinateOccurrence all = {};
 };
 
-void unite(Occurrence& to, const Occurrence& from) {
+void merge_occurrence(CoordinateOccurrence& to, const CoordinateOccurrence& from) {
   to.coordinates.insert(from.coordinates.begin(), from.coordinates.end());
   to.outside_sinusoids.insert(from.outside_sinusoids.begin(), from.outside_sinusoids.end());
   to.has_time = to.has_time || from.has_time;
@@ -95,13 +96,13 @@ LinearOccurrence nonlinear_result(const LinearOccurrence& x) {
   return result;
 }
 
-LinearOccurrence nonlinear_result_of_both(const LinearOccurrence& x, const LinearOccurrence& y) {
+LinearOccurrence nonlinear_result(const LinearOccurrence& x, const LinearOccurrence& y) {
   LinearOccurrence result = nonlinear_result(x);
-  unite(result.all, nonlinear_result(y).all);
+  merge_occurrence(result.all, nonlinear_result(y).all);
   return result;
 }
 
-LinearOccurrence scaled(LinearOccurrence x, const cl_RA& factor) {
+LinearOccurrence scale(LinearOccurrence x, const cl_RA& factor) {
   if (factor == 0) return {{}, cl_RA(0), {}};
   for (auto& [coordinate, multiple] : x.multiples) multiple = multiple * factor;
   if (x.number) x.number = *x.number * factor;
@@ -124,7 +125,7 @@ struct OccurrenceRules {
     result.all.has_time = kind == Opcode::time;
     return result;
   }
-  [[nodiscard]] LinearOccurrence negate(const LinearOccurrence& x) const { return scaled(x, -1); }
+  [[nodiscard]] LinearOccurrence negate(const LinearOccurrence& x) const { return scale(x, -1); }
   [[nodiscard]] LinearOccurrence add(const LinearOccurrence& x, const LinearOccurrence& y) const {
     LinearOccurrence result = x;
     for (const auto& [coordinate, multiple] : y.multiples) {
@@ -134,7 +135,7 @@ struct OccurrenceRules {
     }
     if (result.number && y.number) result.number = *result.number + *y.number;
     if (!y.number) result.number.reset();
-    unite(result.all, y.all);
+    merge_occurrence(result.all, y.all);
     return result;
   }
   [[nodiscard]] LinearOccurrence subtract(const LinearOccurrence& x,
@@ -143,14 +144,14 @@ struct OccurrenceRules {
   }
   [[nodiscard]] LinearOccurrence multiply(const LinearOccurrence& x,
                                           const LinearOccurrence& y) const {
-    if (x.number) return scaled(y, *x.number);
-    if (y.number) return scaled(x, *y.number);
-    return nonlinear_result_of_both(x, y);
+    if (x.number) return scale(y, *x.number);
+    if (y.number) return scale(x, *y.number);
+    return nonlinear_result(x, y);
   }
   [[nodiscard]] LinearOccurrence divide(const LinearOccurrence& x,
                                         const LinearOccurrence& y) const {
-    if (y.number && *y.number != 0) return scaled(x, 1 / *y.number);
-    return nonlinear_result_of_both(x, y);
+    if (y.number && *y.number != 0) return scale(x, 1 / *y.number);
+    return nonlinear_result(x, y);
   }
   [[nodiscard]] LinearOccurrence square_root(const LinearOccurrence& x) const {
     return nonlinear_result(x);
@@ -159,8 +160,7 @@ struct OccurrenceRules {
                                       const LinearOccurrence& y) const {
     const bool is_trigonometric = is_circular(function) || function == FunctionId::tan;
     if (!is_trigonometric)
-      return function_row(function).arity == 2 ? nonlinear_result_of_both(x, y)
-                                               : nonlinear_result(x);
+      return function_row(function).arity == 2 ? nonlinear_result(x, y) : nonlinear_result(x);
     LinearOccurrence result;
     result.all = x.all;
     for (const auto& [coordinate, multiple] : x.multiples) {
@@ -188,8 +188,9 @@ Result<RestProgram> rest_program(const Program& moving, const std::vector<cln::c
   return rest;
 }
 
-std::vector<Occurrence> occurrences(const Program& program, const Function& function) {
-  std::vector<Occurrence> result;
+std::vector<CoordinateOccurrence> coordinate_occurrences(const Program& program,
+                                                         const Function& function) {
+  std::vector<CoordinateOccurrence> result;
   for (const LinearOccurrence& entry :
        entries_of(function, fold<LinearOccurrence>(OccurrenceRules{}, program, function))) {
     result.push_back(nonlinear_result(entry).all);
@@ -197,7 +198,7 @@ std::vector<Occurrence> occurrences(const Program& program, const Function& func
   return result;
 }
 
-std::vector<RestBlock> rest_blocks(const std::vector<Occurrence>& rows) {
+std::vector<RestBlock> rest_blocks(const std::vector<CoordinateOccurrence>& rows) {
   std::vector<RestBlock> blocks;
   for (std::uint32_t row = 0; row < rows.size(); ++row) {
     std::set<std::uint32_t> coordinates = rows[row].coordinates;
@@ -219,7 +220,7 @@ std::vector<RestBlock> rest_blocks(const std::vector<Occurrence>& rows) {
   return blocks;
 }
 
-Result<std::vector<cln::cl_R>> inputs_of(const CheckedModel& checked, const State& state) {
+Result<std::vector<cln::cl_R>> rest_inputs(const CheckedModel& checked, const State& state) {
   const Model& model = checked.model;
   std::vector<cln::cl_R> values;
   for (const Input& input : model.inputs) {
@@ -232,8 +233,8 @@ Result<std::vector<cln::cl_R>> inputs_of(const CheckedModel& checked, const Stat
       const Expression& e = model.expressions[id];
       return e.kind == ExpressionKind::leaf && e.leaf != Opcode::parameter;
     };
-    const auto value = oracle_expression(model, *law, state);
-    if (!value || std::ranges::any_of(reachable_from(model, {*law}), moves)) {
+    const auto value = oracle_expression_value(model, *law, state);
+    if (!value || std::ranges::any_of(reachable_expressions(model, {*law}), moves)) {
       return Diagnostic{Code::E606, model.expressions[*law].span,
                         fmt::format("`{}` has to be a number at an equilibrium", input.name)};
     }

@@ -21,20 +21,21 @@ struct RestProgram {
   [[nodiscard]] const Function& residual() const { return program.functions[0]; }
 };
 
-/// r, M and W at v = 0 and u = `inputs`. `moving` has bias, mass_matrix and energy_function, and
-/// input_matrix if the model has inputs. E530: an entry has no value at rest.
-[[nodiscard]] Result<RestProgram> rest_program(const Program& moving,
+/// r, M and W at v = 0 and u = `inputs`. `motion_program` has bias, mass_matrix and
+/// energy_function, and input_matrix if the model has inputs. E530: an entry has no value at rest.
+[[nodiscard]] Result<RestProgram> rest_program(const Program& motion_program,
                                                const std::vector<cln::cl_R>& inputs);
 
 /// The coordinates on which a value depends.
-struct Occurrence {
+struct CoordinateOccurrence {
   std::set<std::uint32_t> coordinates = {};
   std::set<std::uint32_t> outside_sinusoids = {};  ///< also outside of e^(i k q), k an integer
   bool has_time = false;
 };
 
 /// The coordinates in each entry of a function.
-[[nodiscard]] std::vector<Occurrence> occurrences(const Program& program, const Function& function);
+[[nodiscard]] std::vector<CoordinateOccurrence> coordinate_occurrences(const Program& program,
+                                                                       const Function& function);
 
 /// Equations at rest that share coordinates, and these coordinates. A block without coordinates is
 /// one constant equation.
@@ -44,11 +45,11 @@ struct RestBlock {
 };
 
 /// The independent blocks. Coordinates in no equation are in no block.
-[[nodiscard]] std::vector<RestBlock> rest_blocks(const std::vector<Occurrence>& rows);
+[[nodiscard]] std::vector<RestBlock> rest_blocks(const std::vector<CoordinateOccurrence>& rows);
 
 /// The inputs at an equilibrium: 0, or the values of their laws. E606: a law depends on more than
 /// parameters, or has no value.
-[[nodiscard]] Result<std::vector<cln::cl_R>> inputs_of(const CheckedModel& checked,
-                                                       const State& state);
+[[nodiscard]] Result<std::vector<cln::cl_R>> rest_inputs(const CheckedModel& checked,
+                                                         const State& state);
 
 }  // namespace elgen

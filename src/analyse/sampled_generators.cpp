@@ -21,13 +21,13 @@ constexpr std::uint64_t seed = 1;
 constexpr std::size_t draws_per_state = 20;
 
 /// Elimination scales rows and columns to 1; numbers below this then count as 0.
-const cl_R& noise() {
+const cl_R& noise_threshold() {
   static const cl_R value = power_of_ten(-100);
   return value;
 }
 
 /// In a row with largest entry 1, entries below this are rounding errors of the samples.
-const cl_R& rounding() {
+const cl_R& rounding_threshold() {
   static const cl_R value = power_of_ten(-125);
   return value;
 }
@@ -41,7 +41,7 @@ constexpr std::array<std::pair<OutputKind, int>, 3> residual_outputs{
 /// The signed sum of part(kind) over the outputs of `residual_outputs` that the program has; one
 /// entry per velocity.
 template <class Part>
-std::vector<Real> sum_of_outputs(const Program& program, std::size_t n, const Part& part) {
+std::vector<Real> sum_residual_terms(const Program& program, std::size_t n, const Part& part) {
   std::vector<Real> sum(n);
   for (const auto& [kind, sign] : residual_outputs) {
     if (find_function(program, kind) == nullptr) continue;
@@ -51,14 +51,15 @@ std::vector<Real> sum_of_outputs(const Program& program, std::size_t n, const Pa
   return sum;
 }
 
-ResidualSlopes<Real> slopes_at(const ExactValues& values) {
+ResidualSlopes<Real> residual_slopes(const ExactValues& values) {
   const std::size_t n = values.size();
   const Program& program = values.subject().program;
   const auto along = [&](const Arguments<Real>& direction, std::vector<Real>& slopes,
                          std::size_t column, std::size_t columns) {
     slopes.resize(n * columns);
-    const std::vector<Real> sum =
-        sum_of_outputs(program, n, [&](OutputKind kind) { return values.slopes(kind, direction); });
+    const std::vector<Real> sum = sum_residual_terms(program, n, [&](OutputKind kind) {
+      return values.directional_derivatives(kind, direction);
+    });
     for (std::size_t i = 0; i < n; ++i) slopes[i * columns + column] = sum[i];
   };
   ResidualSlopes<Real> slopes;
@@ -90,7 +91,7 @@ std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
     if (!entry.is_defined()) return std::nullopt;
     numbers.push_back(cln::cl_float(entry.value(), digits));
   }
-  const cl_R scale = largest_of(numbers);
+  const cl_R scale = max_magnitude(numbers);
   if (cln::zerop(scale)) return numbers;
   for (cl_R& entry : numbers) entry = entry / scale;
   return numbers;
@@ -103,7 +104,7 @@ std::vector<cl_R> column_scales(const std::vector<std::vector<cl_R>>& rows, std:
     for (std::size_t u = 0; u < unknowns; ++u) scales[u] = cln::max(scales[u], cln::abs(row[u]));
   }
   for (cl_R& scale : scales) {
-    if (scale < rounding()) scale = 1;
+    if (scale < rounding_threshold()) scale = 1;
   }
   return scales;
 }
@@ -118,7 +119,7 @@ std::vector<std::vector<cl_R>> null_vectors(const std::vector<std::vector<cl_R>>
     for (std::size_t u = 0; u < unknowns; ++u) matrix.push_back(row[u] / scales[u]);
   }
   using Sampled = LargestPivot<cl_R, EchelonForm::reduced>;
-  Sampled field(noise(), noise());
+  Sampled field(noise_threshold(), noise_threshold());
   std::vector<std::vector<cl_R>> basis =
       Echelon<Sampled>(field, matrix, unknowns, unknowns).kernel();
   for (std::vector<cl_R>& x : basis) {
@@ -132,20 +133,22 @@ std::vector<std::vector<cl_R>> null_vectors(const std::vector<std::vector<cl_R>>
 }
 
 /// The scaled conditions at a state, without undefined conditions.
-std::vector<std::vector<cl_R>> rows_at(const CheckedModel& checked, const Program& moving,
-                                       const GeneratorClass& all, const State& state) {
+std::vector<std::vector<cl_R>> sample_conditions(const CheckedModel& checked, const Program& moving,
+                                                 const GeneratorLayout& all, const State& state) {
   ExactValues values({checked.model, checked.scene, moving}, state);
   RealField field;
   std::vector<std::vector<cl_R>> rows;
-  for (const auto& row : conditions(field, all, sampled_point(values), slopes_at(values))) {
+  for (const auto& row :
+       symmetry_conditions(field, all, motion_point_at(values), residual_slopes(values))) {
     if (auto numbers = scaled_row(row)) rows.push_back(std::move(*numbers));
   }
   return rows;
 }
 
-std::optional<SampledGenerators> generators_at(const CheckedModel& checked, const Program& moving,
-                                               const State& resting) {
-  const GeneratorClass all(checked.model);
+std::optional<SampledGenerators> null_space_generators(const CheckedModel& checked,
+                                                       const Program& moving,
+                                                       const State& resting) {
+  const GeneratorLayout all(checked.model);
   const std::size_t n = all.velocity_count;
   const std::size_t wanted = all.size() / n + 4;
   Sampler draw(seed);
@@ -153,7 +156,7 @@ std::optional<SampledGenerators> generators_at(const CheckedModel& checked, cons
   for (std::size_t k = 0; k < draws_per_state * wanted && result.states.size() < wanted; ++k) {
     State state = resting;
     draw_motion(checked.model, draw, 0, state);
-    const std::vector<std::vector<cl_R>> own = rows_at(checked, moving, all, state);
+    const std::vector<std::vector<cl_R>> own = sample_conditions(checked, moving, all, state);
     if (own.size() < n) continue;
     result.rows.insert(result.rows.end(), own.begin(), own.end());
     result.states.push_back(std::move(state));
@@ -165,15 +168,15 @@ std::optional<SampledGenerators> generators_at(const CheckedModel& checked, cons
 
 }  // namespace
 
-MotionPoint<Real> sampled_point(ExactValues& values) {
+MotionPoint<Real> motion_point_at(ExactValues& values) {
   const Arguments<Real>& at = values.arguments();
   return {at.q, at.v, at.a, at.t,
-          sum_of_outputs(values.subject().program, values.size(),
-                         [&](OutputKind kind) { return values.value(kind); })};
+          sum_residual_terms(values.subject().program, values.size(),
+                             [&](OutputKind kind) { return values.entries(kind); })};
 }
 
-bool satisfies(const SampledGenerators& sampled, const std::vector<cl_R>& generator) {
-  const cl_R largest = largest_of(generator);
+bool satisfies_conditions(const SampledGenerators& sampled, const std::vector<cl_R>& generator) {
+  const cl_R largest = max_magnitude(generator);
   return std::ranges::all_of(sampled.rows, [&](const std::vector<cl_R>& row) {
     cl_R sum = 0;
     cl_R size = 0;
@@ -182,24 +185,25 @@ bool satisfies(const SampledGenerators& sampled, const std::vector<cl_R>& genera
       sum = sum + term;
       size = size + cln::abs(term);
     }
-    return cln::abs(sum) <= noise() * size || size <= rounding() * largest;
+    return cln::abs(sum) <= noise_threshold() * size || size <= rounding_threshold() * largest;
   });
 }
 
-std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
-                                                    const Program& moving, const State& resting) {
-  return with_digits(sampling_digits, [&] { return generators_at(checked, moving, resting); });
+std::optional<SampledGenerators> sample_generators(const CheckedModel& checked,
+                                                   const Program& moving, const State& resting) {
+  return with_digits(sampling_digits,
+                     [&] { return null_space_generators(checked, moving, resting); });
 }
 
-std::vector<SampledGenerators> generators_at_other_parameters(const CheckedModel& checked,
-                                                              const Program& moving) {
+std::vector<SampledGenerators> sample_other_parameters(const CheckedModel& checked,
+                                                       const Program& moving) {
   constexpr std::size_t sets = 3;
   std::vector<SampledGenerators> found;
   for (std::size_t turn = 0; turn < draws_per_state && found.size() < sets; ++turn) {
     Sampler draw(seed + turn);
     // For odd numbers, drawn_state() draws parameters from their whole declared ranges.
-    const State state = drawn_state(checked.model, checked.scene, draw, 2 * turn + 1);
-    auto here = sampled_generators(checked, moving, state);
+    const State state = draw_state(checked.model, checked.scene, draw, 2 * turn + 1);
+    auto here = sample_generators(checked, moving, state);
     if (here) found.push_back(std::move(*here));
   }
   return found;

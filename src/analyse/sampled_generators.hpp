@@ -19,7 +19,7 @@ namespace elgen {
 inline constexpr unsigned sampling_digits = 96;
 
 /// Real as the number type of generators.hpp.
-using RealField = Operators<Real>;
+using RealField = FieldOperations<Real>;
 
 struct SampledGenerators {
   std::vector<std::vector<cln::cl_R>> basis = {};
@@ -27,23 +27,23 @@ struct SampledGenerators {
   std::vector<std::vector<cln::cl_R>> rows = {};  ///< conditions at these states
 };
 
-/// The generators at random states with the parameters of `resting`; none if too few states have a
-/// value. `moving` has the functions of outputs_of_symmetries. Cost: 3 n + 1 derivatives of the
+/// The generators at random states with the parameters of `rest_state`; none if too few states have
+/// a value. `moving` has the functions of outputs_for_symmetries. Cost: 3 n + 1 derivatives of the
 /// inverse dynamics at each of (unknowns / n + 4) states, and an elimination.
-[[nodiscard]] std::optional<SampledGenerators> sampled_generators(const CheckedModel& checked,
-                                                                  const Program& moving,
-                                                                  const State& resting);
+[[nodiscard]] std::optional<SampledGenerators> sample_generators(const CheckedModel& checked,
+                                                                 const Program& motion_program,
+                                                                 const State& rest_state);
 
 /// Generators at up to three random sets of the parameters that are not fixed. A set without values
-/// is omitted. Cost: three calls of sampled_generators(), or up to 20 if ranges leave the domain.
-[[nodiscard]] std::vector<SampledGenerators> generators_at_other_parameters(
-    const CheckedModel& checked, const Program& moving);
+/// is omitted. Cost: three calls of sample_generators(), or up to 20 if ranges leave the domain.
+[[nodiscard]] std::vector<SampledGenerators> sample_other_parameters(const CheckedModel& checked,
+                                                                     const Program& moving);
 
 /// True if a generator satisfies conditions that were sampled at other values of the parameters.
-[[nodiscard]] bool satisfies(const SampledGenerators& sampled,
-                             const std::vector<cln::cl_R>& generator);
+[[nodiscard]] bool satisfies_conditions(const SampledGenerators& sampled,
+                                        const std::vector<cln::cl_R>& generator);
 
 /// The point of a motion at a state, with R.
-[[nodiscard]] MotionPoint<Real> sampled_point(ExactValues& values);
+[[nodiscard]] MotionPoint<Real> motion_point_at(ExactValues& values);
 
 }  // namespace elgen

@@ -12,7 +12,7 @@ const Real& whole_turn() {
   return value;
 }
 
-Real turned_above(const Real& angle, const Real& lowest) {
+Real wrap_above(const Real& angle, const Real& lowest) {
   const Real turns = (lowest - angle) / whole_turn() - Real(power_of_ten(-root_digits));
   return angle + Real(cln::ceiling1(turns.value())) * whole_turn();
 }
@@ -31,7 +31,7 @@ bool is_in_range(const Coordinate& coordinate, SearchKind kind, const Real& high
   if (range == nullptr) return true;
   const Real low(range->low);
   const Real high(range->high);
-  const Real value = kind == SearchKind::turn ? turned_above(highest, low) : highest;
+  const Real value = kind == SearchKind::turn ? wrap_above(highest, low) : highest;
   const Real lowest = value - width;
   return (low <= value || is_near(value, low, root_digits)) &&
          (lowest <= high || is_near(lowest, high, root_digits));

@@ -15,7 +15,7 @@ inline constexpr long root_digits = 25;
 [[nodiscard]] const Real& whole_turn();
 
 /// The smallest angle >= `lowest`, to root_digits, that differs from `angle` by whole turns.
-[[nodiscard]] Real turned_above(const Real& angle, const Real& lowest);
+[[nodiscard]] Real wrap_above(const Real& angle, const Real& lowest);
 
 /// The searched range of a coordinate; null if it has no range, or if the range is a whole turn.
 [[nodiscard]] const Interval* searched_range(const Coordinate& coordinate, SearchKind kind);

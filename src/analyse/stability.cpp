@@ -49,7 +49,7 @@ Matrix matrix_of(const std::vector<cl_R>& values, std::size_t rows) {
   return Eigen::Map<const RowMajor>(numbers.data(), r, c);
 }
 
-std::vector<double> real_values(const Matrix& matrix) {
+std::vector<double> row_major_values(const Matrix& matrix) {
   const RowMajor rows = matrix;
   return {rows.data(), rows.data() + rows.size()};
 }
@@ -121,7 +121,8 @@ void reduce_shapes(std::vector<NormalMode>& modes, std::size_t first, std::size_
     std::vector<double>& shape = modes[first + i].shape;
     shape.assign(n, 0.0);
     shape[echelon.pivots()[i].column] = 1;
-    for (const auto& entry : echelon.rest(echelon.pivots()[i])) shape[entry.column] = entry.value;
+    for (const auto& entry : echelon.row_without_pivot(echelon.pivots()[i]))
+      shape[entry.column] = entry.value;
   }
 }
 
@@ -224,11 +225,11 @@ std::size_t controllable_rank(const Matrix& a, const Matrix& b, const Poles& pol
   return least;
 }
 
-LinearMotions motions_about(const RestPoint& point) {
+LinearMotions linear_motions(const RestPoint& point) {
   LinearMotions result{point};
   const std::size_t n = point.state.v.size();
   const Matrix a = state_matrix(point);
-  result.a = real_values(a);
+  result.a = row_major_values(a);
   if (is_natural(point)) {
     result.modes = normal_modes(point);
     result.poles = poles_of(result.modes);
@@ -239,30 +240,30 @@ LinearMotions motions_about(const RestPoint& point) {
     const Matrix forces = matrix_of(point.input_matrix, n);
     Matrix b = Matrix::Zero(a.rows(), forces.cols());
     b.bottomRows(forces.rows()) = matrix_of(point.mass, n).partialPivLu().solve(forces);
-    result.b = real_values(b);
-    result.controllable = controllable_rank(a, b, result.poles);
+    result.b = row_major_values(b);
+    result.controllable_rank = controllable_rank(a, b, result.poles);
   }
   return result;
 }
 
 // Energy.
 
-bool is_absent(const Program& moving, OutputKind kind) {
+bool is_absent_or_zero(const Program& moving, OutputKind kind) {
   const Function* const function = find_function(moving, kind);
   return function == nullptr || is_zero(moving, *function);
 }
 
 template <class Holds>
 bool no_entry_satisfies(const Program& moving, OutputKind kind, const Holds& holds) {
-  return std::ranges::none_of(occurrences(moving, *find_function(moving, kind)), holds);
+  return std::ranges::none_of(coordinate_occurrences(moving, *find_function(moving, kind)), holds);
 }
 
-bool holds_coordinates(const Occurrence& entry) { return !entry.coordinates.empty(); }
+bool has_coordinates(const CoordinateOccurrence& entry) { return !entry.coordinates.empty(); }
 
 /// True if a symmetric matrix is positive semidefinite, by symmetric elimination in 64 digits. If a
 /// pivot is 0, its row and column must be 0.
 bool is_positive_semidefinite(std::vector<cl_R> a, std::size_t n) {
-  const cl_R noise = largest_of(a) * power_of_ten(-40);
+  const cl_R noise = max_magnitude(a) * power_of_ten(-40);
   for (std::size_t k = 0; k < n; ++k) {
     const cl_R pivot = a[k * n + k];
     if (pivot < -noise) return false;
@@ -278,11 +279,11 @@ bool is_positive_semidefinite(std::vector<cl_R> a, std::size_t n) {
 }
 
 bool is_dissipative(const Program& moving, const State& state) {
-  if (is_absent(moving, OutputKind::dissipation)) return true;
-  if (!no_entry_satisfies(moving, OutputKind::dissipation, holds_coordinates)) return false;
+  if (is_absent_or_zero(moving, OutputKind::dissipation)) return true;
+  if (!no_entry_satisfies(moving, OutputKind::dissipation, has_coordinates)) return false;
   const std::vector<Real> slopes =
       velocity_slopes(moving, OutputKind::dissipation, arguments_at<Real>(state));
-  return is_positive_semidefinite(real_values(slopes), state.v.size());
+  return is_positive_semidefinite(values_or_zero(slopes), state.v.size());
 }
 
 }  // namespace
@@ -315,16 +316,16 @@ bool is_conservative(const Program& moving, const State& state) {
       std::array{OutputKind::bias, OutputKind::mass_matrix, OutputKind::energy_function},
       [&](OutputKind kind) {
         return no_entry_satisfies(moving, kind,
-                                  [](const Occurrence& entry) { return entry.has_time; });
+                                  [](const CoordinateOccurrence& entry) { return entry.has_time; });
       });
   const bool is_driven =
       std::ranges::any_of(state.u, [](const cl_R& u) { return !cln::zerop(u); }) &&
-      !no_entry_satisfies(moving, OutputKind::input_matrix, holds_coordinates);
-  return is_free_of_time && !is_driven && is_absent(moving, OutputKind::applied_force) &&
+      !no_entry_satisfies(moving, OutputKind::input_matrix, has_coordinates);
+  return is_free_of_time && !is_driven && is_absent_or_zero(moving, OutputKind::applied_force) &&
          is_dissipative(moving, state);
 }
 
-StabilityVerdict stability_of(const RestPoint& point, const RestConditions& conditions) {
+StabilityVerdict stability_of(const RestPoint& point, const LagrangeDirichletPremises& conditions) {
   StabilityVerdict verdict;
   verdict.is_degenerate = !conditions.degenerate.empty();
   if (verdict.is_degenerate) verdict.leading = conditions.degenerate.front();
@@ -360,12 +361,12 @@ StabilityVerdict stability_of(const RestPoint& point, const RestConditions& cond
 Result<Modes> find_modes(const CheckedModel& checked, const Equilibria& equilibria) {
   Modes result{equilibria.forms, equilibria.inputs};
   for (const RestPoint& point : equilibria.points) {
-    if (!equilibria.is_given && !is_stable(point.stability.kind)) continue;
+    if (!equilibria.has_given_point && !is_stable(point.stability.kind)) continue;
     if (!is_positive_definite(point.mass)) {
       return Diagnostic{Code::E533, checked.model.name_span,
                         "the mass matrix is singular at this equilibrium"};
     }
-    result.motions.push_back(motions_about(point));
+    result.motions.push_back(linear_motions(point));
   }
   if (result.motions.empty()) {
     return Diagnostic{

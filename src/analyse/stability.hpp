@@ -10,7 +10,7 @@ namespace elgen {
 
 /// The data that the theorem of Lagrange and Dirichlet needs: a strict minimum of W = V0 - T0 is
 /// stable if is_conservative().
-struct RestConditions {
+struct LagrangeDirichletPremises {
   bool is_conservative = false;
   std::size_t free_count = 0;  ///< coordinates in no equation at rest
   /// Leading terms of W along coordinates that are alone in their equation and have K = 0 exactly.
@@ -20,10 +20,10 @@ struct RestConditions {
 
 /// True if a minimum of W = V0 - T0 decides stability: L does not contain t, D >= 0 at v = 0, no
 /// force Q acts, and the inputs are 0 or B does not depend on q. `state` has parameters and inputs.
-[[nodiscard]] bool is_conservative(const Program& moving, const State& state);
+[[nodiscard]] bool is_conservative(const Program& motion_program, const State& state);
 
 [[nodiscard]] StabilityVerdict stability_of(const RestPoint& point,
-                                            const RestConditions& conditions);
+                                            const LagrangeDirichletPremises& conditions);
 
 /// True if a symmetric matrix, without the rows and columns `excluded`, is positive definite: in 64
 /// digits each pivot exceeds 1e-25 times its diagonal entry in `reference` (default: in the

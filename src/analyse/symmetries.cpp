@@ -24,7 +24,7 @@ using cln::cl_R;
 using cln::cl_RA;
 constexpr std::size_t most_unknowns = 500;
 
-using Entries = std::vector<Value>;
+using Entries = std::vector<OptionalFraction>;
 
 /// The closed forms of the functions of a motion.
 struct MotionForms {
@@ -41,22 +41,24 @@ struct MotionForms {
     }
     return Entries(count, Fraction{});
   }
-  [[nodiscard]] Entries of_velocities(OutputKind kind) const {
+  [[nodiscard]] Entries velocity_entries(OutputKind kind) const {
     return entries(kind, model.velocities.size());
   }
 };
 
-void negate(const FormField& field, Symmetry& symmetry) {
-  symmetry.by_names = field.negate(symmetry.by_names).value();
-  for (Value* const value : {&symmetry.closed, &symmetry.total, &symmetry.loss, &symmetry.rate}) {
+void negate_symmetry(const FormField& field, Symmetry& symmetry) {
+  symmetry.momentum_form = field.negate(symmetry.momentum_form).value();
+  for (OptionalFraction* const value : {&symmetry.velocity_form, &symmetry.gauge_function,
+                                        &symmetry.unforced_rate, &symmetry.rate}) {
     *value = field.negate(*value);
   }
 }
 
 /// p.dq - E dt.
-Value integral_of(FormField& field, const Entries& displacement, const Entries& momentum,
-                  const Fraction& time, const Value& energy) {
-  Value sum =
+OptionalFraction noether_integral(FormField& field, const Entries& displacement,
+                                  const Entries& momentum, const Fraction& time,
+                                  const OptionalFraction& energy) {
+  OptionalFraction sum =
       field.negate(FormField::is_zero(time) ? FormField::integer(0) : field.multiply(time, energy));
   for (std::size_t i = 0; i < displacement.size(); ++i) {
     if (FormField::is_zero(displacement[i])) continue;
@@ -66,76 +68,78 @@ Value integral_of(FormField& field, const Entries& displacement, const Entries& 
 }
 
 /// The power of an atom, reduced by w^2 = 1 - x^2 - y^2 - z^2 for each rotation.
-Value reduced(FormField& field, const Algebra& algebra, const GeneratorClass& all,
-              AtomPower power) {
+OptionalFraction reduce_quaternion_power(FormField& field, const Algebra& algebra,
+                                         const GeneratorLayout& all, AtomPower power) {
   const Atom& atom = algebra.atoms[power.atom];
   const bool is_scalar_part =
       atom.kind == AtomKind::leaf && atom.leaf == Opcode::coordinate &&
-      std::ranges::any_of(all.rotations, [&](const GeneratorClass::RotationIndices& place) {
+      std::ranges::any_of(all.rotations, [&](const GeneratorLayout::RotationIndices& place) {
         return place.first_coordinate == atom.index;
       });
   const std::uint32_t first = atom.index;
-  Value result = FormField::integer(1);
+  OptionalFraction result = FormField::integer(1);
   for (; is_scalar_part && power.exponent >= 2; power.exponent -= 2) {
-    Value rest = FormField::integer(1);
+    OptionalFraction rest = FormField::integer(1);
     for (std::uint32_t i = 1; i <= axis_count; ++i) {
-      const Value x = field.leaf(Opcode::coordinate, first + i);
+      const OptionalFraction x = field.leaf(Opcode::coordinate, first + i);
       rest = field.subtract(rest, field.multiply(x, x));
     }
     result = field.multiply(result, rest);
   }
   if (power.exponent == 0) return result;
-  return field.multiply(result, fraction_of(Polynomial{{Monomial{power}, Gaussian{1, 0}}}));
+  return field.multiply(result, fraction_of(Polynomial{{Monomial{power}, GaussianRational{1, 0}}}));
 }
 
 /// Reduces the numerator by w^2 = 1 - x^2 - y^2 - z^2.
-Value with_unit_quaternions(Algebra& algebra, const GeneratorClass& all, const Fraction& form) {
+OptionalFraction reduce_quaternions(Algebra& algebra, const GeneratorLayout& all,
+                                    const Fraction& form) {
   if (all.rotations.empty()) return form;
   FormField field(algebra);
-  Fraction over{{{Monomial{}, Gaussian{1, 0}}}, form.denominator};
-  Value sum = Fraction{};
+  Fraction over{{{Monomial{}, GaussianRational{1, 0}}}, form.denominator};
+  OptionalFraction sum = Fraction{};
   for (const auto& [monomial, coefficient] : form.numerator) {
-    Value term = fraction_of(Polynomial{{Monomial{}, coefficient}});
+    OptionalFraction term = fraction_of(Polynomial{{Monomial{}, coefficient}});
     for (const AtomPower& power : monomial)
-      term = field.multiply(term, reduced(field, algebra, all, power));
+      term = field.multiply(term, reduce_quaternion_power(field, algebra, all, power));
     sum = field.add(sum, term);
   }
   return field.multiply(sum, over);
 }
 
-bool keeps_lagrangian_at(const Subject& subject, const Algebra& algebra, const Generator& generator,
-                         const State& state) {
+bool keeps_lagrangian_at(const SystemUnderTest& subject, const Algebra& algebra,
+                         const Generator& generator, const State& state) {
   constexpr double noise = 1e-90;
   RealField field;
   ExactValues values(subject, state);
   std::vector<Real> unknowns;
   for (const Fraction& entry : generator) {
-    unknowns.push_back(value_of(algebra, entry, values.arguments()));
+    unknowns.push_back(evaluate_form(algebra, entry, values.arguments()));
   }
   const PointChange<Real> change =
-      change_of(field, GeneratorClass(subject.model), sampled_point(values), unknowns);
+      apply_generator(field, GeneratorLayout(subject.model), motion_point_at(values), unknowns);
   Arguments<Real> direction = values.zero_direction();
   direction.q = values.coordinate_rates(change.position);
   direction.v = change.velocity;
   direction.t = unknowns.back();
   const Arguments<Real>& at = values.arguments();
-  const std::vector<Real>& momentum = values.value(OutputKind::momentum);
-  const std::vector<Real> slopes = values.slopes(OutputKind::momentum, direction);
-  Real size = abs(values.value_at(OutputKind::energy_function, at)[0]);
-  Balance balance(1);
-  balance.add(0, -values.slopes(OutputKind::energy_function, direction)[0]);
+  const std::vector<Real>& momentum = values.entries(OutputKind::momentum);
+  const std::vector<Real> slopes = values.directional_derivatives(OutputKind::momentum, direction);
+  Real size = abs(values.entries_at(OutputKind::energy_function, at)[0]);
+  ResidualSums balance(1);
+  balance.add(0, -values.directional_derivatives(OutputKind::energy_function, direction)[0]);
   for (std::size_t i = 0; i < momentum.size(); ++i) {
     size = size + abs(at.v[i] * momentum[i]);
     balance.add(0, change.velocity[i] * momentum[i]);
     balance.add(0, at.v[i] * slopes[i]);
   }
-  const std::optional<double> figure = balance.figure(size);  // |dL| relative to v.p and E
+  const std::optional<double> figure =
+      balance.relative_residual(size);  // |dL| relative to v.p and E
   return figure && *figure < noise;
 }
 
 /// True if the generator does not change L at any state: dL = 0, so F = 0.
-bool keeps_lagrangian(const Subject& subject, const Algebra& algebra, const Generator& generator,
-                      const std::vector<State>& states) {
+bool keeps_lagrangian(const SystemUnderTest& subject, const Algebra& algebra,
+                      const Generator& generator, const std::vector<State>& states) {
   return with_digits(sampling_digits, [&] {
     return std::ranges::all_of(states, [&](const State& state) {
       return keeps_lagrangian_at(subject, algebra, generator, state);
@@ -145,14 +149,14 @@ bool keeps_lagrangian(const Subject& subject, const Algebra& algebra, const Gene
 
 /// The generator with the numbers as unknowns. A number that equals a simple fraction to 35 digits
 /// becomes the fraction. Any other number is rounded to six digits, and `is_rounded` is set.
-Generator simple_generator(const std::vector<cl_R>& numbers, bool& is_rounded) {
+Generator rationalise_generator(const std::vector<cl_R>& numbers, bool& is_rounded) {
   static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
   static const cl_RA near = power_of_ten(-35);
   Generator generator;
   for (const cl_R& number : numbers) {
     const std::optional<cl_RA> exact = simple_fraction(number, largest, near);
     is_rounded = is_rounded || !exact;
-    generator.push_back(fraction_of(exact ? *exact : rounded(number, 6)));
+    generator.push_back(fraction_of(exact ? *exact : round_to_digits(number, 6)));
   }
   return generator;
 }
@@ -162,24 +166,26 @@ void add_rates(FormField& field, const MotionForms& motion, const Entries& displ
                Symmetry& symmetry) {
   const std::size_t n = motion.model.velocities.size();
   const std::size_t inputs = motion.model.inputs.size();
-  const Entries dissipation = motion.of_velocities(OutputKind::dissipation);
-  const Entries force = motion.of_velocities(OutputKind::applied_force);
+  const Entries dissipation = motion.velocity_entries(OutputKind::dissipation);
+  const Entries force = motion.velocity_entries(OutputKind::applied_force);
   const Entries by_input = motion.entries(OutputKind::input_matrix, n * inputs);
-  Value loss = Fraction{};
-  Value work = Fraction{};
+  OptionalFraction loss = Fraction{};
+  OptionalFraction work = Fraction{};
   for (std::uint32_t i = 0; i < n; ++i) {
-    const Value passed = field.multiply(symmetry.generator.back(), field.leaf(Opcode::velocity, i));
-    const Value along = field.subtract(displacement[i], passed);
+    const OptionalFraction passed =
+        field.multiply(symmetry.generator.back(), field.leaf(Opcode::velocity, i));
+    const OptionalFraction along = field.subtract(displacement[i], passed);
     if (FormField::is_zero(along)) continue;
-    const Value own = field.subtract(force[i], dissipation[i]);
+    const OptionalFraction own = field.subtract(force[i], dissipation[i]);
     loss = field.add(loss, field.multiply(along, own));
     for (std::uint32_t k = 0; k < inputs; ++k) {
-      const Value input = field.multiply(by_input[i * inputs + k], field.leaf(Opcode::input, k));
+      const OptionalFraction input =
+          field.multiply(by_input[i * inputs + k], field.leaf(Opcode::input, k));
       work = field.add(work, field.multiply(along, input));
     }
   }
   symmetry.rate = field.add(loss, work);
-  symmetry.loss = std::move(loss);
+  symmetry.unforced_rate = std::move(loss);
 }
 
 /// True if a generator with rational unknowns satisfies the conditions of all sets; false if `sets`
@@ -190,22 +196,23 @@ bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& gen
     numbers.push_back(rational_value(entry.numerator).value());
   }
   return !sets.empty() && std::ranges::all_of(sets, [&](const SampledGenerators& set) {
-    return satisfies(set, numbers);
+    return satisfies_conditions(set, numbers);
   });
 }
 
 /// True if E is conserved, but T + V is not. If T1 = 0, T + V - E = 2 T0 is constant unless it
 /// contains q or t. If T1 is not 0, returns false.
-bool loses_energy(Symmetries& found, const MotionForms& motion) {
-  const bool has_time = std::ranges::any_of(
-      found.all, [](const Symmetry& symmetry) { return symmetry.kind == SymmetryKind::time; });
+bool has_varying_total_energy(Symmetries& found, const MotionForms& motion) {
+  const bool has_time = std::ranges::any_of(found.symmetries, [](const Symmetry& symmetry) {
+    return symmetry.kind == SymmetryKind::time;
+  });
   if (!has_time || find_function(motion.program, OutputKind::total_energy) == nullptr) return false;
   FormField field(found.forms.algebra);
-  const Value difference = field.subtract(motion.entries(OutputKind::total_energy)[0],
-                                          motion.entries(OutputKind::energy_function)[0]);
+  const OptionalFraction difference = field.subtract(
+      motion.entries(OutputKind::total_energy)[0], motion.entries(OutputKind::energy_function)[0]);
   if (!difference) return false;
   const auto holds = [&](bool (*wanted)(const Atom&)) {
-    return LeafSearch(found.forms.algebra, wanted).holds(*difference);
+    return LeafSearch(found.forms.algebra, wanted).contains(*difference);
   };
   return !holds([](const Atom& leaf) { return leaf.leaf == Opcode::velocity; }) &&
          holds([](const Atom& leaf) { return leaf.leaf != Opcode::parameter; });
@@ -219,31 +226,31 @@ class SymmetrySearch {
   Symmetries operator()() {
     result_.unknowns = all_.size();
     result_.forms = present(moving_, budget);
-    open_values_ = open_terms(result_.forms, model_, checked_.scene.specialisation.fixed);
+    open_values_ = open_value_rates(result_.forms, model_, checked_.scene.specialisation.fixed);
     rates_ = coordinate_rates(result_.forms, model_);
-    sampled_ = sampled_generators(checked_, moving_, nominal_state(model_, checked_.scene));
+    sampled_ = sample_generators(checked_, moving_, nominal_state(model_, checked_.scene));
     if (sampled_) {
       result_.sampled = sampled_->basis.size();
       result_.states = sampled_->states.size();
     }
-    std::vector<Generator> basis = found_basis();
+    std::vector<Generator> basis = find_basis();
     prefer_common_rotations(result_.forms, all_, basis);
     for (Generator& generator : basis) {
-      add(without_divisors(result_.forms, std::move(generator)));
+      add_symmetry(without_divisors(result_.forms, std::move(generator)));
     }
-    std::ranges::stable_sort(result_.all, {}, &Symmetry::kind);
-    result_.loses_energy = loses_energy(result_, motion_);
+    std::ranges::stable_sort(result_.symmetries, {}, &Symmetry::kind);
+    result_.loses_energy = has_varying_total_energy(result_, motion_);
     return std::move(result_);
   }
 
  private:
-  static constexpr PresentBudget budget{300'000, 1'500'000, 50'000};
+  static constexpr ClosedFormBudget budget{300'000, 1'500'000, 50'000};
 
-  std::vector<Generator> found_basis() {
+  std::vector<Generator> find_basis() {
     FormField field(result_.forms.algebra);
-    Entries residual = motion_.of_velocities(OutputKind::inverse_dynamics);
-    const Entries dissipation = motion_.of_velocities(OutputKind::dissipation);
-    const Entries force = motion_.of_velocities(OutputKind::applied_force);
+    Entries residual = motion_.velocity_entries(OutputKind::inverse_dynamics);
+    const Entries dissipation = motion_.velocity_entries(OutputKind::dissipation);
+    const Entries force = motion_.velocity_entries(OutputKind::applied_force);
     for (std::size_t i = 0; i < residual.size(); ++i) {
       residual[i] = field.add(residual[i], field.subtract(force[i], dissipation[i]));
     }
@@ -252,7 +259,7 @@ class SymmetrySearch {
     const bool is_open =
         exact && exact->has_root && sampled_ && sampled_->basis.size() > exact->basis.size();
     result_.is_complete = exact && exact->is_complete && !is_open;
-    if (!result_.is_complete) other_parameters_ = generators_at_other_parameters(checked_, moving_);
+    if (!result_.is_complete) other_parameters_ = sample_other_parameters(checked_, moving_);
     for (const SampledGenerators& set : other_parameters_) {
       const std::size_t count = set.basis.size();
       result_.sampled_elsewhere = std::min(count, result_.sampled_elsewhere.value_or(count));
@@ -264,53 +271,54 @@ class SymmetrySearch {
     std::vector<Generator> basis;
     for (std::size_t k = 0; sampled_ && k < sampled_->basis.size(); ++k) {
       bool is_rounded = false;
-      basis.push_back(simple_generator(sampled_->basis[k], is_rounded));
+      basis.push_back(rationalise_generator(sampled_->basis[k], is_rounded));
       if (is_rounded) rounded_.insert(k);
     }
     return basis;
   }
 
-  void add(Generator generator) {
+  void add_symmetry(Generator generator) {
     Symmetry symmetry;
-    symmetry.is_rounded = rounded_.contains(result_.all.size());
-    symmetry.is_special =
+    symmetry.is_rounded = rounded_.contains(result_.symmetries.size());
+    symmetry.is_at_values_only =
         symmetry.is_rounded || (!result_.is_exact && !solves_all(other_parameters_, generator));
     symmetry.kind = kind_of(result_.forms, all_, generator);
     FormField field(result_.forms.algebra);
     const Entries unknowns(generator.begin(), generator.end());
-    const MotionPoint<Value> at =
-        leaf_point(field, model_, Entries(all_.velocity_count, Fraction{}));
-    const PointChange<Value> change = change_of(field, all_, at, unknowns);
-    for (const Value& x : change.position) symmetry.displacement.push_back(x.value());
+    const MotionPoint<OptionalFraction> at =
+        symbolic_motion_point(field, model_, Entries(all_.velocity_count, Fraction{}));
+    const PointChange<OptionalFraction> change = apply_generator(field, all_, at, unknowns);
+    for (const OptionalFraction& x : change.position) symmetry.displacement.push_back(x.value());
     symmetry.generator = std::move(generator);
     const Fraction& time = symmetry.generator.back();
     Entries names;
     for (std::uint32_t i = 0; i < all_.velocity_count; ++i) {
       names.push_back(field.leaf(Opcode::momentum, i));
     }
-    symmetry.by_names =
-        integral_of(field, change.position, names, time, field.leaf(Opcode::energy, 0)).value();
-    const Value energy = motion_.entries(OutputKind::energy_function)[0];
-    symmetry.closed = integral_of(field, change.position,
-                                  motion_.of_velocities(OutputKind::momentum), time, energy);
-    symmetry.total = total_of(change, time);
-    symmetry.is_proved = symmetry.total && !symmetry.is_rounded;
-    if (!symmetry.total && sampled_ &&
+    symmetry.momentum_form =
+        noether_integral(field, change.position, names, time, field.leaf(Opcode::energy, 0))
+            .value();
+    const OptionalFraction energy = motion_.entries(OutputKind::energy_function)[0];
+    symmetry.velocity_form = noether_integral(
+        field, change.position, motion_.velocity_entries(OutputKind::momentum), time, energy);
+    symmetry.gauge_function = find_gauge_function(change, time);
+    symmetry.is_proved = symmetry.gauge_function && !symmetry.is_rounded;
+    if (!symmetry.gauge_function && sampled_ &&
         keeps_lagrangian({model_, checked_.scene, moving_}, result_.forms.algebra,
                          symmetry.generator, sampled_->states)) {
-      symmetry.total = Fraction{};
+      symmetry.gauge_function = Fraction{};
     }
     add_rates(field, motion_, change.position, symmetry);
-    if (symmetry.kind == SymmetryKind::time) negate(field, symmetry);
-    result_.all.push_back(std::move(symmetry));
+    if (symmetry.kind == SymmetryKind::time) negate_symmetry(field, symmetry);
+    result_.symmetries.push_back(std::move(symmetry));
   }
 
   /// L = v.p - E.
-  const Value& lagrangian() {
+  const OptionalFraction& lagrangian() {
     if (lagrangian_) return *lagrangian_;
     FormField field(result_.forms.algebra);
-    Value sum = field.negate(motion_.entries(OutputKind::energy_function)[0]);
-    const Entries momentum = motion_.of_velocities(OutputKind::momentum);
+    OptionalFraction sum = field.negate(motion_.entries(OutputKind::energy_function)[0]);
+    const Entries momentum = motion_.velocity_entries(OutputKind::momentum);
     for (std::uint32_t i = 0; i < all_.velocity_count; ++i) {
       sum = field.add(sum, field.multiply(field.leaf(Opcode::velocity, i), momentum[i]));
     }
@@ -318,38 +326,41 @@ class SymmetrySearch {
   }
 
   /// F with dL = dF/dt; none if it is not found.
-  Value total_of(const PointChange<Value>& change, const Fraction& time) {
+  OptionalFraction find_gauge_function(const PointChange<OptionalFraction>& change,
+                                       const Fraction& time) {
     if (!lagrangian()) return std::nullopt;
     LeafRates moved{{}, {}, {}, open_values_, time};
     for (std::uint32_t i = 0; i < model_.coordinates.size(); ++i) {
-      const Value rate = rates_.empty() ? change.position[i] : moved_coordinate(i, change.position);
+      const OptionalFraction rate =
+          rates_.empty() ? change.position[i] : coordinate_change(i, change.position);
       if (!rate) return std::nullopt;
       moved.coordinates.push_back(*rate);
     }
-    for (const Value& velocity : change.velocity) moved.velocities.push_back(velocity.value());
-    Value slope = rate_along(result_.forms, *lagrangian(), moved);
-    if (slope) slope = with_unit_quaternions(result_.forms.algebra, all_, *slope);
+    for (const OptionalFraction& velocity : change.velocity)
+      moved.velocities.push_back(velocity.value());
+    OptionalFraction slope = directional_derivative(result_.forms, *lagrangian(), moved);
+    if (slope) slope = reduce_quaternions(result_.forms.algebra, all_, *slope);
     if (!slope) return std::nullopt;
-    return total_integral(result_.forms, model_, rates_, open_values_, *slope);
+    return integrate_total_derivative(result_.forms, model_, rates_, open_values_, *slope);
   }
 
   /// (N x)_i, from dq/dt = N v with x in place of v.
-  Value moved_coordinate(std::uint32_t i, const Entries& x) {
+  OptionalFraction coordinate_change(std::uint32_t i, const Entries& x) {
     Replacements replacements;
     for (std::uint32_t k = 0; k < x.size(); ++k) {
       if (!x[k]) return std::nullopt;
       replacements[{Opcode::velocity, k}].value = *x[k];
     }
-    return substituted(result_.forms.algebra, rates_[i], replacements);
+    return substitute(result_.forms.algebra, rates_[i], replacements);
   }
 
   const CheckedModel& checked_;
   const Model& model_;
   const Program& moving_;
-  GeneratorClass all_;
-  OpenTerms open_values_ = {};
+  GeneratorLayout all_;
+  OpenValueRates open_values_ = {};
   std::vector<Fraction> rates_ = {};  ///< dq/dt; empty if dq/dt = v
-  std::optional<Value> lagrangian_ = {};
+  std::optional<OptionalFraction> lagrangian_ = {};
   std::optional<SampledGenerators> sampled_ = {};
   std::vector<SampledGenerators> other_parameters_ = {};  ///< empty if the exact basis is complete
   std::set<std::size_t> rounded_ = {};
@@ -359,7 +370,7 @@ class SymmetrySearch {
 
 }  // namespace
 
-std::vector<OutputRequest> outputs_of_symmetries(const Model& model) {
+std::vector<OutputRequest> outputs_for_symmetries(const Model& model) {
   return available_requests(
       model, {OutputKind::dissipation, OutputKind::applied_force, OutputKind::momentum,
               OutputKind::total_energy, OutputKind::energy_function, OutputKind::input_matrix,
@@ -368,7 +379,7 @@ std::vector<OutputRequest> outputs_of_symmetries(const Model& model) {
 
 Result<Symmetries> find_symmetries(const AnalysisInput& input) {
   const CheckedModel& checked = input.checked;
-  const std::size_t unknowns = GeneratorClass(checked.model).size();
+  const std::size_t unknowns = GeneratorLayout(checked.model).size();
   if (unknowns > most_unknowns) {
     return Diagnostic{Code::E910,
                       {},

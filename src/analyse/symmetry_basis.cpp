@@ -25,17 +25,17 @@ std::size_t free_unknown(const Generator& solution) {
 }
 
 /// Rotations of all consecutive pairs, or triples, of coordinates by the same angle.
-std::vector<Generator> common_rotations(const GeneratorClass& all, std::size_t dimension) {
+std::vector<Generator> common_rotations(const GeneratorLayout& all, std::size_t dimension) {
   std::vector<Generator> result;
-  if (all.scalars() == 0 || all.scalars() % dimension != 0) return result;
+  if (all.scalar_count() == 0 || all.scalar_count() % dimension != 0) return result;
   for (std::size_t i = 0; i < dimension; ++i) {
     for (std::size_t k = i + 1; k < dimension; ++k) {
       Generator& rotation = result.emplace_back(all.size());
       // From x to y, from y to z, from z to x.
       const int sign = k == i + 2 ? -1 : 1;
-      for (std::size_t block = 0; block < all.scalars(); block += dimension) {
-        rotation[all.a(block + k, block + i)] = fraction_of(cl_RA(sign));
-        rotation[all.a(block + i, block + k)] = fraction_of(cl_RA(-sign));
+      for (std::size_t block = 0; block < all.scalar_count(); block += dimension) {
+        rotation[all.a_index(block + k, block + i)] = fraction_of(cl_RA(sign));
+        rotation[all.a_index(block + i, block + k)] = fraction_of(cl_RA(-sign));
       }
     }
   }
@@ -49,7 +49,7 @@ class BasisChange {
     for (const Generator& solution : basis) free_.push_back(free_unknown(solution));
   }
 
-  void replace_by(std::size_t dimension, const Generator& wanted) {
+  void plan_replacement(std::size_t dimension, const Generator& wanted) {
     std::vector<std::size_t> parts;
     for (std::size_t i = 0; i < free_.size(); ++i) {
       if (is_zero_form(wanted[free_[i]])) continue;
@@ -62,7 +62,7 @@ class BasisChange {
   }
 
   /// Replaces all vectors at the end, because the new vectors are combinations of the old vectors.
-  void apply(const GeneratorClass& all) {
+  void apply(const GeneratorLayout& all) {
     for (const CommonRotation& common : replaced_) {
       for (std::size_t i = 0; i < basis_.size(); ++i) {
         if (!used_.contains(i)) make_relative(all, common, basis_[i]);
@@ -82,7 +82,7 @@ class BasisChange {
   [[nodiscard]] bool is_solution(const Generator& wanted, const std::vector<std::size_t>& parts) {
     Arithmetic arithmetic(forms_.algebra);
     for (std::size_t u = 0; u < wanted.size(); ++u) {
-      Value difference = arithmetic.negate(wanted[u]);
+      OptionalFraction difference = arithmetic.negate(wanted[u]);
       for (const std::size_t i : parts) {
         if (is_zero_form(basis_[i][u])) continue;
         difference =
@@ -95,23 +95,23 @@ class BasisChange {
 
   /// Subtracts a multiple of a common rotation, so that coinciding points do not move. For two
   /// bodies, the rotation of one body about the other remains.
-  void make_relative(const GeneratorClass& all, const CommonRotation& common,
+  void make_relative(const GeneratorLayout& all, const CommonRotation& common,
                      Generator& generator) {
     const std::size_t dimension = common.dimension;
     const Generator& rotation = common.rotation;
     Arithmetic arithmetic(forms_.algebra);
     // The change of coordinate i if all points are at 1 along an axis.
     const auto moved = [&](const Generator& of, std::size_t i, std::size_t axis) {
-      Value sum = Fraction{};
-      for (std::size_t k = axis; k < all.scalars(); k += dimension) {
-        sum = arithmetic.add(sum, of[all.a(i, k)]);
+      OptionalFraction sum = Fraction{};
+      for (std::size_t k = axis; k < all.scalar_count(); k += dimension) {
+        sum = arithmetic.add(sum, of[all.a_index(i, k)]);
       }
       return sum;
     };
-    Value share = Fraction{};
+    OptionalFraction share = Fraction{};
     for (std::size_t i = 0; i < dimension && share && is_zero_form(*share); ++i) {
       for (std::size_t axis = 0; axis < dimension; ++axis) {
-        const Value own = moved(rotation, i, axis);
+        const OptionalFraction own = moved(rotation, i, axis);
         if (own && !is_zero_form(*own)) {
           share = arithmetic.divide(moved(generator, i, axis), own);
         }
@@ -120,14 +120,14 @@ class BasisChange {
     if (!share || is_zero_form(*share)) return;
     Generator relative;
     for (std::size_t u = 0; u < generator.size(); ++u) {
-      const Value entry =
+      const OptionalFraction entry =
           arithmetic.subtract(arithmetic.multiply(*share, rotation[u]), generator[u]);
       if (!entry) return;
       relative.push_back(*entry);
     }
-    for (std::size_t i = 0; i < all.scalars(); ++i) {
+    for (std::size_t i = 0; i < all.scalar_count(); ++i) {
       for (std::size_t axis = 0; axis < dimension; ++axis) {
-        const Value rest = moved(relative, i, axis);
+        const OptionalFraction rest = moved(relative, i, axis);
         if (!rest || !is_zero_form(*rest)) return;
       }
     }
@@ -143,12 +143,12 @@ class BasisChange {
 
 }  // namespace
 
-void prefer_common_rotations(ClosedForms& forms, const GeneratorClass& all,
+void prefer_common_rotations(ClosedForms& forms, const GeneratorLayout& all,
                              std::vector<Generator>& basis) {
   BasisChange change(forms, basis);
   for (const std::size_t dimension : {std::size_t{3}, std::size_t{2}}) {
     for (const Generator& rotation : common_rotations(all, dimension))
-      change.replace_by(dimension, rotation);
+      change.plan_replacement(dimension, rotation);
   }
   change.apply(all);
 }
@@ -156,10 +156,10 @@ void prefer_common_rotations(ClosedForms& forms, const GeneratorClass& all,
 Generator without_divisors(ClosedForms& forms, Generator generator) {
   Arithmetic arithmetic(forms.algebra);
   for (std::size_t u = 0; u < generator.size(); ++u) {
-    const Value divisor = divisor_of(forms.algebra, generator[u]);
+    const OptionalFraction divisor = full_denominator(forms.algebra, generator[u]);
     Generator scaled;
     for (const Fraction& entry : generator) {
-      const Value product = arithmetic.multiply(entry, divisor);
+      const OptionalFraction product = arithmetic.multiply(entry, divisor);
       if (!product) return generator;
       scaled.push_back(*product);
     }
@@ -168,27 +168,28 @@ Generator without_divisors(ClosedForms& forms, Generator generator) {
   return generator;
 }
 
-SymmetryKind kind_of(ClosedForms& forms, const GeneratorClass& all, const Generator& generator) {
+SymmetryKind kind_of(ClosedForms& forms, const GeneratorLayout& all, const Generator& generator) {
   const auto count = [&](std::size_t first, std::size_t last) {
     return std::count_if(generator.begin() + static_cast<std::ptrdiff_t>(first),
                          generator.begin() + static_cast<std::ptrdiff_t>(last),
                          [](const Fraction& x) { return !is_zero_form(x); });
   };
-  const auto in_a = count(0, all.c(0));
-  const auto in_c = count(all.c(0), all.b(0));
-  const auto in_b = count(all.b(0), all.world_turn(0, 0));
-  const auto in_turns = count(all.world_turn(0, 0), all.time());
-  const auto in_time = count(all.time(), all.size());
+  const auto in_a = count(0, all.c_index(0));
+  const auto in_c = count(all.c_index(0), all.b_index(0));
+  const auto in_b = count(all.b_index(0), all.world_turn_index(0, 0));
+  const auto in_turns = count(all.world_turn_index(0, 0), all.time_index());
+  const auto in_time = count(all.time_index(), all.size());
   const auto total = in_a + in_c + in_b + in_turns + in_time;
   if (in_time == total) return SymmetryKind::time;
-  if (in_turns == total) return SymmetryKind::turn;
+  if (in_turns == total) return SymmetryKind::body_rotation;
   if (in_b == total) return total == 1 ? SymmetryKind::coordinate : SymmetryKind::translation;
   if (in_c == total) return SymmetryKind::boost;
   if (in_a < total) return SymmetryKind::other;
   Arithmetic arithmetic(forms.algebra);
-  for (std::size_t i = 0; i < all.scalars(); ++i) {
+  for (std::size_t i = 0; i < all.scalar_count(); ++i) {
     for (std::size_t k = 0; k <= i; ++k) {
-      const Value sum = arithmetic.add(generator[all.a(i, k)], generator[all.a(k, i)]);
+      const OptionalFraction sum =
+          arithmetic.add(generator[all.a_index(i, k)], generator[all.a_index(k, i)]);
       if (!sum || !is_zero_form(*sum)) return SymmetryKind::other;
     }
   }

@@ -13,9 +13,10 @@ namespace elgen {
 /// `rates` is dq/dt of all coordinates, or empty if dq/dt = v. Terms x^n and x^n e^(c x) are
 /// integrated, with x a coordinate or t. None for other terms, or if `rate` is not a total
 /// derivative.
-[[nodiscard]] std::optional<Fraction> total_integral(ClosedForms& forms, const Model& model,
-                                                     const std::vector<Fraction>& rates,
-                                                     const OpenTerms& open_values,
-                                                     const Fraction& rate);
+[[nodiscard]] std::optional<Fraction> integrate_total_derivative(ClosedForms& forms,
+                                                                 const Model& model,
+                                                                 const std::vector<Fraction>& rates,
+                                                                 const OpenValueRates& open_values,
+                                                                 const Fraction& rate);
 
 }  // namespace elgen

@@ -17,11 +17,11 @@ namespace elgen {
   return is_letter(c) || is_digit(c) || c == '_';
 }
 
-[[nodiscard]] constexpr char in_upper_case(char c) {
+[[nodiscard]] constexpr char to_upper_case(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-[[nodiscard]] constexpr char in_lower_case(char c) {
+[[nodiscard]] constexpr char to_lower_case(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
 }
 

@@ -14,7 +14,7 @@ namespace elgen {
 
 namespace {
 
-std::string escaped(std::string_view text, std::string_view signs) {
+std::string escape_for_github(std::string_view text, std::string_view signs) {
   std::string result;
   for (const char c : visible_text(text)) {
     if (signs.find(c) == std::string_view::npos) {
@@ -26,12 +26,12 @@ std::string escaped(std::string_view text, std::string_view signs) {
   return result;
 }
 
-constexpr std::string_view of_messages = "%\r\n";
-constexpr std::string_view of_properties = "%\r\n:,";
+constexpr std::string_view message_escapes = "%\r\n";
+constexpr std::string_view property_escapes = "%\r\n:,";
 
 }  // namespace
 
-std::string shortened(std::string_view said) {
+std::string shorten_quotations(std::string_view said) {
   constexpr std::size_t longest = 200;
   const std::string visible = visible_text(said);
   std::string_view message = visible;
@@ -48,17 +48,18 @@ std::string shortened(std::string_view said) {
   return text;
 }
 
-std::string sentence(const Diagnostic& diagnostic) {
-  const std::string message = shortened(diagnostic.message);
-  return diagnostic.hint.empty() ? message
-                                 : fmt::format("{}; {}", message, shortened(diagnostic.hint));
+std::string message_with_hint(const Diagnostic& diagnostic) {
+  const std::string message = shorten_quotations(diagnostic.message);
+  return diagnostic.hint.empty()
+             ? message
+             : fmt::format("{}; {}", message, shorten_quotations(diagnostic.hint));
 }
 
 bool is_in_file(const Span& span) {
   return span.source != nullptr && span.source->path != "command line";
 }
 
-std::string path_of(const Span& span) {
+std::string display_path(const Span& span) {
   if (span.source == nullptr) return "elgen";
   return std::filesystem::path(span.source->path).lexically_normal().generic_string();
 }
@@ -68,11 +69,12 @@ std::string text_of(const WorkflowCommand& command) {
   if (command.place.source != nullptr) {
     const LineColumn at = line_column(*command.place.source, command.place.begin);
     properties = fmt::format("file={},line={},col={},",
-                             escaped(path_of(command.place), of_properties), at.line, at.column);
+                             escape_for_github(display_path(command.place), property_escapes),
+                             at.line, at.column);
   }
-  properties += "title=" + escaped(command.title, of_properties);
+  properties += "title=" + escape_for_github(command.title, property_escapes);
   return fmt::format("::{} {}::{}\n", command.level, properties,
-                     escaped(command.message, of_messages));
+                     escape_for_github(command.message, message_escapes));
 }
 
 }  // namespace elgen

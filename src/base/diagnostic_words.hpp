@@ -19,16 +19,16 @@ inline constexpr std::array<std::string_view, 3> severity_words{"note", "warning
 /// The text with each part in back-ticks cut to 200 bytes, because a name may be as long as a file.
 /// Hidden characters, such as marks that reverse the direction of text, are replaced by their
 /// names.
-[[nodiscard]] std::string shortened(std::string_view said);
+[[nodiscard]] std::string shorten_quotations(std::string_view text);
 
 /// The message and its hint, separated by a semicolon.
-[[nodiscard]] std::string sentence(const Diagnostic& diagnostic);
+[[nodiscard]] std::string message_with_hint(const Diagnostic& diagnostic);
 
 /// True if the span is in a file; false for a span of the command line or without a source.
 [[nodiscard]] bool is_in_file(const Span& span);
 
 /// The path as given, without `./`; "elgen" for a span without a source.
-[[nodiscard]] std::string path_of(const Span& span);
+[[nodiscard]] std::string display_path(const Span& span);
 
 /// A line of output with which a program makes GitHub Actions show a message at a line of a file.
 ///

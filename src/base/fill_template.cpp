@@ -15,16 +15,16 @@ class StrictContext final : public kainjow::mustache::context<std::string> {
   StrictContext(const TemplateData* data, std::string_view path) : Base(data), path_(path) {}
 
   [[nodiscard]] const TemplateData* get(const std::string& name) const override {
-    return known(Base::get(name), name);
+    return require_value(Base::get(name), name);
   }
   [[nodiscard]] const TemplateData* get_partial(const std::string& name) const override {
-    std::string text(template_at(partial_path(path_, name)));
+    std::string text(require_template(partial_path(path_, name)));
     text.pop_back();  // the line end, which the including template has too
     return &partials_.insert_or_assign(name, TemplateData(text)).first->second;
   }
 
  private:
-  static const TemplateData* known(const TemplateData* value, const std::string& name) {
+  static const TemplateData* require_value(const TemplateData* value, const std::string& name) {
     if (value == nullptr) throw std::logic_error("template hole without a value: " + name);
     return value;
   }
@@ -35,18 +35,19 @@ class StrictContext final : public kainjow::mustache::context<std::string> {
 
 }  // namespace
 
-TemplateData section_if(bool present, const TemplateData& values) {
+TemplateData optional_section(bool present, const TemplateData& values) {
   TemplateData list(TemplateData::type::list);
   if (present) list.push_back(values);
   return list;
 }
 
-TemplateData lines_data(const std::vector<std::string>& lines) {
-  return rows_data(lines, [](const std::string& line) { return TemplateData("line", line); });
+TemplateData lines_section(const std::vector<std::string>& lines) {
+  return repeated_section(lines,
+                          [](const std::string& line) { return TemplateData("line", line); });
 }
 
 std::string fill_template(std::string_view path, const TemplateData& data) {
-  kainjow::mustache::mustache parsed{std::string(template_at(path))};
+  kainjow::mustache::mustache parsed{std::string(require_template(path))};
   parsed.set_custom_escape([](const std::string& value) { return value; });
   StrictContext context(&data, path);
   std::string result = parsed.render(context);
@@ -54,7 +55,7 @@ std::string fill_template(std::string_view path, const TemplateData& data) {
   return result;
 }
 
-std::string escaped(const std::string& text, const Escapes& escapes) {
+std::string escape_markup(const std::string& text, const Escapes& escapes) {
   std::string result;
   for (const char c : text) {
     const auto found = escapes.find(c);

@@ -25,18 +25,18 @@ using TemplateRow = kainjow::mustache::object;
 
 /// The list for a repeated section: row_of(element) has the values of one repetition.
 template <class Elements, class RowOf>
-[[nodiscard]] TemplateData rows_data(const Elements& elements, const RowOf& row_of) {
+[[nodiscard]] TemplateData repeated_section(const Elements& elements, const RowOf& row_of) {
   TemplateData list(TemplateData::type::list);
   for (const auto& element : elements) list.push_back(row_of(element));
   return list;
 }
 
 /// The list for an optional section: one element with the values if `present`, else no element.
-[[nodiscard]] TemplateData section_if(bool present, const TemplateData& values = {});
+[[nodiscard]] TemplateData optional_section(bool present, const TemplateData& values = {});
 
 /// The list for a section that repeats for each line, such as a comment block. The section has the
 /// hole `line`.
-[[nodiscard]] TemplateData lines_data(const std::vector<std::string>& lines);
+[[nodiscard]] TemplateData lines_section(const std::vector<std::string>& lines);
 
 /// Fills the embedded template at `path` ("cpp/header.hpp.mustache"). Values are inserted
 /// unescaped.
@@ -44,6 +44,6 @@ template <class Elements, class RowOf>
 
 /// Characters that are markup in a language, and their escapes.
 using Escapes = std::map<char, std::string_view>;
-[[nodiscard]] std::string escaped(const std::string& text, const Escapes& escapes);
+[[nodiscard]] std::string escape_markup(const std::string& text, const Escapes& escapes);
 
 }  // namespace elgen

@@ -35,12 +35,12 @@ std::string json_line(const Diagnostic& diagnostic) {
   Json json;
   json["severity"] = severity_word(row.severity);
   json["code"] = row.name;
-  json["message"] = shortened(diagnostic.message);
-  if (!diagnostic.hint.empty()) json["hint"] = shortened(diagnostic.hint);
+  json["message"] = shorten_quotations(diagnostic.message);
+  if (!diagnostic.hint.empty()) json["hint"] = shorten_quotations(diagnostic.hint);
   json["position"] = json_position(diagnostic.span);
   if (diagnostic.related) {
     json["related"] = json_position(*diagnostic.related);
-    json["related"]["message"] = shortened(diagnostic.related_message);
+    json["related"]["message"] = shorten_quotations(diagnostic.related_message);
   }
   return visible_json(json.dump()) + "\n";
 }
@@ -53,26 +53,27 @@ std::string github_command(const Diagnostic& diagnostic) {
   const CodeRow& row = code_row(diagnostic.code);
   return text_of(WorkflowCommand{github_words.at(static_cast<std::size_t>(row.severity)),
                                  is_in_file(diagnostic.span) ? diagnostic.span : Span{},
-                                 fmt::format("{} {}", row.name, row.title), sentence(diagnostic)});
+                                 fmt::format("{} {}", row.name, row.title),
+                                 message_with_hint(diagnostic)});
 }
 
-std::string paint(std::string_view text, std::string_view sgr, bool color) {
+std::string color_text(std::string_view text, std::string_view sgr, bool color) {
   return color ? fmt::format("\x1b[{}m{}\x1b[0m", sgr, text) : std::string(text);
 }
 
-std::string position(const Span& span) {
+std::string position_text(const Span& span) {
   if (span.source == nullptr) return "elgen";
   const LineColumn at = line_column(*span.source, span.begin);
   return fmt::format("{}:{}:{}", visible_text(span.source->path), at.line, at.column);
 }
 
-std::size_t code_points(std::string_view text) {
+std::size_t count_code_points(std::string_view text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), starts_code_point));
 }
 
 /// Text for a terminal. A tab becomes a space, any other hidden character becomes `?`, and a byte
 /// that is not UTF-8 becomes its number, such as `\x9e`.
-std::string printable(std::string_view text) {
+std::string printable_text(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
     const CodePoint point = code_point_at(text, i);
@@ -100,7 +101,7 @@ struct Excerpt {
 constexpr std::size_t widest_line = 160;
 
 /// The source line of a span. A long line is cut around the caret, at code point boundaries.
-Excerpt excerpt(const Span& span) {
+Excerpt make_excerpt(const Span& span) {
   const LineColumn at = line_column(*span.source, span.begin);
   const std::string_view line = line_text(*span.source, at.line);
   const auto start = static_cast<std::size_t>(line.data() - span.source->text.data());
@@ -121,39 +122,41 @@ Excerpt excerpt(const Span& span) {
   }
   const std::string_view before = from == 0 ? "" : "...";
   const std::string_view after = to == line.size() ? "" : "...";
-  return {fmt::format("{}{}{}", before, printable(line.substr(from, to - from)), after),
-          before.size() + code_points(line.substr(from, begin - from)),
-          std::max<std::size_t>(1, code_points(line.substr(begin, std::min(end, to) - begin)))};
+  return {
+      fmt::format("{}{}{}", before, printable_text(line.substr(from, to - from)), after),
+      before.size() + count_code_points(line.substr(from, begin - from)),
+      std::max<std::size_t>(1, count_code_points(line.substr(begin, std::min(end, to) - begin)))};
 }
 
 void append_excerpt(std::string& text, const Diagnostic& diagnostic, bool color) {
   const Span& span = diagnostic.span;
   if (span.source == nullptr || span.source->text.empty()) {
-    if (!diagnostic.hint.empty()) text += fmt::format("      {}\n", shortened(diagnostic.hint));
+    if (!diagnostic.hint.empty())
+      text += fmt::format("      {}\n", shorten_quotations(diagnostic.hint));
     return;
   }
-  const Excerpt shown = excerpt(span);
+  const Excerpt shown = make_excerpt(span);
   const std::string number = std::to_string(line_column(*span.source, span.begin).line);
   const std::string gutter(std::max<std::size_t>(5, number.size()), ' ');
   std::string caret = "^" + std::string(shown.length - 1, '~');
   text += fmt::format("{:>5} | {}\n", number, shown.text);
-  text +=
-      fmt::format("{} | {}{}", gutter, std::string(shown.column, ' '), paint(caret, "1;32", color));
-  if (!diagnostic.hint.empty()) text += " " + shortened(diagnostic.hint);
+  text += fmt::format("{} | {}{}", gutter, std::string(shown.column, ' '),
+                      color_text(caret, "1;32", color));
+  if (!diagnostic.hint.empty()) text += " " + shorten_quotations(diagnostic.hint);
   text += '\n';
 }
 
 std::string text_of(const Diagnostic& diagnostic, bool color) {
   const CodeRow& row = code_row(diagnostic.code);
   const std::string_view sgr = row.severity == Severity::error ? "1;31" : "1;33";
-  std::string text =
-      fmt::format("{}: {}: {}\n", paint(position(diagnostic.span), "1", color),
-                  paint(fmt::format("{}[{}]", severity_word(row.severity), row.name), sgr, color),
-                  shortened(diagnostic.message));
+  std::string text = fmt::format(
+      "{}: {}: {}\n", color_text(position_text(diagnostic.span), "1", color),
+      color_text(fmt::format("{}[{}]", severity_word(row.severity), row.name), sgr, color),
+      shorten_quotations(diagnostic.message));
   append_excerpt(text, diagnostic, color);
   if (diagnostic.related) {
-    text += fmt::format("{}: {}\n", position(*diagnostic.related),
-                        shortened(diagnostic.related_message));
+    text += fmt::format("{}: {}\n", position_text(*diagnostic.related),
+                        shorten_quotations(diagnostic.related_message));
   }
   return text;
 }

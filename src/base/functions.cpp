@@ -12,8 +12,8 @@
 // roundings   error bound of the library's value, in u; see below
 // own_name    name in emitted code that defines the function, because the library may lack it
 // latex       command before the arguments; empty if formulas have another notation
-// exact_at    for one argument: an argument at which the value is rational
-// exact_value the value at exact_at
+// exact_argument    for one argument: an argument at which the value is rational
+// exact_value the value at exact_argument
 // limits_at_infinity  for exponential functions: their limits at -infinity and +infinity
 //
 // Smoothness: `everywhere`; `positive`: everywhere, and the values are positive; `poles`: except at
@@ -44,31 +44,36 @@ using Far = LimitsAtInfinity;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-/// use, parity, smoothness, domain, units, roundings, own_name, latex, exact_at, exact_value,
+/// use, parity, smoothness, domain, units, roundings, own_name, latex, exact_argument, exact_value,
 /// limits_at_infinity
-constexpr Row sin{anywhere, odd, everywhere, all, pure, 1, "", "\\sin", 0, 0, {}};
-constexpr Row cos{anywhere, even, everywhere, all, pure, 1, "", "\\cos", 0, 1, {}};
-constexpr Row tan{anywhere, odd, poles, all, pure, 1, "", "\\tan", 0, 0, {}};
-constexpr Row asin{anywhere, odd, branches, up_to_one, pure, 1, "", "\\arcsin", 0, 0, {}};
-constexpr Row acos{anywhere, none, branches, up_to_one, pure, 1, "", "\\arccos", 1, 0, {}};
-constexpr Row atan{anywhere, odd, real, all, pure, 1, "", "\\arctan", 0, 0, {}};
+constexpr Row sin{anywhere, odd, entire, all, dimensionless, 1, "", "\\sin", 0, 0, {}};
+constexpr Row cos{anywhere, even, entire, all, dimensionless, 1, "", "\\cos", 0, 1, {}};
+constexpr Row tan{anywhere, odd, meromorphic, all, dimensionless, 1, "", "\\tan", 0, 0, {}};
+constexpr Row asin{anywhere, odd, branches, up_to_one, dimensionless, 1, "", "\\arcsin", 0, 0, {}};
+constexpr Row acos{anywhere, none, branches, up_to_one, dimensionless, 1, "", "\\arccos", 1, 0, {}};
+constexpr Row atan{anywhere, odd, real_analytic, all, dimensionless, 1, "", "\\arctan", 0, 0, {}};
 constexpr Row atan2{anywhere, none, half_plane, all, ratio, 1, "", "\\mathrm{atan2}", 0, 0, {}};
-constexpr Row sinh{anywhere, odd, everywhere, all, pure, 4, "", "\\sinh", 0, 0, Far{-inf, inf}};
-constexpr Row cosh{anywhere, even, positive, all, pure, 4, "", "\\cosh", 0, 1, Far{inf, inf}};
-constexpr Row tanh{anywhere, odd, everywhere, all, pure, 4, "", "\\tanh", 0, 0, Far{-1, 1}};
-constexpr Row exp{anywhere, none, positive, all, pure, 1, "", "\\exp", 0, 1, Far{0, inf}};
-constexpr Row log{anywhere, none, half_plane, above_zero, pure, 1, "", "\\ln", 1, 0, {}};
-constexpr Row log1p{anywhere, none, half_plane, above_minus_one, pure, 2, "", "", 0, 0, {}};
-constexpr Row expm1{anywhere, none, everywhere, all, pure, 2, "", "", 0, 0, Far{-1, inf}};
+constexpr Row sinh{anywhere, odd,      entire, all, dimensionless, 4,
+                   "",       "\\sinh", 0,      0,   Far{-inf, inf}};
+constexpr Row cosh{anywhere, even, entire_positive, all, dimensionless, 4, "", "\\cosh",
+                   0,        1,    Far{inf, inf}};
+constexpr Row tanh{anywhere, odd, entire, all, dimensionless, 4, "", "\\tanh", 0, 0, Far{-1, 1}};
+constexpr Row exp{anywhere, none, entire_positive, all, dimensionless, 1, "", "\\exp",
+                  0,        1,    Far{0, inf}};
+constexpr Row log{anywhere, none, half_plane, above_zero, dimensionless, 1, "", "\\ln", 1, 0, {}};
+constexpr Row log1p{anywhere, none, half_plane, above_minus_one, dimensionless, 2, "", "",
+                    0,        0,    {}};
+constexpr Row expm1{anywhere, none, entire, all, dimensionless, 2, "", "", 0, 0, Far{-1, inf}};
 constexpr Row hypot{anywhere, even, half_plane, all, shared, 2, "", "", 0, 0, {}};
-constexpr Row stumpff{anywhere, even, everywhere, all, pure, 18, "stumpff", "\\mathrm{stumpff}",
-                      0,        0,    {}};
-constexpr Row abs{forces, even, branches, all, kept, 1, "", "", 0, 0, {}};
-constexpr Row sign{forces, odd, branches, all, ignored, 1, "sign_of", "\\mathrm{sgn}", 0, 0, {}};
-constexpr Row min{forces, none, branches, all, shared, 1, "smaller", "\\min", 0, 0, {}};
-constexpr Row max{forces, none, branches, all, shared, 1, "larger", "\\max", 0, 0, {}};
+constexpr Row stumpff{
+    anywhere, even, entire, all, dimensionless, 18, "stumpff", "\\mathrm{stumpff}", 0, 0, {}};
+constexpr Row abs{forces_only, even, branches, all, preserved, 1, "", "", 0, 0, {}};
+constexpr Row sign{forces_only,     odd, branches, all, ignored, 1, "sign_of",
+                   "\\mathrm{sgn}", 0,   0,        {}};
+constexpr Row min{forces_only, none, branches, all, shared, 1, "smaller", "\\min", 0, 0, {}};
+constexpr Row max{forces_only, none, branches, all, shared, 1, "larger", "\\max", 0, 0, {}};
 
-constexpr Row named(FunctionId id, std::string_view name, std::size_t arity, Row row) {
+constexpr Row make_row(FunctionId id, std::string_view name, std::size_t arity, Row row) {
   row.id = id;
   row.name = name;
   row.arity = arity;
@@ -76,7 +81,7 @@ constexpr Row named(FunctionId id, std::string_view name, std::size_t arity, Row
 }
 
 constexpr std::array table{
-#define ELGEN_FUNCTION(name, arity) named(FunctionId::name, #name, arity, name),
+#define ELGEN_FUNCTION(name, arity) make_row(FunctionId::name, #name, arity, name),
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 };

@@ -6,22 +6,22 @@
 
 namespace elgen {
 
-struct Json::Printed {
+struct Json::NlohmannConverter {
   using Tree = nlohmann::ordered_json;
 
   Tree operator()(const Array& elements) const {
     Tree tree = Tree::array();
-    for (const Json& element : elements) tree.push_back(of(element));
+    for (const Json& element : elements) tree.push_back(convert(element));
     return tree;
   }
   Tree operator()(const Object& members) const {
     Tree tree = Tree::object();
-    for (const auto& [key, member] : members) tree[key] = of(member);
+    for (const auto& [key, member] : members) tree[key] = convert(member);
     return tree;
   }
   Tree operator()(const auto& value) const { return value; }
 
-  static Tree of(const Json& json) { return std::visit(Printed(), json.value_); }
+  static Tree convert(const Json& json) { return std::visit(NlohmannConverter(), json.value_); }
 };
 
 Json::Json(std::initializer_list<Json> elements) {
@@ -81,7 +81,8 @@ std::vector<std::pair<std::string_view, const Json*>> Json::items() const {
 }
 
 std::string Json::dump(int indent, bool is_ascii) const {
-  return Printed::of(*this).dump(indent, ' ', is_ascii, Printed::Tree::error_handler_t::replace);
+  return NlohmannConverter::convert(*this).dump(indent, ' ', is_ascii,
+                                                NlohmannConverter::Tree::error_handler_t::replace);
 }
 
 }  // namespace elgen

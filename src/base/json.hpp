@@ -26,7 +26,7 @@ class Json {
   Json(std::nullptr_t = nullptr) {}
   /// An integer or a boolean.
   template <std::integral Number>
-  Json(Number number) : value_(Stored<Number>{number}) {}
+  Json(Number number) : value_(StoredNumber<Number>{number}) {}
   /// An infinite number is printed as null.
   Json(double number) : value_(number) {}
   Json(std::string text) : value_(std::move(text)) {}
@@ -67,10 +67,10 @@ class Json {
   [[nodiscard]] std::string dump(int indent = -1, bool is_ascii = false) const;
 
  private:
-  struct Printed;
+  struct NlohmannConverter;
 
   template <class Number>
-  using Stored = std::conditional_t<
+  using StoredNumber = std::conditional_t<
       std::same_as<Number, bool>, bool,
       std::conditional_t<std::signed_integral<Number>, std::int64_t, std::uint64_t>>;
 

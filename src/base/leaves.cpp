@@ -12,7 +12,7 @@ namespace {
 
 using G = FactorGroup;
 using U = LeafUnit;
-using P = Passed;
+using P = ArgumentRule;
 
 constexpr std::string_view number = "std::common_type_t<Scalar>";
 constexpr bool moves = true;
@@ -22,31 +22,31 @@ constexpr bool no = false;
 // clang-format off
 namespace written {
 //                              symbol       type                     rank  text             identifier      latex             own_latex
-constexpr LeafText parameter   {"p",         "Parameters<Scalar>",    2,    "{}",            "{}",           "s",              "s"};
-constexpr LeafText open_value  {"f",         "OpenValues<Scalar>",    5,    "{}",            "{}",           "s",              "s"};
-constexpr LeafText coordinate  {"q",         "Coordinates<Scalar>",   3,    "{}",            "{}",           "s",              "s"};
-constexpr LeafText velocity    {"v",         "Velocities<Scalar>",    6,    "dot({})",       "{}_dot",       R"(\dot{s})",     "s"};
-constexpr LeafText momentum    {"momenta",   "Momenta<Scalar>",       11,   "p({})",         "p_{}",         "p_{s}",          "p_{s}"};
-constexpr LeafText reference   {"reference", "Velocities<Scalar>",    14,   "reference({})", "{}_reference", R"(\dot{s}_{r})", "s_{r}"};
-constexpr LeafText acceleration{"a",         "Accelerations<Scalar>", 7,    "dot(dot({}))",  "{}_ddot",      R"(\ddot{s})",    R"(\dot{s})"};
-constexpr LeafText multiplier  {"lambda",    "Multipliers<Scalar>",   13,   "lambda_{}",     "lambda_{}",    R"(\lambda_{s})", R"(\lambda_{s})"};
-constexpr LeafText input       {"u",         "Inputs<Scalar>",        8,    "{}",            "{}",           "s",              "s"};
-constexpr LeafText time        {"t",         number,                  9,    "{}",            "{}",           "s",              "s"};
-constexpr LeafText step        {"h",         number,                  10,   "{}",            "{}",           "s",              "s"};
-constexpr LeafText energy      {"E",         number,                  12,   "{}",            "{}",           "s",              "s"};
+constexpr LeafNotation parameter   {"p",         "Parameters<Scalar>",    2,    "{}",            "{}",           "s",              "s"};
+constexpr LeafNotation open_value  {"f",         "OpenValues<Scalar>",    5,    "{}",            "{}",           "s",              "s"};
+constexpr LeafNotation coordinate  {"q",         "Coordinates<Scalar>",   3,    "{}",            "{}",           "s",              "s"};
+constexpr LeafNotation velocity    {"v",         "Velocities<Scalar>",    6,    "dot({})",       "{}_dot",       R"(\dot{s})",     "s"};
+constexpr LeafNotation momentum    {"momenta",   "Momenta<Scalar>",       11,   "p({})",         "p_{}",         "p_{s}",          "p_{s}"};
+constexpr LeafNotation reference   {"reference", "Velocities<Scalar>",    14,   "reference({})", "{}_reference", R"(\dot{s}_{r})", "s_{r}"};
+constexpr LeafNotation acceleration{"a",         "Accelerations<Scalar>", 7,    "dot(dot({}))",  "{}_ddot",      R"(\ddot{s})",    R"(\dot{s})"};
+constexpr LeafNotation multiplier  {"lambda",    "Multipliers<Scalar>",   13,   "lambda_{}",     "lambda_{}",    R"(\lambda_{s})", R"(\lambda_{s})"};
+constexpr LeafNotation input       {"u",         "Inputs<Scalar>",        8,    "{}",            "{}",           "s",              "s"};
+constexpr LeafNotation time        {"t",         number,                  9,    "{}",            "{}",           "s",              "s"};
+constexpr LeafNotation step        {"h",         number,                  10,   "{}",            "{}",           "s",              "s"};
+constexpr LeafNotation energy      {"E",         number,                  12,   "{}",            "{}",           "s",              "s"};
 }  // namespace written
 
 namespace used {
 //                             group            unit                 passed       moves  is_stated
-constexpr LeafUse parameter   {G::parameter,    U::of_entry,         P::always,   no,    no};
-constexpr LeafUse open_value  {G::function,     U::of_open_value,    P::if_any,   no,    no};
-constexpr LeafUse coordinate  {G::coordinate,   U::of_entry,         P::always,   no,    no};
-constexpr LeafUse velocity    {G::rate,         U::of_entry,         P::always,   moves, no};
+constexpr LeafUse parameter   {G::parameter,    U::entry_unit,         P::always,   no,    no};
+constexpr LeafUse open_value  {G::function,     U::open_value_unit,    P::if_any,   no,    no};
+constexpr LeafUse coordinate  {G::coordinate,   U::entry_unit,         P::always,   no,    no};
+constexpr LeafUse velocity    {G::rate,         U::entry_unit,         P::always,   moves, no};
 constexpr LeafUse momentum    {G::rate,         U::joule_per_entry,  P::if_used, moves, stated};
-constexpr LeafUse reference   {G::rate,         U::of_entry,         P::if_used, moves, stated};
+constexpr LeafUse reference   {G::rate,         U::entry_unit,         P::if_used, moves, stated};
 constexpr LeafUse acceleration{G::acceleration, U::entry_per_second, P::always,   moves, stated};
-constexpr LeafUse multiplier  {G::multiplier,   U::of_multiplier,    P::never,    no,    no};
-constexpr LeafUse input       {G::input,        U::of_entry,         P::always,   moves, no};
+constexpr LeafUse multiplier  {G::multiplier,   U::multiplier_unit,    P::never,    no,    no};
+constexpr LeafUse input       {G::input,        U::entry_unit,         P::always,   moves, no};
 constexpr LeafUse time        {G::coordinate,   U::second,           P::always,   no,    stated};
 constexpr LeafUse step        {G::coordinate,   U::second,           P::if_used, no,    stated};
 constexpr LeafUse energy      {G::coordinate,   U::joule,            P::never,    no,    no};

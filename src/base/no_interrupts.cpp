@@ -1,4 +1,4 @@
-// no_interrupts: signals are blocked only in the thread that creates a NoInterrupts. Other threads
+// no_interrupts: signals are blocked only in the thread that creates a SignalBlocker. Other threads
 // must block them too, as the thread of Progress does.
 #include "base/no_interrupts.hpp"
 
@@ -20,7 +20,7 @@ bool is_ignored(int signal) {
 
 }  // namespace
 
-sigset_t ending_signals() {
+sigset_t termination_signals() {
   sigset_t set{};
   sigemptyset(&set);
   for (const int signal : signals) {
@@ -29,17 +29,17 @@ sigset_t ending_signals() {
   return set;
 }
 
-NoInterrupts::NoInterrupts() {
-  const sigset_t ending = ending_signals();
+SignalBlocker::SignalBlocker() {
+  const sigset_t ending = termination_signals();
   pthread_sigmask(SIG_BLOCK, &ending, &before_);
 }
 
-NoInterrupts::~NoInterrupts() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+SignalBlocker::~SignalBlocker() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
 
 bool has_pending_interrupt() {
   sigset_t waiting{};
   sigpending(&waiting);
-  const sigset_t ending = ending_signals();
+  const sigset_t ending = termination_signals();
   for (const int signal : signals) {
     if (sigismember(&waiting, signal) == 1 && sigismember(&ending, signal) == 1) return true;
   }

@@ -6,22 +6,22 @@
 namespace elgen {
 
 /// The signals that ask the process to end, except signals that the process ignores.
-[[nodiscard]] sigset_t ending_signals();
+[[nodiscard]] sigset_t termination_signals();
 
-/// While an object of this class exists, ending_signals() are blocked. Signals that arrive in this
-/// time are delivered when the object is destroyed.
-class NoInterrupts {
+/// While an object of this class exists, termination_signals() are blocked. Signals that arrive in
+/// this time are delivered when the object is destroyed.
+class SignalBlocker {
  public:
-  NoInterrupts();
-  NoInterrupts(const NoInterrupts&) = delete;
-  NoInterrupts& operator=(const NoInterrupts&) = delete;
-  ~NoInterrupts();
+  SignalBlocker();
+  SignalBlocker(const SignalBlocker&) = delete;
+  SignalBlocker& operator=(const SignalBlocker&) = delete;
+  ~SignalBlocker();
 
  private:
   sigset_t before_{};
 };
 
-/// True if one of ending_signals() is blocked and has arrived.
+/// True if one of termination_signals() is blocked and has arrived.
 [[nodiscard]] bool has_pending_interrupt();
 
 }  // namespace elgen

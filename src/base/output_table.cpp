@@ -7,11 +7,13 @@ namespace elgen {
 
 std::string_view name_of(Form form) { return form == Form::closed ? "closed" : "recursive"; }
 
-bool is_repeated(OutputKind kind, LeafSet takes) {
+bool is_in_dynamics(OutputKind kind, LeafSet takes) {
   const OutputRow& row = output_row(kind);
-  const LeafSet repeated = std::ranges::find(output_table(), true, &OutputRow::is_summary)->takes;
+  const LeafSet repeated =
+      std::ranges::find(output_table(), true, &OutputRow::is_summary)->argument_kinds;
   const bool is_function = !row.is_summary && !row.takes_parameters_alone;
-  return (repeated | row.takes | takes) == repeated && is_function && row.fields.size() == 1;
+  return (repeated | row.argument_kinds | takes) == repeated && is_function &&
+         row.fields.size() == 1;
 }
 
 const FieldRow& field_row(OutputKind kind, std::string_view name) {
@@ -32,7 +34,7 @@ const Notation& equation_of(const OutputRow& output, const EquationSetting& sett
 
 const OutputRow* find_output(std::string_view name) {
   for (const OutputRow& output : output_table()) {
-    if (output.name == name && !output.of_user) return &output;
+    if (output.name == name && !output.is_user_output) return &output;
   }
   return nullptr;
 }

@@ -22,27 +22,29 @@ using U = UnitRule;
 using N = Need;
 using O = OutputOption;
 
-constexpr std::string_view square = "SquareMatrix<Scalar>";
-constexpr std::string_view forces = "Forces<Scalar>";
-constexpr std::string_view entries = "std::array<Scalar, {1}>";
+constexpr std::string_view square_matrix_type = "SquareMatrix<Scalar>";
+constexpr std::string_view force_type = "Forces<Scalar>";
+constexpr std::string_view array_type = "std::array<Scalar, {1}>";
 
 constexpr std::array energy{FieldRow{"", E::one, E::one, U::energy}};
-constexpr std::array force{FieldRow{"", E::velocities, E::one, U::power, forces}};
+constexpr std::array force{FieldRow{"", E::velocities, E::one, U::power, force_type}};
 
 // Matrices.
 
-constexpr std::array mass{FieldRow{"", E::velocities, E::velocities, U::energy, square}};
+constexpr std::array mass{
+    FieldRow{"", E::velocities, E::velocities, U::energy, square_matrix_type}};
 constexpr OutputRow mass_matrix{
     .symbol = {"M", "M"},
-    .is_of_mass = true,
+    .depends_like_mass = true,
     .fields = mass,
     .equation = {"M = d^2 L/dv^2", R"(M = \frac{\partial^{2} L}{\partial <v>^{2}})"},
     .doc = "Mass matrix, symmetric."};
 
-constexpr std::array coriolis{FieldRow{"", E::velocities, E::velocities, U::power, square}};
+constexpr std::array coriolis{
+    FieldRow{"", E::velocities, E::velocities, U::power, square_matrix_type}};
 constexpr OutputRow coriolis_matrix{
     .symbol = {"C", "C"},
-    .takes = Opcode::velocity,
+    .argument_kinds = Opcode::velocity,
     .fields = coriolis,
     .equation = {"C_ij = 1/2 sum_k (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i) v_k",
                  R"(C_{ij} = \frac{1}{2} \sum_{k} \left( \frac{\partial M_{ij}}{\partial q_{k}} + )"
@@ -55,11 +57,11 @@ constexpr OutputRow coriolis_matrix{
     .doc = "Coriolis matrix of Christoffel symbols: (dM/dq dq/dt) - 2 C is skew.",
     .needs = {N::quadratic}};
 
-constexpr std::array per_input{
+constexpr std::array input_matrix_fields{
     FieldRow{"", E::velocities, E::inputs, U::power, "InputMatrix<Scalar>"}};
 constexpr OutputRow input_matrix{
     .symbol = {"B", "B"},
-    .fields = per_input,
+    .fields = input_matrix_fields,
     .equation = {"B = dQ/du", R"(B = \frac{\partial <Q>}{\partial <u>})"},
     .doc = "Generalized force per unit of each input.",
     .needs = {N::inputs}};
@@ -67,7 +69,7 @@ constexpr OutputRow input_matrix{
 // Forces and momentum.
 
 constexpr OutputRow velocity_force{.symbol = {"C v", "C <v>"},
-                                   .takes = Opcode::velocity,
+                                   .argument_kinds = Opcode::velocity,
                                    .fields = force,
                                    .equation = {"C(q, v) v", ""},
                                    .definition = R"((C <v>)_{i} = \sum_{j} C_{ij} <v>_{j})",
@@ -85,7 +87,7 @@ constexpr OutputRow gravity{
 
 constexpr OutputRow drift{
     .symbol = {"drift", "<drift>"},
-    .takes = Opcode::velocity,
+    .argument_kinds = Opcode::velocity,
     .fields = force,
     .equation = {"dM/dt v + (db/dq - (db/dq)^T) v + db/dt - dT0/dq",
                  R"(<drift> = \frac{\partial M}{\partial t} <v> + \left( )"
@@ -102,37 +104,37 @@ constexpr OutputRow drift{
     .needs = {N::quadratic}};
 
 constexpr OutputRow dissipation{.symbol = {"dD/dv", R"(\frac{\partial D}{\partial <v>})"},
-                                .takes = Opcode::velocity,
+                                .argument_kinds = Opcode::velocity,
                                 .fields = force,
                                 .equation = {"dD/dv", ""},
                                 .doc = "Gradient of the Rayleigh function D."};
 
 constexpr OutputRow applied_force{
     .symbol = {"Q", "<Q>"},
-    .takes = Opcode::velocity,
+    .argument_kinds = Opcode::velocity,
     .fields = force,
     .equation = {"Q(q, v) = total generalized force at u = 0", ""},
     .doc = "Non-conservative generalized forces without inputs and without D."};
 
 constexpr OutputRow bias{
     .symbol = {"bias", "<bias>"},
-    .takes = Opcode::velocity,
+    .argument_kinds = Opcode::velocity,
     .fields = force,
     .equation = {"bias = C v + drift + g + dD/dv - Q",
                  R"(<bias> = C <v> + <drift> + <g> + \frac{\partial D}{\partial <v>} - <Q>)"},
     .doc = "All terms of the equation of motion without a and u."};
 
 constexpr OutputRow inverse_dynamics{.symbol = {"tau", "<tau>"},
-                                     .takes = Opcode::velocity | Opcode::acceleration,
+                                     .argument_kinds = Opcode::velocity | Opcode::acceleration,
                                      .fields = force,
                                      .equation = {"tau = M a + bias", R"(<tau> = M <a> + <bias>)"},
                                      .doc = "Generalized force that gives the acceleration a."};
 
-constexpr std::array held{FieldRow{"", E::held, E::one, U::power, entries}};
+constexpr std::array reaction_fields{FieldRow{"", E::reaction, E::one, U::power, array_type}};
 constexpr OutputRow reaction{
     .symbol = {"r", "<r>"},
-    .takes = Opcode::velocity | Opcode::acceleration | Opcode::input,
-    .fields = held,
+    .argument_kinds = Opcode::velocity | Opcode::acceleration | Opcode::input,
+    .fields = reaction_fields,
     .equation = {"r = (d/dt dL/dv - dL/dq + dD/dv - Q - B u) of the locked coordinates",
                  R"(<r> = \left[ \frac{d}{dt} \frac{\partial L}{\partial <v>} - )"
                  R"(\frac{\partial L}{\partial <q>} + \frac{\partial D}{\partial <v>} - <Q> - )"
@@ -144,18 +146,18 @@ constexpr OutputRow reaction{
          R"(N^{\top} \frac{\partial L}{\partial <q>} + \frac{\partial D}{\partial <v>} - <Q> - )"
          R"(B <u> \right]_{\mathrm{locked}})"},
     .doc = "Generalized force that holds the locked coordinates, in addition to the inputs.",
-    .needs = {N::held}};
+    .needs = {N::reaction}};
 
-constexpr std::array impulse{FieldRow{"", E::velocities, E::one, U::energy, forces}};
+constexpr std::array momentum_fields{FieldRow{"", E::velocities, E::one, U::energy, force_type}};
 constexpr OutputRow momentum{.symbol = {"p", "<p>"},
-                             .takes = Opcode::velocity,
-                             .fields = impulse,
+                             .argument_kinds = Opcode::velocity,
+                             .fields = momentum_fields,
                              .equation = {"p = dL/dv", R"(<p> = \frac{\partial L}{\partial <v>})"},
                              .doc = "Generalized momentum."};
 
 constexpr OutputRow position_gradient{
     .symbol = {"dL/dq", R"(\frac{\partial L}{\partial <q>})"},
-    .takes = Opcode::velocity,
+    .argument_kinds = Opcode::velocity,
     .fields = force,
     .equation = {"dL/dq = dp/dt + dD/dv - Q - B u",
                  R"(\frac{\partial L}{\partial <q>} = \frac{d<p>}{dt} + )"
@@ -177,7 +179,7 @@ constexpr OutputRow potential_energy{.symbol = {"V0", "V_{0}"},
                                      .is_energy = true};
 
 constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
-                                   .takes = Opcode::velocity,
+                                   .argument_kinds = Opcode::velocity,
                                    .fields = energy,
                                    .equation = {"T = T2 + b_T.v + T0", ""},
                                    .driftless_definition = R"(T = \frac{1}{2} <v>^{\top} M <v>)",
@@ -187,7 +189,7 @@ constexpr OutputRow kinetic_energy{.symbol = {"T", "T"},
 
 constexpr OutputRow total_energy{
     .symbol = {"T + V", "T + V"},
-    .takes = Opcode::velocity,
+    .argument_kinds = Opcode::velocity,
     .fields = energy,
     .equation = {"T + V0 + V1.v", R"(T + V = T + V_{0} + <V>_{1}^{\top} <v>)"},
     .doc = "Sum of kinetic and potential energy.",
@@ -196,7 +198,7 @@ constexpr OutputRow total_energy{
 
 constexpr OutputRow energy_function{
     .symbol = {"E", "E"},
-    .takes = Opcode::velocity,
+    .argument_kinds = Opcode::velocity,
     .fields = energy,
     .equation = {"E = v.dL/dv - L", R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)"},
     .doc = "Energy function (Jacobi integral): dE/dt = v.(B u + Q - dD/dv) - dL/dt.",
@@ -208,85 +210,88 @@ constexpr OutputRow energy_function{
 
 #include "base/dynamics_rows.def"
 
-constexpr std::array of_states{
+constexpr std::array state_matrix_fields{
     FieldRow{"A", E::states, E::states, U::none,
              "std::array<Scalar, 4 * velocity_count * velocity_count>", "A"},
     FieldRow{"B", E::states, E::inputs, U::none,
              "std::array<Scalar, 2 * velocity_count * input_count>", "B"}};
 constexpr OutputRow linearization{
     .symbol = {"d(dx)/dt", R"(\delta\dot{<x>})"},
-    .takes = Opcode::velocity | Opcode::input,
-    .fields = of_states,
+    .argument_kinds = Opcode::velocity | Opcode::input,
+    .fields = state_matrix_fields,
     .equation = {"d(dx)/dt = A dx + B du, x = (q, v)",
                  R"(\delta\dot{<x>} = A \delta<x> + B \delta<u>)"},
     .doc = "Equations of motion, linearized about the given state and inputs.",
-    .solves = true,
+    .solves_mass_matrix = true,
     .differentiates = true};
 
-constexpr std::array of_inverse{FieldRow{"by_position", E::velocities, E::velocities, U::none,
-                                         square, R"(\frac{\partial <tau>}{\partial <q>})"},
-                                FieldRow{"by_velocity", E::velocities, E::velocities, U::none,
-                                         square, R"(\frac{\partial <tau>}{\partial <v>})"}};
+constexpr std::array inverse_derivative_fields{
+    FieldRow{"by_position", E::velocities, E::velocities, U::none, square_matrix_type,
+             R"(\frac{\partial <tau>}{\partial <q>})"},
+    FieldRow{"by_velocity", E::velocities, E::velocities, U::none, square_matrix_type,
+             R"(\frac{\partial <tau>}{\partial <v>})"}};
 constexpr OutputRow inverse_dynamics_derivatives{
     .symbol = {"d tau", R"(\delta<tau>)"},
-    .takes = Opcode::velocity | Opcode::acceleration,
-    .fields = of_inverse,
+    .argument_kinds = Opcode::velocity | Opcode::acceleration,
+    .fields = inverse_derivative_fields,
     .equation = {"d tau = (dtau/dq) dq + (dtau/dv) dv + M da",
                  R"(\delta<tau> = \frac{\partial <tau>}{\partial <q>} \delta<q> + )"
                  R"(\frac{\partial <tau>}{\partial <v>} \delta<v> + M \delta<a>)"},
     .doc = "Derivatives of the inverse dynamics.",
     .differentiates = true};
 
-constexpr std::array of_forward{
-    FieldRow{"by_position", E::velocities, E::velocities, U::none, square,
+constexpr std::array forward_derivative_fields{
+    FieldRow{"by_position", E::velocities, E::velocities, U::none, square_matrix_type,
              R"(\frac{\partial <a>}{\partial <q>})"},
-    FieldRow{"by_velocity", E::velocities, E::velocities, U::none, square,
+    FieldRow{"by_velocity", E::velocities, E::velocities, U::none, square_matrix_type,
              R"(\frac{\partial <a>}{\partial <v>})"},
     FieldRow{"by_input", E::velocities, E::inputs, U::none, "InputMatrix<Scalar>",
              R"(\frac{\partial <a>}{\partial <u>})"}};
 constexpr OutputRow forward_dynamics_derivatives{
     .symbol = {"da", R"(\delta<a>)"},
-    .takes = Opcode::velocity | Opcode::input,
-    .fields = of_forward,
+    .argument_kinds = Opcode::velocity | Opcode::input,
+    .fields = forward_derivative_fields,
     .equation = {"da = (da/dq) dq + (da/dv) dv + (da/du) du",
                  R"(\delta<a> = \frac{\partial <a>}{\partial <q>} \delta<q> + )"
                  R"(\frac{\partial <a>}{\partial <v>} \delta<v> + )"
                  R"(\frac{\partial <a>}{\partial <u>} \delta<u>)"},
     .doc = "Derivatives of the forward dynamics.",
-    .solves = true,
+    .solves_mass_matrix = true,
     .differentiates = true};
 
-constexpr std::array of_input_force{FieldRow{"", E::velocities, E::velocities, U::none, square}};
+constexpr std::array input_force_fields{
+    FieldRow{"", E::velocities, E::velocities, U::none, square_matrix_type}};
 constexpr OutputRow input_force_derivatives{
     .symbol = {"d(B u)/dq", R"(\frac{\partial (B <u>)}{\partial <q>})"},
-    .takes = Opcode::velocity | Opcode::input,
-    .fields = of_input_force,
+    .argument_kinds = Opcode::velocity | Opcode::input,
+    .fields = input_force_fields,
     .equation = {"d(B u)/dq", ""},
     .rotation_equation = {"d(B u)/dq N", R"(\frac{\partial (B <u>)}{\partial <q>} N)"},
     .doc = "Derivatives of the input forces with respect to the coordinates.",
     .needs = {N::inputs},
     .differentiates = true,
-    .by_name = true};
+    .is_on_request = true};
 
-constexpr std::array inverse_mass{FieldRow{"", E::velocities, E::velocities, U::none, square}};
+constexpr std::array inverse_mass{
+    FieldRow{"", E::velocities, E::velocities, U::none, square_matrix_type}};
 constexpr OutputRow inverse_mass_matrix{.symbol = {"M^-1", "M^{-1}"},
-                                        .is_of_mass = true,
+                                        .depends_like_mass = true,
                                         .fields = inverse_mass,
                                         .equation = {"M^-1", ""},
                                         .doc = "Inverse of the mass matrix, symmetric.",
-                                        .solves = true,
-                                        .by_name = true};
+                                        .solves_mass_matrix = true,
+                                        .is_on_request = true};
 
 #include "base/momenta_rows.def"
 
 // Coordinates.
 
-constexpr std::array rate_of_coordinate{
+constexpr std::array coordinate_rate_fields{
     FieldRow{"", E::coordinates, E::one, U::row_per_second, "Coordinates<Scalar>"}};
 constexpr OutputRow coordinate_rates{
     .symbol = {"dq/dt", R"(\dot{<q>})"},
-    .takes = Opcode::velocity,
-    .fields = rate_of_coordinate,
+    .argument_kinds = Opcode::velocity,
+    .fields = coordinate_rate_fields,
     .equation = {"dq/dt = N(q) v", R"(\dot{<q>} = N(<q>) <v>)"},
     .doc = "Rates of the coordinates; for a rotation 1/2 q w, with w in the axes of the body.",
     .needs = {N::rotations}};
@@ -299,10 +304,10 @@ constexpr OutputRow normalized{.symbol = {"q", "<q>"},
                                .doc = "Coordinates with their quaternions scaled back to length 1.",
                                .needs = {N::rotations}};
 
-constexpr std::array cyclic_rate_fields{FieldRow{"", E::cyclic, E::one, U::row, entries}};
+constexpr std::array cyclic_rate_fields{FieldRow{"", E::cyclic, E::one, U::row, array_type}};
 constexpr OutputRow cyclic_rates{
     .symbol = {"v_c", R"(<v>_{c})"},
-    .takes = Opcode::velocity,
+    .argument_kinds = Opcode::velocity,
     .fields = cyclic_rate_fields,
     .equation = {"M_cc v_c = p - dL/dv_c at v_c = 0",
                  R"(M_{cc} <v>_{c} = <p> - )"
@@ -315,7 +320,7 @@ constexpr OutputRow cyclic_rates{
 
 constexpr OutputRow dynamics{
     .symbol = {"dynamics", R"(\mathrm{dynamics})"},
-    .takes = Opcode::velocity,
+    .argument_kinds = Opcode::velocity,
     .doc = "All chosen outputs without the arguments a and u, computed at once.",
     .is_summary = true};
 
@@ -325,41 +330,41 @@ constexpr std::array next_state{
     FieldRow{.name = "residual",
              .rows = E::velocities,
              .unit = U::energy,
-             .type = forces,
+             .type = force_type,
              .latex = "<r>",
-             .is_remainder = true}};
+             .is_residual = true}};
 constexpr OutputRow step{.symbol = {"(q, v)(t + h)", R"((<q>, <v>)(t + h))"},
-                         .takes = Opcode::velocity | Opcode::input | Opcode::step,
+                         .argument_kinds = Opcode::velocity | Opcode::input | Opcode::step,
                          .fields = next_state,
                          .equation = {"(q, v)(t + h) at constant u", ""},
                          .doc = "One step of length h at constant inputs:",
                          .options = {O::method, O::order, O::iterations, O::projected},
-                         .steps = true};
+                         .is_step = true};
 
 constexpr OutputRow step_derivatives{
     .symbol = {"d(q, v)(t + h)", R"(\delta(<q>, <v>)(t + h))"},
-    .takes = Opcode::velocity | Opcode::input | Opcode::step,
-    .fields = of_states,
+    .argument_kinds = Opcode::velocity | Opcode::input | Opcode::step,
+    .fields = state_matrix_fields,
     .equation = {"dx(t + h) = A dx + B du, x = (q, v)", ""},
     .doc = "Derivatives of one step of length h at constant inputs:",
     .needs = {N::no_constraints, N::few_velocities},
     .options = {O::method, O::order, O::iterations},
     .differentiates = true,
-    .steps = true};
+    .is_step = true};
 
 /// The row with its kind and name set, and with the needs that follow from other columns added.
-constexpr OutputRow named(OutputKind kind, std::string_view name, OutputRow row) {
+constexpr OutputRow complete_row(OutputKind kind, std::string_view name, OutputRow row) {
   row.kind = kind;
   row.name = name;
   if (row.differentiates) row.needs.add(N::smooth_forces);
-  if (row.takes.has_any(Opcode::momentum)) row.needs.add(N::no_constraints);
-  if (row.of_user) row.needs.add(N::kept_coordinates);
-  if (row.steps) row.needs.add(N::closed_functions);
+  if (row.argument_kinds.has_any(Opcode::momentum)) row.needs.add(N::no_constraints);
+  if (row.is_user_output) row.needs.add(N::no_cyclic_coordinates);
+  if (row.is_step) row.needs.add(N::closed_functions);
   return row;
 }
 
 constexpr std::array table{
-#define ELGEN_OUTPUT(name) named(OutputKind::name, #name, name),
+#define ELGEN_OUTPUT(name) complete_row(OutputKind::name, #name, name),
 #include "elgen/outputs.def"
 };
 

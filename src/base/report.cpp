@@ -35,7 +35,7 @@ void Report::add(Code code, const Span& span, std::string message, std::string h
   add({code, span, std::move(message), std::move(hint)});
 }
 
-Diagnostics Report::sorted() const {
+Diagnostics Report::sorted_diagnostics() const {
   Diagnostics result = diagnostics_;
   sort_by_position(result);
   return result;

@@ -17,12 +17,12 @@ class Report {
   void add(Diagnostic diagnostic);
   void add(Code code, const Span& span, std::string message, std::string hint = {});
 
-  [[nodiscard]] std::size_t errors() const { return errors_; }
+  [[nodiscard]] std::size_t error_count() const { return errors_; }
   [[nodiscard]] bool has(Code code) const;
   /// False after 100 errors: each suggestion of a name costs a search, and nobody reads so many.
   [[nodiscard]] bool needs_suggestion() const { return errors_ < 100; }
   /// All diagnostics, sorted by position.
-  [[nodiscard]] Diagnostics sorted() const;
+  [[nodiscard]] Diagnostics sorted_diagnostics() const;
 
  private:
   using Key = std::tuple<const SourceText*, std::uint32_t, std::uint32_t, Code, std::string>;

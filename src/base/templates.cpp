@@ -7,7 +7,7 @@
 
 namespace elgen {
 
-std::string_view template_at(std::string_view path) {
+std::string_view require_template(std::string_view path) {
   const std::string_view text = embedded_template(path);
   if (text.empty()) throw std::logic_error(fmt::format("no template {}", path));
   return text;

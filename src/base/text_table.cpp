@@ -12,8 +12,8 @@ std::vector<std::string> table_lines(const TextRows& rows, const std::vector<Tex
   std::vector<std::size_t> widths;
   for (const std::vector<std::string>& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i == widths.size()) widths.push_back(style(i).least);
-      const bool is_free = i + 1 == row.size() && !style(i).is_right;
+      if (i == widths.size()) widths.push_back(style(i).min_width);
+      const bool is_free = i + 1 == row.size() && !style(i).is_right_aligned;
       if (!is_free) widths[i] = std::max(widths[i], row[i].size());
     }
   }
@@ -21,9 +21,9 @@ std::vector<std::string> table_lines(const TextRows& rows, const std::vector<Tex
   for (const std::vector<std::string>& row : rows) {
     std::string& line = lines.emplace_back();
     for (std::size_t i = 0; i < row.size(); ++i) {
-      line.append(style(i).before, ' ');
-      line += style(i).is_right ? fmt::format("{:>{}}", row[i], widths[i])
-                                : fmt::format("{:<{}}", row[i], widths[i]);
+      line.append(style(i).left_padding, ' ');
+      line += style(i).is_right_aligned ? fmt::format("{:>{}}", row[i], widths[i])
+                                        : fmt::format("{:<{}}", row[i], widths[i]);
     }
     line.erase(line.find_last_not_of(' ') + 1);
   }

@@ -8,9 +8,9 @@
 namespace elgen {
 
 struct TextColumn {
-  bool is_right = false;   ///< right-aligned
-  std::size_t least = 0;   ///< minimal width
-  std::size_t before = 2;  ///< blanks before the column
+  bool is_right_aligned = false;  ///< right-aligned
+  std::size_t min_width = 0;      ///< minimal width
+  std::size_t left_padding = 2;   ///< blanks before the column
 };
 
 using TextRows = std::vector<std::vector<std::string>>;

@@ -16,7 +16,7 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 
 }  // namespace
 
-std::vector<std::string> aligned(const TextRows& rows) {
+std::vector<std::string> align_columns(const TextRows& rows) {
   return table_lines(rows, {{false, 0, 0}});
 }
 
@@ -59,7 +59,7 @@ std::string toml_comment(std::string_view text) {
 }
 
 std::string TomlTable::text() const {
-  return fmt::format("{}\n{}\n", header_, fmt::join(aligned(rows_), "\n"));
+  return fmt::format("{}\n{}\n", header_, fmt::join(align_columns(rows_), "\n"));
 }
 
 }  // namespace elgen

@@ -11,7 +11,7 @@
 namespace elgen {
 
 /// Rows of cells, each column as wide as its widest cell. The last cell of a row is not padded.
-[[nodiscard]] std::vector<std::string> aligned(const TextRows& rows);
+[[nodiscard]] std::vector<std::string> align_columns(const TextRows& rows);
 
 /// A quoted TOML string with its escapes; hidden characters are replaced by their names.
 [[nodiscard]] std::string toml_string(std::string_view text);

@@ -26,16 +26,16 @@ Exponent lowest_terms(std::int64_t numerator, std::int64_t denominator) {
           static_cast<std::int32_t>(std::min(denominator, exponent_limit))};
 }
 
-Exponent sum_exponents(const Exponent& a, const Exponent& b, std::int64_t sign) {
+Exponent add_exponents(const Exponent& a, const Exponent& b, std::int64_t sign) {
   const std::int64_t numerator =
       std::int64_t{a.numerator} * b.denominator + sign * std::int64_t{b.numerator} * a.denominator;
   return lowest_terms(numerator, std::int64_t{a.denominator} * b.denominator);
 }
 
-Unit combined(const Unit& a, const Unit& b, std::int64_t sign) {
+Unit combine_units(const Unit& a, const Unit& b, std::int64_t sign) {
   Unit result;
   for (std::size_t i = 0; i < base_unit_count; ++i) {
-    result.powers[i] = sum_exponents(a.powers[i], b.powers[i], sign);
+    result.powers[i] = add_exponents(a.powers[i], b.powers[i], sign);
   }
   return result;
 }
@@ -51,7 +51,7 @@ struct UnitSpelling {
   std::int64_t cost = 0;
 };
 
-std::string spelled_power(std::string_view name, std::int32_t numerator, std::int32_t denominator) {
+std::string power_text(std::string_view name, std::int32_t numerator, std::int32_t denominator) {
   std::string text(name);
   if (denominator != 1) {
     text += "^(" + std::to_string(numerator) + "/" + std::to_string(denominator) + ")";
@@ -63,7 +63,7 @@ std::string spelled_power(std::string_view name, std::int32_t numerator, std::in
 
 /// The unit derived * rest, with `derived` ("" for none) first in the numerator. kg precedes m, as
 /// is usual.
-UnitSpelling spell(std::string_view derived, const Unit& rest) {
+UnitSpelling spell_unit(std::string_view derived, const Unit& rest) {
   // A derived unit is used only if it replaces more powers of base units than this number: m/s^2
   // stays, kg*m/s^2 becomes N.
   constexpr std::int64_t derived_cost = 3;
@@ -79,7 +79,7 @@ UnitSpelling spell(std::string_view derived, const Unit& rest) {
     const auto [numerator, denominator] = rest.powers[i];
     if (numerator == 0) continue;
     auto& side = numerator > 0 ? above : below;
-    side.push_back(spelled_power(base_names[i], std::abs(numerator), denominator));
+    side.push_back(power_text(base_names[i], std::abs(numerator), denominator));
     result.cost += std::abs(numerator);
   }
   result.text = above.empty() ? "1" : fmt::format("{}", fmt::join(above, "*"));
@@ -131,9 +131,9 @@ const std::vector<UnitRow>& unit_table() {
   return table;
 }
 
-Unit operator*(const Unit& a, const Unit& b) { return combined(a, b, 1); }
+Unit operator*(const Unit& a, const Unit& b) { return combine_units(a, b, 1); }
 
-Unit operator/(const Unit& a, const Unit& b) { return combined(a, b, -1); }
+Unit operator/(const Unit& a, const Unit& b) { return combine_units(a, b, -1); }
 
 Unit power(const Unit& base, Exponent exponent) {
   Unit result;
@@ -151,12 +151,12 @@ std::optional<Unit> find_unit(std::string_view name) {
 }
 
 std::string to_string(const Unit& unit) {
-  UnitSpelling best = spell("", unit);
+  UnitSpelling best = spell_unit("", unit);
   for (const UnitRow& row : unit_table()) {
     const Unit rest = unit / row.unit;
     if (!is_written_by_name(row) || !fits_derived_unit(rest)) continue;
     if (rest == Unit{}) return std::string(row.name);
-    UnitSpelling candidate = spell(row.name, rest);
+    UnitSpelling candidate = spell_unit(row.name, rest);
     if (candidate.cost < best.cost) best = std::move(candidate);
   }
   return best.text;

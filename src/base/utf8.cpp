@@ -13,34 +13,38 @@ namespace elgen {
 
 namespace {
 
-struct ByteForm {
+struct Utf8Length {
   unsigned char mask;  ///< bits of the first byte that encode the length
   unsigned char mark;  ///< the value of these bits
   std::size_t bytes;
   char32_t smallest;  ///< smallest code point that needs this length
 };
 
-constexpr std::array<ByteForm, 4> forms{ByteForm{0x80, 0x00, 1, 0x0}, ByteForm{0xE0, 0xC0, 2, 0x80},
-                                        ByteForm{0xF0, 0xE0, 3, 0x800},
-                                        ByteForm{0xF8, 0xF0, 4, 0x10000}};
+constexpr std::array<Utf8Length, 4> utf8_lengths{
+    Utf8Length{0x80, 0x00, 1, 0x0}, Utf8Length{0xE0, 0xC0, 2, 0x80},
+    Utf8Length{0xF0, 0xE0, 3, 0x800}, Utf8Length{0xF8, 0xF0, 4, 0x10000}};
 
-struct CodePoints {
+struct CodePointRange {
   char32_t first;
   char32_t last;
 };
 
 /// Ranges of the hidden characters: categories Cc, Cf, Zl and Zp of Unicode 15, letters without a
 /// visible glyph, and tags.
-constexpr std::array hidden{
-    CodePoints{0x0000, 0x001F},   CodePoints{0x007F, 0x009F},   CodePoints{0x00AD, 0x00AD},
-    CodePoints{0x034F, 0x034F},   CodePoints{0x0600, 0x0605},   CodePoints{0x061C, 0x061C},
-    CodePoints{0x06DD, 0x06DD},   CodePoints{0x070F, 0x070F},   CodePoints{0x0890, 0x0891},
-    CodePoints{0x08E2, 0x08E2},   CodePoints{0x115F, 0x1160},   CodePoints{0x17B4, 0x17B5},
-    CodePoints{0x180B, 0x180F},   CodePoints{0x200B, 0x200F},   CodePoints{0x2028, 0x202E},
-    CodePoints{0x2060, 0x206F},   CodePoints{0x3164, 0x3164},   CodePoints{0xFEFF, 0xFEFF},
-    CodePoints{0xFFA0, 0xFFA0},   CodePoints{0xFFF9, 0xFFFB},   CodePoints{0x110BD, 0x110BD},
-    CodePoints{0x110CD, 0x110CD}, CodePoints{0x13430, 0x1343F}, CodePoints{0x1BCA0, 0x1BCA3},
-    CodePoints{0x1D173, 0x1D17A}, CodePoints{0xE0000, 0xE0FFF}};
+constexpr std::array hidden_ranges{
+    CodePointRange{0x0000, 0x001F},   CodePointRange{0x007F, 0x009F},
+    CodePointRange{0x00AD, 0x00AD},   CodePointRange{0x034F, 0x034F},
+    CodePointRange{0x0600, 0x0605},   CodePointRange{0x061C, 0x061C},
+    CodePointRange{0x06DD, 0x06DD},   CodePointRange{0x070F, 0x070F},
+    CodePointRange{0x0890, 0x0891},   CodePointRange{0x08E2, 0x08E2},
+    CodePointRange{0x115F, 0x1160},   CodePointRange{0x17B4, 0x17B5},
+    CodePointRange{0x180B, 0x180F},   CodePointRange{0x200B, 0x200F},
+    CodePointRange{0x2028, 0x202E},   CodePointRange{0x2060, 0x206F},
+    CodePointRange{0x3164, 0x3164},   CodePointRange{0xFEFF, 0xFEFF},
+    CodePointRange{0xFFA0, 0xFFA0},   CodePointRange{0xFFF9, 0xFFFB},
+    CodePointRange{0x110BD, 0x110BD}, CodePointRange{0x110CD, 0x110CD},
+    CodePointRange{0x13430, 0x1343F}, CodePointRange{0x1BCA0, 0x1BCA3},
+    CodePointRange{0x1D173, 0x1D17A}, CodePointRange{0xE0000, 0xE0FFF}};
 
 bool is_scalar_value(char32_t value) {
   const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
@@ -51,9 +55,9 @@ bool is_scalar_value(char32_t value) {
 
 CodePoint code_point_at(std::string_view text, std::size_t position) {
   const auto first = static_cast<unsigned char>(text[position]);
-  const auto form = std::find_if(forms.begin(), forms.end(),
-                                 [&](const ByteForm& f) { return (first & f.mask) == f.mark; });
-  if (form == forms.end() || position + form->bytes > text.size()) return {};
+  const auto form = std::find_if(utf8_lengths.begin(), utf8_lengths.end(),
+                                 [&](const Utf8Length& f) { return (first & f.mask) == f.mark; });
+  if (form == utf8_lengths.end() || position + form->bytes > text.size()) return {};
   char32_t value = first & static_cast<unsigned char>(~form->mask);
   for (std::size_t i = 1; i < form->bytes; ++i) {
     const auto next = static_cast<unsigned char>(text[position + i]);
@@ -83,9 +87,9 @@ std::string byte_name(char byte) {
 }
 
 bool is_hidden(char32_t value) {
-  return std::any_of(hidden.begin(), hidden.end(), [value](const CodePoints& range) {
-    return value >= range.first && value <= range.last;
-  });
+  return std::any_of(
+      hidden_ranges.begin(), hidden_ranges.end(),
+      [value](const CodePointRange& range) { return value >= range.first && value <= range.last; });
 }
 
 std::string visible_text(std::string_view text) {
@@ -125,8 +129,8 @@ std::string visible_json(std::string_view json) {
 }
 
 void append_utf8(std::string& text, char32_t value) {
-  const auto form = std::find_if(forms.rbegin(), forms.rend(),
-                                 [&](const ByteForm& f) { return value >= f.smallest; });
+  const auto form = std::find_if(utf8_lengths.rbegin(), utf8_lengths.rend(),
+                                 [&](const Utf8Length& f) { return value >= f.smallest; });
   const std::size_t bytes = form->bytes;
   text += static_cast<char>(form->mark | (value >> (6 * (bytes - 1))));
   for (std::size_t i = bytes - 1; i > 0; --i) {

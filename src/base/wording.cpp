@@ -34,7 +34,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string in_backticks(std::string_view text) {
+std::string quote_text(std::string_view text) {
   constexpr std::size_t longest = 60;
   std::string shown = "`";
   std::size_t position = 0;
@@ -53,7 +53,7 @@ std::string in_backticks(std::string_view text) {
   return shown + "`";
 }
 
-std::string one_line(std::string_view text) {
+std::string collapse_blanks(std::string_view text) {
   std::string line;
   for (const char c : text) {
     if (!is_space(c)) {
@@ -80,7 +80,7 @@ std::string break_lines(std::string_view text, std::size_t width, std::string_vi
   return lines;
 }
 
-std::string shown_path(std::string_view path) {
+std::string printable_path(std::string_view path) {
   std::string shown;
   for (std::size_t i = 0; i < path.size();) {
     const CodePoint point = code_point_at(path, i);
@@ -94,13 +94,13 @@ std::string shown_path(std::string_view path) {
   return shown;
 }
 
-std::string in_backticks(const Span& span) { return in_backticks(covered_text(span)); }
+std::string in_backticks(const Span& span) { return quote_text(covered_text(span)); }
 
 std::string count_text(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
   constexpr std::size_t longest_word = 64;  // a longer word gets no suggestion
   if (word.empty() || word.size() > longest_word) return {};
   // The largest edit distance of a suggestion: a third of the length of the word, but at least 1.
@@ -121,7 +121,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
                        const std::string& otherwise) {
-  const std::string near = nearest(word, candidates);
+  const std::string near = nearest_word(word, candidates);
   return near.empty() ? otherwise : "did you mean `" + near + "`?";
 }
 

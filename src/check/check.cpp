@@ -21,16 +21,16 @@
 namespace elgen {
 namespace {
 
-struct RowReader {
+struct EntryReadRule {
   std::string_view entry;
   void (*read)(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 };
 
 /// Reads the instances of the given entries, in the order of the file.
-void read_entries(Context& context, const std::vector<Instance>& instances,
-                  const std::vector<RowReader>& readers) {
+void read_entries(Context& context, const std::vector<EntryInstance>& instances,
+                  const std::vector<EntryReadRule>& readers) {
   for (const auto& [entry, scope, target] : instances) {
-    for (const RowReader& reader : readers) {
+    for (const EntryReadRule& reader : readers) {
       if (entry->name != reader.entry) continue;
       ValueReader values(context, scope);
       reader.read(values, *entry, target);
@@ -40,8 +40,8 @@ void read_entries(Context& context, const std::vector<Instance>& instances,
 
 /// Reads each entry after the entries that provide its units or axes.
 void read_all_entries(Context& context, const FileSyntax& syntax) {
-  const std::vector<Instance> instances = expand_entries(context, syntax);
-  if (context.beyond_limits) return;
+  const std::vector<EntryInstance> instances = expand_entries(context, syntax);
+  if (context.is_beyond_limits) return;
   read_parameters(context, syntax);
   read_entries(context, instances, {{"function", read_arguments}});
   read_entries(context, instances,
@@ -63,46 +63,47 @@ void read_all_entries(Context& context, const FileSyntax& syntax) {
 }
 
 /// Sets the arguments that each output takes besides q, by the leaves in its values.
-void note_arguments(Model& model, const std::vector<Traits>& traits) {
+void set_output_arguments(Model& model, const std::vector<ExpressionTraits>& traits) {
   for (UserOutput& output : model.outputs) {
     for (const ExpressionId value : output.values) {
       const Ingredients made_of = traits[value].ingredients;
-      if ((made_of & uses_rate) != 0) output.takes |= Opcode::velocity;
-      if ((made_of & uses_acceleration) != 0) output.takes |= Opcode::acceleration;
-      if ((made_of & uses_input) != 0) output.takes |= Opcode::input;
+      if ((made_of & uses_rate) != 0) output.argument_kinds |= Opcode::velocity;
+      if ((made_of & uses_acceleration) != 0) output.argument_kinds |= Opcode::acceleration;
+      if ((made_of & uses_input) != 0) output.argument_kinds |= Opcode::input;
     }
-    if (output.motion) output.takes = Opcode::velocity | Opcode::input;
+    if (output.solves_motion) output.argument_kinds = Opcode::velocity | Opcode::input;
   }
 }
 
 /// Checks the energies, reads the closed forms of [[expect]] and the scene's expansion point,
 /// starts and laws, then checks all expressions together. A closed form needs the outputs of the
 /// model.
-void judge(Context& context, const FileSyntax& syntax, const FileSyntax* scene_syntax,
-           const SceneOptions& options, Scene& scene) {
+void check_model_and_scene(Context& context, const FileSyntax& syntax,
+                           const FileSyntax* scene_syntax, const SceneOptions& options,
+                           Scene& scene) {
   const bool has_order = check_cycles(context);
   if (has_order) {
-    const std::vector<Traits> traits = find_traits(context.model);
-    note_arguments(context.model, traits);
+    const std::vector<ExpressionTraits> traits = find_traits(context.model);
+    set_output_arguments(context.model, traits);
     check_mechanics(context, traits);
   }
   read_expectations(context, syntax, options.purpose.keeps_large_forms);
-  if (!options.purpose.is_exact) read_approximation(context, scene_syntax);
+  if (!options.purpose.ignores_expansion) read_approximation(context, scene_syntax);
   read_starts(context, options, scene);
   read_laws(context, options, scene);
   if (!has_order) return;
   check_function_expressions(context);
   check_routh(context, scene);
-  const std::vector<Traits> traits = find_traits(context.model);
-  check_places(context, traits);
-  check_equations(context, traits);
+  const std::vector<ExpressionTraits> traits = find_traits(context.model);
+  check_ingredients(context, traits);
+  check_expected_equations(context, traits);
   check_units(context);
 }
 
 /// Eliminates the variables that the scene locks or declares cyclic. Everything that the scene
 /// requests is checked afterwards, against the reduced model.
 void reduce_model(Context& context) {
-  context.model = variant_of(std::move(context.model));
+  context.model = eliminate_held_coordinates(std::move(context.model));
   while (context.constants.size() < context.model.expressions.size()) {
     (void)context.constants.evaluate_next(context.model.expressions);
   }
@@ -114,28 +115,28 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
                            const SceneOptions& options, const Limits& limits) {
   Context context(limits);
   context.model.source = model.source;
-  context.model.canonical = stamped_text(model);
+  context.model.canonical_text = canonical_model_text(model);
   context.has_units = uses_units(model);
   context.dimension = majority_dimension(model);
   context.is_planar = is_planar(model);
   read_sizes(context, model, scene, options);
-  read_closures(context, model, scene, options);
+  read_function_replacements(context, model, scene, options);
   read_all_entries(context, model);
-  if (context.beyond_limits) return context.report.sorted();
-  read_held(context, scene);
+  if (context.is_beyond_limits) return context.report.sorted_diagnostics();
+  read_held_coordinates(context, scene);
   mark_wanted_outputs(context.model, scene, options);
   Scene checked_scene;
-  judge(context, model, scene, options, checked_scene);
-  if (options.purpose.shows_motion && context.report.errors() == 0)
+  check_model_and_scene(context, model, scene, options, checked_scene);
+  if (options.purpose.shows_motion && context.report.error_count() == 0)
     add_shown_outputs(context.model, checked_scene);
-  if (context.report.errors() == 0) rewrite_quotients(context);
-  if (context.report.errors() == 0) reduce_model(context);
-  if (context.report.errors() == 0) check_constraints(context);
+  if (context.report.error_count() == 0) rewrite_quotients(context);
+  if (context.report.error_count() == 0) reduce_model(context);
+  if (context.report.error_count() == 0) check_constraints(context);
   read_scene(context, scene, options, checked_scene);
-  read_values(context, checked_scene, options);
-  if (context.report.errors() > 0) return context.report.sorted();
+  read_parameter_values(context, checked_scene, options);
+  if (context.report.error_count() > 0) return context.report.sorted_diagnostics();
   return {CheckedModel{std::move(context.model), std::move(checked_scene)},
-          context.report.sorted()};
+          context.report.sorted_diagnostics()};
 }
 
 }  // namespace elgen

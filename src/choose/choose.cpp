@@ -16,7 +16,7 @@ namespace {
 /// A closed form is not lowered if its entries, without common subexpressions, have this many times
 /// the operations of the recursive form: sharing would not make it cheaper. Ratios from 3 to 12
 /// give the same code for all of models/; with 2 a cheaper form is missed.
-constexpr std::size_t hopeless_ratio = 6;
+constexpr std::size_t max_length_ratio = 6;
 /// Closed forms up to this length are always lowered, because the ratio means nothing if the
 /// recursive form has only a few operations.
 constexpr std::size_t always_lowered_length = 400;
@@ -30,42 +30,45 @@ constexpr double tolerated_loss_in_double = 8192;
 constexpr std::size_t quarters_for_balance = 5;
 constexpr std::size_t quarters_for_digits = 16;
 
-bool has_float_alone(const Scene& scene) {
+bool is_float_only(const Scene& scene) {
   const std::vector<ScalarKind>& scalars = scene.numerics.scalars;
   return scalars.size() == 1 && scalars.front() == ScalarKind::single_precision;
 }
 
 /// The loss to tolerate and the cost to accept. If float is the only scalar, a loss that is
 /// tolerated in double would be most of the digits of float.
-LoweringAim aim_of(const Scene& scene, bool has_zeros) {
-  if (has_zeros) return {.tolerated = tolerated_loss, .most_quarters = quarters_for_digits};
-  return {.tolerated = has_float_alone(scene) ? tolerated_loss : tolerated_loss_in_double,
+LoweringRequirements make_aim(const Scene& scene, bool has_zeros) {
+  if (has_zeros) return {.max_loss = tolerated_loss, .most_quarters = quarters_for_digits};
+  return {.max_loss = is_float_only(scene) ? tolerated_loss : tolerated_loss_in_double,
           .most_quarters = quarters_for_balance};
 }
 
 /// The sums of angles that may be split. Solvers in float do not split sin(a - b) into sines and
 /// cosines of a and b: solvers divide by small differences, and the split form cancels.
-Splits splits_for(const Scene& scene, const Function& function) {
-  const bool matters = has_float_alone(scene) && scene.numerics.prefer != Preference::speed;
-  const bool is_whole = matters && output_row(function.kind).solves;
-  return is_whole ? Splits::sums : Splits::sums_and_differences;
+ExpandedAngles allowed_splits(const Scene& scene, const Function& function) {
+  const bool matters = is_float_only(scene) && scene.numerics.prefer != Preference::speed;
+  const bool is_whole = matters && output_row(function.kind).solves_mass_matrix;
+  return is_whole ? ExpandedAngles::sums : ExpandedAngles::sums_and_differences;
 }
 
 bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive) {
-  const std::size_t total = length(entries);
+  const std::size_t total = total_length(entries);
   return total <= always_lowered_length ||
-         total <= hopeless_ratio * cost(count_operations(recursive));
+         total <= max_length_ratio * cost(count_operations(recursive));
 }
 
 /// Counts operations without the guards of pivots, because both forms get them.
-std::size_t cost_of(const Function& form) { return cost(count_operations(without_diagonal(form))); }
-
-void choose_by_cost(const Function& closed, const Function& recursive, FormCosts& costs) {
-  const bool is_closed = !costs.inaccurate && cost_of(closed) <= cost_of(recursive);
-  costs.chosen = is_closed ? Form::closed : Form::recursive;
+std::size_t cost_without_diagonal(const Function& form) {
+  return cost(count_operations(without_diagonal(form)));
 }
 
-struct Candidate {
+void choose_by_cost(const Function& closed, const Function& recursive, FormCosts& costs) {
+  const bool is_closed =
+      !costs.inaccurate_entry && cost_without_diagonal(closed) <= cost_without_diagonal(recursive);
+  costs.chosen_form = is_closed ? Form::closed : Form::recursive;
+}
+
+struct FormCandidate {
   const Function& function;
   const FormCosts& costs;
 };
@@ -73,14 +76,15 @@ struct Candidate {
 /// True if a rewriting costs no more and loses no more digits than the closed form. Also true if
 /// the closed form is inaccurate or loses far more digits, and the cost of the rewriting is
 /// affordable.
-bool is_worthwhile(const LoweringAim& aim, const Function& recursive, const Candidate& closed,
-                   const Candidate& rewriting) {
-  const std::size_t cost = cost_of(rewriting.function);
+bool is_worthwhile(const LoweringRequirements& aim, const Function& recursive,
+                   const FormCandidate& closed, const FormCandidate& rewriting) {
+  const std::size_t cost = cost_without_diagonal(rewriting.function);
   const double loss = *rewriting.costs.closed_loss;
   const double known = *closed.costs.closed_loss;
-  const std::size_t cheapest = std::min(cost_of(closed.function), cost_of(recursive));
-  const bool is_free = cost <= cost_of(closed.function) && loss <= known;
-  const bool is_better = closed.costs.inaccurate || loses_more(known, loss, aim.tolerated);
+  const std::size_t cheapest =
+      std::min(cost_without_diagonal(closed.function), cost_without_diagonal(recursive));
+  const bool is_free = cost <= cost_without_diagonal(closed.function) && loss <= known;
+  const bool is_better = closed.costs.inaccurate_entry || loses_more(known, loss, aim.max_loss);
   return is_free || (is_better && is_affordable(cost, cheapest, aim.most_quarters));
 }
 
@@ -97,7 +101,7 @@ class RecursiveForms {
         zeros_(std::move(zeros)) {}
 
   /// The recursive form of a function. The total energy is the sum of the two energies if possible.
-  const Function& of(std::size_t index) {
+  const Function& form(std::size_t index) {
     const auto known = energy_sums_.find(index);
     if (known != energy_sums_.end()) return known->second;
     const bool matters = scene_.numerics.prefer != Preference::speed;
@@ -107,11 +111,11 @@ class RecursiveForms {
   }
 
   /// The errors of a function; null if the scene prefers speed.
-  TextErrors* errors_of(std::size_t index) {
+  FormErrors* errors_of(std::size_t index) {
     if (scene_.numerics.prefer == Preference::speed) return nullptr;
     const auto known = errors_.find(index);
     if (known != errors_.end()) return &known->second;
-    const Function& text = of(index);
+    const Function& text = form(index);
     Points points = comparison_points(recursive_, recursive_.functions[index], domain_, zeros_);
     return &errors_.try_emplace(index, chosen_, text, std::move(points)).first->second;
   }
@@ -122,7 +126,7 @@ class RecursiveForms {
   const Domain& domain_;
   const Scene& scene_;
   std::map<std::size_t, Function> energy_sums_ = {};  ///< total_energy by function number
-  std::map<std::size_t, TextErrors> errors_ = {};     ///< by function number
+  std::map<std::size_t, FormErrors> errors_ = {};     ///< by function number
   SumZeros zeros_;
 };
 
@@ -138,8 +142,8 @@ Function run_last_passes(Function function, Program& program, std::string& norma
   return with_guarded_pivots(std::move(function), program.constants);
 }
 
-void fill_readable(Program& program, std::size_t index, const Function& function,
-                   const ReadableEntries& entries) {
+void fill_readable_form(Program& program, std::size_t index, const Function& function,
+                        const ReadableEntries& entries) {
   if (output_row(function.kind).is_summary) return;
   program.readable[index] = without_diagonal(lower_separately(entries, function, program));
 }
@@ -151,15 +155,15 @@ class FormChooser {
       : recursive_(recursive),
         forms_(forms),
         scene_(scene),
-        aim_(aim_of(scene, zeros != nullptr)),
-        points_(mixed_points(recursive.leaves)),
+        aim_(make_aim(scene, zeros != nullptr)),
+        points_(mixed_magnitude_points(recursive.leaves)),
         recursive_forms_(recursive, result_.program, domain, scene,
                          zeros != nullptr ? *zeros : SumZeros{}) {
     result_.program = recursive;
     result_.program.readable.resize(recursive.functions.size());
   }
 
-  Result<Choice> operator()() {
+  Result<FormChoice> operator()() {
     for (std::size_t i = 0; i < recursive_.functions.size(); ++i) {
       Diagnostics errors = choose_form(i);
       if (!errors.empty()) return errors;
@@ -170,12 +174,12 @@ class FormChooser {
  private:
   /// The entries of a function. `dynamics` reuses the entries of other functions; its list is empty
   /// if one of these functions has no entries.
-  ReadableEntries& entries_of(std::size_t index) {
+  ReadableEntries& read_function_entries(std::size_t index) {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
     if (!output_row(function.kind).is_summary) {
       const bool is_judged = has_closed_form(forms_.functions[index]);
-      TextErrors* const text = is_judged ? recursive_forms_.errors_of(index) : nullptr;
+      FormErrors* const text = is_judged ? recursive_forms_.errors_of(index) : nullptr;
       return entries = read_entries(recursive_, forms_, index, points_, text);
     }
     for (const Field& field : function.fields) {
@@ -185,9 +189,9 @@ class FormChooser {
       if (!is_there) return entries = {};
       entries.insert(entries.end(), member->second.begin(), member->second.end());
     }
-    if (TextErrors* text = is_complete(entries) ? recursive_forms_.errors_of(index) : nullptr) {
+    if (FormErrors* text = is_complete(entries) ? recursive_forms_.errors_of(index) : nullptr) {
       for (std::size_t i = 0; i < entries.size(); ++i) {
-        entries[i]->kept.reset();  // already decided by the function of the entry
+        entries[i]->precise.reset();  // already decided by the function of the entry
         text->add_rewriting(text->errors_of(entries[i]->compact), i);
       }
     }
@@ -195,8 +199,8 @@ class FormChooser {
   }
 
   Diagnostics choose_form(std::size_t index) {
-    const Function& function = recursive_forms_.of(index);
-    ReadableEntries& entries = entries_of(index);
+    const Function& function = recursive_forms_.form(index);
+    ReadableEntries& entries = read_function_entries(index);
     const OutputRequest* const found = find_request(scene_, function.name);
     const OutputRequest request = found == nullptr ? OutputRequest{} : *found;
     const bool wants_closed = request.form == Form::closed;
@@ -206,16 +210,16 @@ class FormChooser {
     Function closed;
     if (is_complete(entries)) {
       if (wants_closed || is_worth_lowering(entries, function)) {
-        closed = compare(index, function, entries, costs);
-        costs.chosen = request.form.value_or(costs.chosen);
-        if (costs.chosen == Form::closed) show_computed_forms(entries, points_);
+        closed = compare_forms(index, function, entries, costs);
+        costs.chosen_form = request.form.value_or(costs.chosen_form);
+        if (costs.chosen_form == Form::closed) show_computed_forms(entries, points_);
       }
-      fill_readable(result_.program, index, recursive_.functions[index], entries);
+      fill_readable_form(result_.program, index, recursive_.functions[index], entries);
     } else if (wants_closed) {
       return {{Code::E608, request.span,
                fmt::format("the closed form of `{}` exceeds its limit", function.name)}};
     }
-    if (costs.chosen == Form::closed) {
+    if (costs.chosen_form == Form::closed) {
       closed.rewritten = rewritten_entries(entries, entry_count(closed));
       result_.program.functions[index] = std::move(closed);
     }
@@ -223,9 +227,9 @@ class FormChooser {
     return {};
   }
 
-  Function compare(std::size_t index, const Function& recursive, ReadableEntries& entries,
-                   FormCosts& costs) {
-    Function closed = lowered(index, recursive, entries, costs);
+  Function compare_forms(std::size_t index, const Function& recursive, ReadableEntries& entries,
+                         FormCosts& costs) {
+    Function closed = lower_closed_form(index, recursive, entries, costs);
     if (scene_.numerics.prefer != Preference::speed) {
       keep_digits(index, entries, closed, costs);
       choose_by_losses(index, closed, recursive, costs);
@@ -237,13 +241,13 @@ class FormChooser {
 
   /// Lowers the entries as one function. Chooses the closed form if it is not dearer and all its
   /// entries are accurate.
-  Function lowered(std::size_t index, const Function& recursive, const ReadableEntries& entries,
-                   FormCosts& costs) {
-    LoweringAim aim = aim_;
-    aim.splits = splits_for(scene_, recursive);
+  Function lower_closed_form(std::size_t index, const Function& recursive,
+                             const ReadableEntries& entries, FormCosts& costs) {
+    LoweringRequirements aim = aim_;
+    aim.splits = allowed_splits(scene_, recursive);
     aim.text = recursive_forms_.errors_of(index);
-    Lowered closed = lower_jointly(entries, recursive, result_.program, aim);
-    costs.inaccurate = closed.inaccurate;
+    LoweredEntries closed = lower_jointly(entries, recursive, result_.program, aim);
+    costs.inaccurate_entry = closed.first_inaccurate;
     choose_by_cost(closed.function, recursive, costs);
     return std::move(closed.function);
   }
@@ -253,15 +257,15 @@ class FormChooser {
   /// `tolerated_loss`.
   void keep_digits(std::size_t index, ReadableEntries& entries, Function& closed,
                    FormCosts& costs) {
-    const Function& recursive = recursive_forms_.of(index);
-    const TextErrors& text = *recursive_forms_.errors_of(index);
+    const Function& recursive = recursive_forms_.form(index);
+    const FormErrors& text = *recursive_forms_.errors_of(index);
     costs.closed_loss = text.worst_loss(result_.program, closed);
-    for (const double limit : {aim_.tolerated, tolerated_loss}) {
+    for (const double limit : {aim_.max_loss, tolerated_loss}) {
       std::optional<ReadableEntries> others = replace_lossy_entries(entries, limit);
       if (!others) continue;
       FormCosts rewriting_costs = costs;
-      Function rewriting = lowered(index, recursive, *others, rewriting_costs);
-      if (rewriting_costs.inaccurate) continue;
+      Function rewriting = lower_closed_form(index, recursive, *others, rewriting_costs);
+      if (rewriting_costs.inaccurate_entry) continue;
       rewriting_costs.closed_loss = text.worst_loss(result_.program, rewriting);
       if (!is_worthwhile(aim_, recursive, {closed, costs}, {rewriting, rewriting_costs})) continue;
       entries = std::move(*others);
@@ -273,25 +277,27 @@ class FormChooser {
   /// Chooses the dearer form if the cheaper form loses more digits and the dearer is affordable.
   void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
                         FormCosts& costs) {
-    const bool is_closed = costs.chosen == Form::closed;
-    if (costs.inaccurate || (is_closed && *costs.closed_loss <= aim_.tolerated)) return;
+    const bool is_closed = costs.chosen_form == Form::closed;
+    if (costs.inaccurate_entry || (is_closed && *costs.closed_loss <= aim_.max_loss)) return;
     costs.recursive_loss =
         recursive_forms_.errors_of(index)->worst_loss(result_.program, recursive);
     const double own = is_closed ? *costs.closed_loss : *costs.recursive_loss;
     const double other = is_closed ? *costs.recursive_loss : *costs.closed_loss;
     const Function& dearer = is_closed ? recursive : closed;
     const Function& cheaper = is_closed ? closed : recursive;
-    if (!loses_more(own, other, aim_.tolerated)) return;
-    if (!is_affordable(cost_of(dearer), cost_of(cheaper), aim_.most_quarters)) return;
-    costs.chosen = is_closed ? Form::recursive : Form::closed;
+    if (!loses_more(own, other, aim_.max_loss)) return;
+    if (!is_affordable(cost_without_diagonal(dearer), cost_without_diagonal(cheaper),
+                       aim_.most_quarters))
+      return;
+    costs.chosen_form = is_closed ? Form::recursive : Form::closed;
   }
 
   const Program& recursive_;
   const ClosedForms& forms_;
   const Scene& scene_;
-  LoweringAim aim_;  ///< common to all functions
+  LoweringRequirements aim_;  ///< common to all functions
   Points points_;
-  Choice result_ = {};
+  FormChoice result_ = {};
   RecursiveForms recursive_forms_;
   std::map<std::string, ReadableEntries> entries_;
   std::string normalized_;  ///< name of the function of kind OutputKind::normalized
@@ -299,11 +305,11 @@ class FormChooser {
 
 }  // namespace
 
-Result<Choice> choose(const Program& recursive, const ClosedForms& forms, const Domain& domain,
-                      const Scene& scene, const SumZeros* zeros) {
-  Result<Choice> choice = FormChooser(recursive, forms, domain, scene, zeros)();
+Result<FormChoice> choose(const Program& recursive, const ClosedForms& forms, const Domain& domain,
+                          const Scene& scene, const SumZeros* zeros) {
+  Result<FormChoice> choice = FormChooser(recursive, forms, domain, scene, zeros)();
   if (!choice) return choice;
-  for (Function& function : choice->program.functions) function = trigonometry_first(function);
+  for (Function& function : choice->program.functions) function = with_trigonometry_first(function);
   return choice;
 }
 

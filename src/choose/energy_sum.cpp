@@ -14,7 +14,7 @@ namespace {
 /// term with rates.
 constexpr std::size_t compared_points = 3;
 
-const Function* find_before(const Program& program, std::size_t index, OutputKind kind) {
+const Function* find_earlier_function(const Program& program, std::size_t index, OutputKind kind) {
   for (std::size_t i = 0; i < index; ++i) {
     if (program.functions[i].kind == kind) return &program.functions[i];
   }
@@ -46,13 +46,14 @@ std::optional<Function> energy_sum(const Program& recursive, const Program& chos
   const Function& total = recursive.functions[index];
   // This branch on a kind is needed: no other output is the sum of two outputs.
   if (total.kind != OutputKind::total_energy) return std::nullopt;
-  const Function* const kinetic = find_before(chosen, index, OutputKind::kinetic_energy);
-  const Function* const potential = find_before(chosen, index, OutputKind::potential_energy);
+  const Function* const kinetic = find_earlier_function(chosen, index, OutputKind::kinetic_energy);
+  const Function* const potential =
+      find_earlier_function(chosen, index, OutputKind::potential_energy);
   if (kinetic == nullptr || potential == nullptr) return std::nullopt;
   Function sum = total;
   sum.instructions.clear();
   sum.names.clear();
-  Instructions instructions(sum);
+  InstructionBuilder instructions(sum);
   const auto entry_of = [&instructions](const Function& energy) {
     return instructions.add_all(energy)[energy.fields.front().entries.front()];
   };

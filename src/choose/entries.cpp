@@ -16,7 +16,7 @@ namespace {
 /// Closed forms with more terms in all entries together are given up: they are neither readable nor
 /// cheaper. Ten times as many terms, here and per entry (most_terms), take 1.7 times as long for
 /// the arms and chains of models/, and give the same code.
-constexpr std::size_t most_terms_together = 3'000;
+constexpr std::size_t max_total_terms = 3'000;
 
 std::size_t term_count(const ClosedFunction& closed) {
   std::size_t count = 0;
@@ -28,11 +28,11 @@ std::size_t term_count(const ClosedFunction& closed) {
 
 /// All rewritings of an entry, shortest first: the rewritings of its closed form, precise
 /// rewritings, and the derived entry unless it is null.
-std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collected> precise,
+std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<CollectedForm> precise,
                                         const DerivedEntry* derived) {
   std::vector<Expressions> rewritings;
   for (auto* some : {&of_form.collected, &precise}) {
-    for (Collected& rewriting : *some) rewritings.push_back(std::move(rewriting.expressions));
+    for (CollectedForm& rewriting : *some) rewritings.push_back(std::move(rewriting.expressions));
   }
   if (derived != nullptr) {
     rewritings.push_back(derived->collected.expressions);
@@ -46,11 +46,12 @@ std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collecte
     sources.push_back(derived->unexpanded);
   }
   for (const Expressions& source : sources) {
-    auto kept = rewrite_to_keep_digits(source, Squares::whole);
-    auto apart = rewrite_to_keep_digits(kept ? *kept : source, Squares::factored);
+    auto kept = rewrite_to_keep_digits(source, SquareHandling::unfactored);
+    auto apart = rewrite_to_keep_digits(kept ? *kept : source, SquareHandling::factored);
     for (auto* rewriting : {&kept, &apart}) {
       if (!*rewriting) continue;
-      if (auto fewer = with_fewer_calls(**rewriting)) rewritings.push_back(std::move(*fewer));
+      if (auto fewer = replace_redundant_calls(**rewriting))
+        rewritings.push_back(std::move(*fewer));
       rewritings.push_back(std::move(**rewriting));
     }
   }
@@ -62,33 +63,33 @@ std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collecte
 /// Compares the errors of the rewritings of one entry with the errors of its recursive form.
 class EntryJudge {
  public:
-  EntryJudge(ReadableForm& known, std::size_t entry, TextErrors& text)
-      : known_(known), entry_(entry), text_(text) {}
+  EntryJudge(ReadableForm& known, std::size_t entry, FormErrors& text)
+      : form_(known), entry_(entry), text_(text) {}
 
   /// Makes `compact` accurate if a rewriting is accurate, and sets `kept` to a rewriting that keeps
   /// the digits which `compact` loses. rewritings() returns all rewritings.
   template <class Rewriting>
   void operator()(const Rewriting& rewritings) {
-    std::optional<ErrorsAtPoints> errors = text_.accurate_errors(known_.compact, entry_);
-    if (!errors || text_.may_lose(*errors, entry_)) keep_accurate(rewritings());
+    std::optional<ErrorsAtPoints> errors = text_.errors_if_accurate(form_.compact, entry_);
+    if (!errors || text_.may_lose_digits(*errors, entry_)) keep_accurate_rewritings(rewritings());
     if (!errors) {
       if (rewritings_.empty()) return;
-      known_.compact = rewritings_.front();
-      known_.is_rewritten = true;
+      form_.compact = rewritings_.front();
+      form_.is_rewritten = true;
       errors = errors_.front();
-    } else if (!known_.is_shortest) {
-      known_.is_rewritten = !text_.accurate_errors(known_.readable, entry_);
+    } else if (!form_.is_shortest) {
+      form_.is_rewritten = !text_.errors_if_accurate(form_.readable, entry_);
     }
     text_.add_rewriting(*errors, entry_);
     for (const ErrorsAtPoints& rewriting : errors_) text_.add_rewriting(rewriting, entry_);
-    known_.loss = text_.loss_of(*errors, entry_);
-    if (known_.loss > tolerated_loss) choose_kept();
+    form_.loss = text_.loss_of(*errors, entry_);
+    if (form_.loss > tolerated_loss) choose_precise_rewriting();
   }
 
  private:
-  void keep_accurate(std::vector<Expressions> rewritings) {
+  void keep_accurate_rewritings(std::vector<Expressions> rewritings) {
     for (Expressions& rewriting : rewritings) {
-      auto errors = text_.accurate_errors(rewriting, entry_);
+      auto errors = text_.errors_if_accurate(rewriting, entry_);
       if (!errors) continue;
       rewritings_.push_back(std::move(rewriting));
       errors_.push_back(std::move(*errors));
@@ -96,14 +97,14 @@ class EntryJudge {
   }
 
   /// Keeps the cheapest rewriting without loss; without one, the rewriting with the least loss.
-  void choose_kept() {
-    double least = known_.loss;
+  void choose_precise_rewriting() {
+    double least = form_.loss;
     std::size_t least_cost = 0;
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < rewritings_.size(); ++i) {
       const double loss = text_.loss_of(errors_[i], entry_);
       if (std::max(loss, tolerated_loss) > std::max(least, tolerated_loss)) continue;
-      const Linearised rewriting(make_network(rewritings_[i]));
+      const LinearisedNetwork rewriting(make_network(rewritings_[i]));
       const std::size_t cost = elgen::cost(count_operations(rewriting.function));
       const bool is_as_good = best && std::max(least, loss) <= tolerated_loss;
       const bool is_better = is_as_good ? cost < least_cost : loss < least;
@@ -112,50 +113,50 @@ class EntryJudge {
       least_cost = cost;
       best = i;
     }
-    if (best && loses_more(known_.loss, least)) known_.kept = std::move(rewritings_[*best]);
+    if (best && loses_more(form_.loss, least)) form_.precise = std::move(rewritings_[*best]);
   }
 
-  ReadableForm& known_;
+  ReadableForm& form_;
   std::size_t entry_;
-  TextErrors& text_;
+  FormErrors& text_;
   std::vector<Expressions> rewritings_ = {};  ///< only accurate rewritings
   std::vector<ErrorsAtPoints> errors_ = {};
 };
 
 /// Finds the cheapest accurate form with a tolerated loss. Forms must be added in order of cost.
-class Cheapest {
+class CheapestForm {
  public:
-  Cheapest(const Function& shape, Program& program, const LoweringAim& aim)
+  CheapestForm(const Function& shape, Program& program, const LoweringRequirements& aim)
       : shape_(shape), program_(program), aim_(aim) {}
 
   /// Adds a form; true if no later form can be better.
-  bool add(const CostedNetwork& costed) {
+  bool try_form(const CostedNetwork& costed) {
     const bool is_dearer = form_ && !is_affordable(costed.cost, cost_, aim_.most_quarters);
-    if (is_dearer && !form_->inaccurate) return true;
-    Lowered form{without_instructions(shape_)};
+    if (is_dearer && !form_->first_inaccurate) return true;
+    LoweredEntries form{without_instructions(shape_)};
     form.function.form = Form::closed;
     linearise(costed.network, program_, form.function);
     if (aim_.text != nullptr) {
-      form.inaccurate = aim_.text->inaccurate_entry(program_, form.function);
+      form.first_inaccurate = aim_.text->first_inaccurate_entry(program_, form.function);
     }
-    if (form_ && form.inaccurate) return false;
-    const double loss = aim_.text == nullptr || form.inaccurate
+    if (form_ && form.first_inaccurate) return false;
+    const double loss = aim_.text == nullptr || form.first_inaccurate
                             ? 0
                             : aim_.text->worst_loss(program_, form.function);
-    const bool is_first = !form_ || form_->inaccurate;
-    if (!is_first && loss > aim_.tolerated) return false;
+    const bool is_first = !form_ || form_->first_inaccurate;
+    if (!is_first && loss > aim_.max_loss) return false;
     form_ = std::move(form);
     cost_ = costed.cost;
-    return !form_->inaccurate && loss <= aim_.tolerated;
+    return !form_->first_inaccurate && loss <= aim_.max_loss;
   }
 
-  Lowered form() && { return std::move(*form_); }
+  LoweredEntries take_form() && { return std::move(*form_); }
 
  private:
   const Function& shape_;
   Program& program_;
-  const LoweringAim& aim_;
-  std::optional<Lowered> form_ = {};
+  const LoweringRequirements& aim_;
+  std::optional<LoweredEntries> form_ = {};
   std::size_t cost_ = 0;
 };
 
@@ -167,18 +168,18 @@ bool is_affordable(std::size_t cost, std::size_t other, std::size_t quarters) {
 }
 
 bool has_closed_form(const ClosedFunction& closed) {
-  return term_count(closed) <= most_terms_together &&
+  return term_count(closed) <= max_total_terms &&
          std::ranges::all_of(closed.fields, [](const ClosedField& field) {
            return std::ranges::all_of(field.entries, [](const auto& form) { return !!form; });
          });
 }
 
 ReadableEntries read_entries(const Program& program, const ClosedForms& forms, std::size_t index,
-                             const Points& points, TextErrors* text) {
+                             const Points& points, FormErrors* text) {
   const Function& function = program.functions[index];
   const ClosedFunction& closed = forms.functions[index];
   ReadableEntries entries;
-  if (term_count(closed) > most_terms_together) return entries;
+  if (term_count(closed) > max_total_terms) return entries;
   for (std::size_t f = 0; f < closed.fields.size(); ++f) {
     for (std::size_t e = 0; e < closed.fields[f].entries.size(); ++e) {
       const std::optional<Fraction>& form = closed.fields[f].entries[e];
@@ -186,7 +187,8 @@ ReadableEntries read_entries(const Program& program, const ClosedForms& forms, s
       if (!form) continue;
       const auto derived = derived_entry(program, function, function.fields[f].entries[e]);
       Rewritings rewritings = rewritings_of(forms.algebra, *form);
-      entry = shortest(rewritings.collected, derived ? &derived->collected : nullptr, points);
+      entry = choose_readable_form(rewritings.collected, derived ? &derived->collected : nullptr,
+                                   points);
       if (!entry || text == nullptr) continue;
       EntryJudge judge(*entry, entries.size() - 1, *text);
       judge([&] {
@@ -203,7 +205,7 @@ bool is_complete(const ReadableEntries& entries) {
                                          [](const auto& entry) { return entry.has_value(); });
 }
 
-std::size_t length(const ReadableEntries& entries) {
+std::size_t total_length(const ReadableEntries& entries) {
   std::size_t total = 0;
   for (const auto& entry : entries) total += entry->length;
   return total;
@@ -221,9 +223,9 @@ std::optional<ReadableEntries> replace_lossy_entries(const ReadableEntries& entr
   ReadableEntries others = entries;
   bool is_changed = false;
   for (auto& entry : others) {
-    if (!entry->kept || entry->loss <= limit) continue;
-    entry->compact = std::move(*entry->kept);
-    entry->kept.reset();
+    if (!entry->precise || entry->loss <= limit) continue;
+    entry->compact = std::move(*entry->precise);
+    entry->precise.reset();
     entry->is_rewritten = true;
     is_changed = true;
   }
@@ -234,13 +236,13 @@ std::optional<ReadableEntries> replace_lossy_entries(const ReadableEntries& entr
 void show_computed_forms(ReadableEntries& entries, const Points& points) {
   for (auto& entry : entries) {
     if (!entry->is_rewritten) continue;
-    if (is_as_precise(entry->compact, entry->readable, points, Leaves::exact)) continue;
+    if (is_as_precise(entry->compact, entry->readable, points, LeafRounding::exact)) continue;
     entry->readable = entry->compact;
   }
 }
 
-Lowered lower_jointly(const ReadableEntries& entries, const Function& shape, Program& program,
-                      const LoweringAim& aim) {
+LoweredEntries lower_jointly(const ReadableEntries& entries, const Function& shape,
+                             Program& program, const LoweringRequirements& aim) {
   Expressions readable;
   Expressions compact;
   for (const auto& entry : entries) {
@@ -248,29 +250,29 @@ Lowered lower_jointly(const ReadableEntries& entries, const Function& shape, Pro
     readable.values.push_back(copy_value(readable.graph, read));
     compact.values.push_back(copy_value(compact.graph, entry->compact));
   }
-  Cheapest cheapest(shape, program, aim);
-  for (const Splits which : {aim.splits, Splits::sums}) {
+  CheapestForm cheapest(shape, program, aim);
+  for (const ExpandedAngles which : {aim.splits, ExpandedAngles::sums}) {
     std::vector<CostedNetwork> networks =
         networks_by_cost(readable, without_instructions(shape), which);
     std::ranges::move(networks_by_cost(compact, without_instructions(shape), which),
                       std::back_inserter(networks));
     std::ranges::stable_sort(networks, {}, &CostedNetwork::cost);
     for (const CostedNetwork& costed : networks) {
-      if (cheapest.add(costed)) return std::move(cheapest).form();
+      if (cheapest.try_form(costed)) return std::move(cheapest).take_form();
     }
   }
-  return std::move(cheapest).form();
+  return std::move(cheapest).take_form();
 }
 
-Program with_closed_forms(Program program, Reader reader, const PresentBudget& budget) {
+Program with_closed_forms(Program program, Audience reader, const ClosedFormBudget& budget) {
   const ClosedForms forms = present(program, budget);
-  const Points points = mixed_points(program.leaves);
+  const Points points = mixed_magnitude_points(program.leaves);
   program.readable.resize(program.functions.size());
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const ReadableEntries entries = read_entries(program, forms, i, points);
     if (!is_complete(entries)) continue;
     Function& function = program.functions[i];
-    if (reader == Reader::code) {
+    if (reader == Audience::code) {
       function = lower_jointly(entries, function, program, {}).function;
     } else {
       program.readable[i] = lower_separately(entries, function, program);

@@ -22,13 +22,13 @@ namespace elgen {
 /// that keeps them.
 [[nodiscard]] ReadableEntries read_entries(const Program& program, const ClosedForms& forms,
                                            std::size_t index, const Points& points,
-                                           TextErrors* text = nullptr);
+                                           FormErrors* text = nullptr);
 
 /// True if there are entries and all have a form.
 [[nodiscard]] bool is_complete(const ReadableEntries& entries);
 
 /// The total number of signs and calls. The entries must be complete.
-[[nodiscard]] std::size_t length(const ReadableEntries& entries);
+[[nodiscard]] std::size_t total_length(const ReadableEntries& entries);
 
 /// The indices below `count` of the rewritten entries. Later entries belong to `diagonal_field`,
 /// which is not emitted.
@@ -45,23 +45,24 @@ namespace elgen {
 void show_computed_forms(ReadableEntries& entries, const Points& points);
 
 /// All entries of a function as instructions, and the index of the first inaccurate entry, if any.
-struct Lowered {
+struct LoweredEntries {
   Function function = {};
-  std::optional<std::size_t> inaccurate = {};
+  std::optional<std::size_t> first_inaccurate = {};
 };
 
 /// Requirements for lowered entries.
-struct LoweringAim {
-  Splits splits = Splits::sums_and_differences;  ///< which sums of angles may be split
-  const TextErrors* text = nullptr;              ///< null: choose the cheapest form
-  double tolerated = 0;                          ///< largest loss that is accepted
-  std::size_t most_quarters = 4;                 ///< cost limit in quarters of the cheapest form
+struct LoweringRequirements {
+  ExpandedAngles splits =
+      ExpandedAngles::sums_and_differences;  ///< which sums of angles may be split
+  const FormErrors* text = nullptr;          ///< null: choose the cheapest form
+  double max_loss = 0;                       ///< largest loss that is accepted
+  std::size_t most_quarters = 4;             ///< cost limit in quarters of the cheapest form
 };
 
 /// Lowers all entries in one graph, in their readable or compact forms. Chooses the cheapest
 /// accurate form, or a slightly dearer one with a tolerated loss. `shape` names the entries;
 /// `program` receives their constants.
-[[nodiscard]] Lowered lower_jointly(const ReadableEntries& entries, const Function& shape,
-                                    Program& program, const LoweringAim& aim);
+[[nodiscard]] LoweredEntries lower_jointly(const ReadableEntries& entries, const Function& shape,
+                                           Program& program, const LoweringRequirements& aim);
 
 }  // namespace elgen

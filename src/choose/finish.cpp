@@ -22,8 +22,8 @@ bool has_diagonal(const Function& function) {
 }
 
 /// The instruction that computes 1/value; none if the function has no such instruction.
-std::optional<std::uint32_t> reciprocal_of(std::uint32_t value, const Function& function,
-                                           const std::vector<Constant>& constants) {
+std::optional<std::uint32_t> find_reciprocal(std::uint32_t value, const Function& function,
+                                             const std::vector<Constant>& constants) {
   const std::vector<Instruction>& all = function.instructions;
   const auto is_reciprocal = [&](const Instruction& i) {
     if (i.opcode != Opcode::divide || i.b != value) return false;
@@ -46,7 +46,7 @@ class QuaternionScaler {
         ++i;
         continue;
       }
-      const std::vector<std::uint32_t> unit = unit_quaternion(static_cast<std::uint32_t>(i));
+      const std::vector<std::uint32_t> unit = append_unit_quaternion(static_cast<std::uint32_t>(i));
       std::copy(unit.begin(), unit.end(), field.entries.begin() + static_cast<std::ptrdiff_t>(i));
       i += quaternion_size;
     }
@@ -62,7 +62,7 @@ class QuaternionScaler {
 
   /// Adds instructions for the components of the unit quaternion. Coordinate `first` is the scalar
   /// part.
-  std::vector<std::uint32_t> unit_quaternion(std::uint32_t first) {
+  std::vector<std::uint32_t> append_unit_quaternion(std::uint32_t first) {
     std::vector<std::uint32_t> values;
     std::vector<std::uint32_t> magnitudes;
     for (std::uint32_t i = 0; i < quaternion_size; ++i) {
@@ -82,10 +82,10 @@ class QuaternionScaler {
   }
 
   Function& function_;
-  Instructions instructions_;
+  InstructionBuilder instructions_;
 };
 
-using Places = std::vector<std::uint32_t>;
+using InstructionNumbers = std::vector<std::uint32_t>;
 using SineAndCosine = std::array<std::optional<std::uint32_t>, 2>;
 
 bool is_sine(const Instruction& i) {
@@ -100,43 +100,43 @@ class TrigonometryOrder {
  public:
   explicit TrigonometryOrder(const Function& function)
       : function_(function), placed_(size(), false) {
-    Places calls;
+    InstructionNumbers calls;
     for (std::uint32_t at = 0; at < size(); ++at) {
       const Instruction& i = function.instructions[at];
       if (!is_sine(i) && !is_cosine(i)) continue;
       calls.push_back(at);
-      of_angle_[i.a][is_sine(i) ? 0 : 1] = at;
+      calls_by_angle_[i.a][is_sine(i) ? 0 : 1] = at;
     }
     const std::vector<bool> needed = needed_instructions(function, calls);
     for (std::uint32_t at = 0; at < size(); ++at) {
-      if (needed[at]) place(at);
+      if (needed[at]) place_instruction(at);
     }
-    for (std::uint32_t at = 0; at < size(); ++at) place(at);
+    for (std::uint32_t at = 0; at < size(); ++at) place_instruction(at);
   }
 
   /// Old instruction numbers in the new order: sines and cosines first, then the rest in its old
   /// order.
-  Places places = {};
+  InstructionNumbers order = {};
 
  private:
   [[nodiscard]] std::size_t size() const { return function_.instructions.size(); }
 
-  void place(std::uint32_t at) {
+  void place_instruction(std::uint32_t at) {
     const Instruction& i = function_.instructions[at];
-    if (!is_sine(i) && !is_cosine(i)) return place_alone(at);
-    for (const std::optional<std::uint32_t>& call : of_angle_.at(i.a)) {
-      if (call) place_alone(*call);
+    if (!is_sine(i) && !is_cosine(i)) return place_single(at);
+    for (const std::optional<std::uint32_t>& call : calls_by_angle_.at(i.a)) {
+      if (call) place_single(*call);
     }
   }
 
-  void place_alone(std::uint32_t at) {
-    if (!placed_[at]) places.push_back(at);
+  void place_single(std::uint32_t at) {
+    if (!placed_[at]) order.push_back(at);
     placed_[at] = true;
   }
 
   const Function& function_;
   std::vector<bool> placed_;
-  std::map<std::uint32_t, SineAndCosine> of_angle_ = {};
+  std::map<std::uint32_t, SineAndCosine> calls_by_angle_ = {};
 };
 
 }  // namespace
@@ -146,23 +146,23 @@ Function without_diagonal(Function function) {
   function.fields.pop_back();
   const auto count = static_cast<std::uint32_t>(entry_count(function));
   std::erase_if(function.sampled_zeros, [count](std::uint32_t entry) { return entry >= count; });
-  return pruned(function);
+  return eliminate_dead_code(function);
 }
 
 Function with_guarded_pivots(Function forward_dynamics, std::vector<Constant>& constants) {
   if (!has_diagonal(forward_dynamics)) return forward_dynamics;
   const std::vector<std::uint32_t> diagonal = forward_dynamics.fields.back().entries;
   std::vector<std::uint32_t>& pivots = forward_dynamics.fields[1].entries;
-  Instructions instructions(forward_dynamics);
+  InstructionBuilder instructions(forward_dynamics);
   const Instruction zero{.opcode = Opcode::constant,
-                         .a = position_of(rational_constant(0), constants)};
+                         .a = intern_constant(rational_constant(0), constants)};
   for (std::size_t i = 0; i < diagonal.size(); ++i) {
     const Instruction pivot = forward_dynamics.instructions[pivots[i]];
     const bool is_guarded = pivot.opcode == Opcode::divide && pivot.b == diagonal[i];
     const bool is_number = forward_dynamics.instructions[diagonal[i]].opcode == Opcode::constant;
     if (is_guarded || is_number) continue;
     const std::optional<std::uint32_t> reciprocal =
-        reciprocal_of(diagonal[i], forward_dynamics, constants);
+        find_reciprocal(diagonal[i], forward_dynamics, constants);
     const std::uint32_t guard =
         instructions.add(reciprocal ? Opcode::multiply : Opcode::divide, instructions.add(zero),
                          reciprocal.value_or(diagonal[i]));
@@ -175,11 +175,11 @@ Function with_scaled_lengths(Function function, const std::string& name) {
   for (Field& field : function.fields) {
     if (function.name == name || field.name == name) QuaternionScaler(function).scale(field);
   }
-  return pruned(function);
+  return eliminate_dead_code(function);
 }
 
-Function trigonometry_first(const Function& function) {
-  return reordered(function, TrigonometryOrder(function).places);
+Function with_trigonometry_first(const Function& function) {
+  return reorder_instructions(function, TrigonometryOrder(function).order);
 }
 
 }  // namespace elgen

@@ -42,6 +42,6 @@ inline constexpr std::string_view diagonal_field = "diagonal";
 ///
 /// A call preserves no floating-point register, so earlier results would have to be stored and
 /// loaded again.
-[[nodiscard]] Function trigonometry_first(const Function& function);
+[[nodiscard]] Function with_trigonometry_first(const Function& function);
 
 }  // namespace elgen

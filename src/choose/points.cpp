@@ -11,8 +11,8 @@ namespace elgen {
 namespace {
 
 /// The number of points with nominal parameters, and the number of points with scaled parameters.
-constexpr std::size_t plain_points = 4;
-constexpr std::size_t most_places = 10;
+constexpr std::size_t nominal_point_count = 4;
+constexpr std::size_t max_places = 10;
 constexpr int widest_factor = 3;  ///< parameters are scaled by at most 2^3
 
 /// Relative distances (absolute at 0) near 1e-1, 1e-2, 1e-4 and 1e-8, as multiples of 2^-30.
@@ -21,12 +21,12 @@ constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_di
                              107374 * unit_of_distance, 11 * unit_of_distance};
 
 /// The distances of the coordinates from their first places if all coordinates move at once.
-constexpr double near = distances[2];
-constexpr double nearest = distances[3];
+constexpr double near_distance = distances[2];
+constexpr double nearest_distance = distances[3];
 
 /// The largest values of unbounded coordinates u in exp(u) and log(u). Up to 16, exp(u) covers a
 /// few decades; up to 1024, most of the range of double.
-constexpr double far_away[]{16, -16, 1024, -1024};
+constexpr double remote_values[]{16, -16, 1024, -1024};
 
 /// For each coordinate: true if it occurs in an argument of a function that `is_sought`.
 template <class IsSought>
@@ -60,7 +60,7 @@ std::vector<bool> unbounded_arguments(const Function& text, const Model& model) 
   return result;
 }
 
-bool is_motion(Opcode opcode) { return is_leaf(opcode) && leaf_row(opcode).moves; }
+bool is_moving_leaf(Opcode opcode) { return is_leaf(opcode) && leaf_row(opcode).is_zero_at_rest; }
 
 class PointMaker {
  public:
@@ -68,40 +68,43 @@ class PointMaker {
       : program_(program), text_(text), domain_(domain), places_(std::move(places)) {}
 
   Points make(const SumZeros& zeros) {
-    for (std::size_t i = 0; i < plain_points; ++i) points_.push_back(state());
-    for (std::size_t i = 0; i < plain_points; ++i)
-      points_.push_back(with_other_parameters(state()));
+    for (std::size_t i = 0; i < nominal_point_count; ++i) points_.push_back(next_state());
+    for (std::size_t i = 0; i < nominal_point_count; ++i)
+      points_.push_back(with_scaled_parameters(next_state()));
     for (const NearPlace& place : places_) {
-      for (const double distance : distances) add_near(place, distance);
+      for (const double distance : distances) add_point_near(place, distance);
     }
-    add_near_all(places_);
-    if (has_motion(text_)) {
-      for (std::size_t i = 0; i < plain_points; ++i) add(at_rest(state()));
+    add_points_near_all(places_);
+    if (depends_on_motion(text_)) {
+      for (std::size_t i = 0; i < nominal_point_count; ++i)
+        add_point_in_range(point_at_rest(next_state()));
     } else {
-      for (const std::vector<double>& zero : zeros) add_near_zero(zero);
+      for (const std::vector<double>& zero : zeros) add_points_near_zero(zero);
     }
-    add_far();
+    add_remote_points();
     return std::move(points_);
   }
 
  private:
   /// The next state of the domain; after the last state, the first.
-  const Arguments<double>& state() { return domain_.states[next_++ % domain_.states.size()]; }
+  const Arguments<double>& next_state() {
+    return domain_.states[next_state_++ % domain_.states.size()];
+  }
 
   /// Sets rates, accelerations and inputs to 0. Large ones would hide the digits that a static
   /// force loses.
-  static Arguments<double> at_rest(Arguments<double> point) {
+  static Arguments<double> point_at_rest(Arguments<double> point) {
     const auto stop = [](Opcode kind, std::uint32_t, double& value) {
-      if (is_motion(kind)) value = 0;
+      if (is_moving_leaf(kind)) value = 0;
     };
     for_each_leaf(stop, point);
     return point;
   }
 
-  Arguments<double> with_other_parameters(Arguments<double> point) {
+  Arguments<double> with_scaled_parameters(Arguments<double> point) {
     const std::vector<double> old = point.parameters;
     for (std::uint32_t i = 0; i < old.size(); ++i) {
-      const double factor = std::abs(draw_.scaled(-widest_factor, widest_factor - 1));
+      const double factor = std::abs(sampler_.log_uniform(-widest_factor, widest_factor - 1));
       point.parameters[i] = clamp_to_range(Opcode::parameter, i, old[i] * factor);
       for (std::size_t k = 0; k < i; ++k) {
         if (old[k] == old[i] && has_same_unit(i, k)) point.parameters[i] = point.parameters[k];
@@ -122,73 +125,76 @@ class PointMaker {
     return std::clamp(value, range.low, range.high);
   }
 
-  static void move(Arguments<double>& point, const NearPlace& place, double away) {
+  static void move_coordinate(Arguments<double>& point, const NearPlace& place, double away) {
     const double at = place.other ? place.factor * point.q[*place.other] : place.factor;
     point.q[place.coordinate] = at == 0 ? away : at + at * away;
   }
 
   /// Adds a point near a place, on the side on which more entries are defined: sqrt(x^2 - r^2) is
   /// undefined for x < r.
-  void add_near(const NearPlace& place, double distance) {
-    Arguments<double> point = state();
+  void add_point_near(const NearPlace& place, double distance) {
+    Arguments<double> point = next_state();
     Arguments<double> other = point;
-    const double away = draw_.side() * distance;
-    move(point, place, away);
-    move(other, place, -away);
-    add(value_count(other) > value_count(point) ? std::move(other) : std::move(point));
+    const double away = sampler_.random_sign() * distance;
+    move_coordinate(point, place, away);
+    move_coordinate(other, place, -away);
+    add_point_in_range(count_finite_entries(other) > count_finite_entries(point)
+                           ? std::move(other)
+                           : std::move(point));
   }
 
-  [[nodiscard]] std::ptrdiff_t value_count(const Arguments<double>& point) const {
+  [[nodiscard]] std::ptrdiff_t count_finite_entries(const Arguments<double>& point) const {
     return std::ranges::count_if(evaluate(program_, text_, point),
                                  [](double entry) { return std::isfinite(entry); });
   }
 
   /// Adds remote points, which reveal two losses. A sum 1 + expm1(u) keeps no digit of a small
   /// exp(u). A call log1p((a - b)/b) keeps no digit of log(a/b).
-  void add_far() {
+  void add_remote_points() {
     const std::vector<bool> is_far = unbounded_arguments(text_, domain_.model);
     if (std::find(is_far.begin(), is_far.end(), true) == is_far.end()) return;
-    for (const double distance : far_away) {
-      Arguments<double> point = state();
+    for (const double distance : remote_values) {
+      Arguments<double> point = next_state();
       for (std::size_t i = 0; i < is_far.size(); ++i) {
-        if (is_far[i]) point.q[i] = distance * draw_.share();
+        if (is_far[i]) point.q[i] = distance * sampler_.random_fraction();
       }
-      add(std::move(point));
+      add_point_in_range(std::move(point));
     }
   }
 
-  void add_near_all(const NearPlaces& places) {
-    add_near_all(places, state(), near);
-    add_near_all(places, at_rest(state()), nearest);
+  void add_points_near_all(const NearPlaces& places) {
+    add_points_near_all(places, next_state(), near_distance);
+    add_points_near_all(places, point_at_rest(next_state()), nearest_distance);
   }
 
-  void add_near_all(const NearPlaces& places, Arguments<double> point, double distance) {
+  void add_points_near_all(const NearPlaces& places, Arguments<double> point, double distance) {
     std::vector<bool> is_moved(point.q.size());
     for (const NearPlace& place : places) {
-      if (!is_moved[place.coordinate]) move(point, place, draw_.side() * distance);
+      if (!is_moved[place.coordinate])
+        move_coordinate(point, place, sampler_.random_sign() * distance);
       is_moved[place.coordinate] = true;
     }
-    if (!places.empty()) add(std::move(point));
+    if (!places.empty()) add_point_in_range(std::move(point));
   }
 
   /// Adds points on both sides of a zero, along a random direction, at two distances.
-  void add_near_zero(const std::vector<double>& zero) {
-    for (const double distance : {near, nearest}) {
-      Arguments<double> point = state();
+  void add_points_near_zero(const std::vector<double>& zero) {
+    for (const double distance : {near_distance, nearest_distance}) {
+      Arguments<double> point = next_state();
       Arguments<double> other = point;
       for (std::size_t i = 0; i < zero.size(); ++i) {
-        const double away = draw_.side() * draw_.share() * distance;
+        const double away = sampler_.random_sign() * sampler_.random_fraction() * distance;
         const double size = zero[i] == 0 ? 1 : zero[i];
         point.q[i] = zero[i] + size * away;
         other.q[i] = zero[i] - size * away;
       }
-      add(std::move(point));
-      add(std::move(other));
+      add_point_in_range(std::move(point));
+      add_point_in_range(std::move(other));
     }
   }
 
   /// Adds a point unless it is outside the declared ranges.
-  void add(Arguments<double> point) {
+  void add_point_in_range(Arguments<double> point) {
     for (std::uint32_t i = 0; i < point.q.size(); ++i) {
       if (clamp_to_range(Opcode::coordinate, i, point.q[i]) != point.q[i]) return;
     }
@@ -199,20 +205,20 @@ class PointMaker {
   const Function& text_;
   const Domain& domain_;
   NearPlaces places_;
-  Sampler draw_{1};
-  std::size_t next_ = 0;
+  Sampler sampler_{1};
+  std::size_t next_state_ = 0;
   Points points_ = {};
 };
 
 }  // namespace
 
-bool has_motion(const Function& function) {
-  return std::ranges::any_of(function.instructions, is_motion, &Instruction::opcode);
+bool depends_on_motion(const Function& function) {
+  return std::ranges::any_of(function.instructions, is_moving_leaf, &Instruction::opcode);
 }
 
 Points comparison_points(const Program& program, const Function& text, const Domain& domain,
                          const SumZeros& zeros) {
-  return PointMaker(program, text, domain, cancelling_places(program, text, domain, most_places))
+  return PointMaker(program, text, domain, cancelling_places(program, text, domain, max_places))
       .make(zeros);
 }
 

@@ -24,11 +24,11 @@
 namespace elgen {
 
 /// True if a function depends on rates, momenta, reference velocities, accelerations or inputs.
-[[nodiscard]] bool has_motion(const Function& function);
+[[nodiscard]] bool depends_on_motion(const Function& function);
 
 /// The points at which all forms of a function are compared. `text` is the recursive form. Unless
-/// has_motion(text), points near `zeros` are added. Coordinates are computed without libm, so that
-/// all machines get the same points. Cost: one pass over the instructions.
+/// depends_on_motion(text), points near `zeros` are added. Coordinates are computed without libm,
+/// so that all machines get the same points. Cost: one pass over the instructions.
 [[nodiscard]] Points comparison_points(const Program& program, const Function& text,
                                        const Domain& domain, const SumZeros& zeros = {});
 
@@ -54,6 +54,6 @@ using NearPlaces = std::vector<NearPlace>;
 /// onto r = 0: q - r grad r/|grad r|^2 (Kaczmarz). All computations have 64 digits, so that all
 /// machines find the same zeros. Cost: per function at most eight sums, with 30 rounds from each
 /// start; nothing for long functions.
-[[nodiscard]] SumZeros sum_zeros(const Program& program, const Domain& domain);
+[[nodiscard]] SumZeros find_sum_zeros(const Program& program, const Domain& domain);
 
 }  // namespace elgen

@@ -20,36 +20,36 @@ constexpr std::size_t most_expanded_sums = 16;
 constexpr std::size_t longest_potential = 1'500;
 
 /// A set that keeps no more digits than the best set so far must save a fifth of the operations.
-constexpr std::size_t fifths_of_cost = 4;
+constexpr std::size_t max_cost_fifths = 4;
 
 /// For each sum of typed_sums(): true if it stays whole.
-using WholeSet = std::vector<bool>;
+using UnexpandedSums = std::vector<bool>;
 
-struct WholeChoice {
-  WholeSet whole;
-  Choice choice = {};
+struct UnexpandedChoice {
+  UnexpandedSums unexpanded;
+  FormChoice choice = {};
   std::size_t cost = 0;
   double loss = 0;
 };
 
 /// Compares sets of whole sums by the losses of all functions, then by their costs.
-class WholeSearch {
+class UnexpandedSumSearch {
  public:
-  WholeSearch(const Program& potential, const Domain& domain, const Scene& scene)
+  UnexpandedSumSearch(const Program& potential, const Domain& domain, const Scene& scene)
       : potential_(potential),
         domain_(domain),
         scene_(scene),
-        sums_(typed_sums(potential)),
-        zeros_(sum_zeros(potential, domain)) {
+        sums_(unexpanded_sums(potential)),
+        zeros_(find_sum_zeros(potential, domain)) {
     for (const Function& text : potential.functions) {
       errors_.emplace_back(potential, text, comparison_points(potential, text, domain, zeros_),
-                           Scale::entry);
+                           MagnitudeScope::entry);
     }
   }
 
   /// Chooses the forms of `program`, with the sums in `whole` kept whole.
-  [[nodiscard]] Choice forms_of(const Program& program, const SumZeros& zeros,
-                                const WholeSet& whole) const {
+  [[nodiscard]] FormChoice choose_forms(const Program& program, const SumZeros& zeros,
+                                        const UnexpandedSums& whole) const {
     Program sums{sums_.leaves, sums_.constants, {}};
     for (std::size_t i = 0; i < whole.size(); ++i) {
       if (whole[i]) sums.functions.push_back(sums_.functions[i]);
@@ -57,25 +57,25 @@ class WholeSearch {
     return *choose(program, present(program, std::move(sums)), domain_, scene_, &zeros);
   }
 
-  [[nodiscard]] WholeChoice best() {
+  [[nodiscard]] UnexpandedChoice find_best_choice() {
     const std::size_t count = sums_.functions.size();
-    WholeChoice best = choice_with(WholeSet(count, false));
+    UnexpandedChoice best = make_choice(UnexpandedSums(count, false));
     if (count == 0) return best;
-    keep_better(best, choice_with(WholeSet(count, true)));
+    keep_better(best, make_choice(UnexpandedSums(count, true)));
     if (count == 1 || best.loss <= tolerated_loss) return best;
     for (std::size_t i = 0; i < std::min(count, most_expanded_sums); ++i) {
-      WholeSet others = best.whole;
+      UnexpandedSums others = best.unexpanded;
       if (!others[i]) continue;
       others[i] = false;
-      keep_better(best, choice_with(std::move(others)));
+      keep_better(best, make_choice(std::move(others)));
     }
     return best;
   }
 
  private:
-  WholeChoice choice_with(WholeSet whole) {
-    WholeChoice made{std::move(whole)};
-    made.choice = forms_of(potential_, zeros_, made.whole);
+  UnexpandedChoice make_choice(UnexpandedSums whole) {
+    UnexpandedChoice made{std::move(whole)};
+    made.choice = choose_forms(potential_, zeros_, made.unexpanded);
     for (std::size_t i = 0; i < errors_.size(); ++i) {
       const Function& form = made.choice.program.functions[i];
       made.cost += cost(count_operations(form));
@@ -86,7 +86,7 @@ class WholeSearch {
 
   /// The largest loss of all functions. It is recomputed for every comparison, because a new form
   /// may have lowered the least known error.
-  [[nodiscard]] double loss_of(const WholeChoice& chosen) const {
+  [[nodiscard]] double loss_of(const UnexpandedChoice& chosen) const {
     double loss = 0;
     for (std::size_t i = 0; i < errors_.size(); ++i) {
       const Program& program = chosen.choice.program;
@@ -95,12 +95,12 @@ class WholeSearch {
     return loss;
   }
 
-  void keep_better(WholeChoice& best, WholeChoice other) const {
+  void keep_better(UnexpandedChoice& best, UnexpandedChoice other) const {
     best.loss = loss_of(best);
     other.loss = loss_of(other);
     const bool keeps_more = loses_more(best.loss, other.loss);
     const bool keeps_as_much = !loses_more(other.loss, best.loss);
-    const bool is_cheaper = (fifths_of_cost + 1) * other.cost < fifths_of_cost * best.cost;
+    const bool is_cheaper = (max_cost_fifths + 1) * other.cost < max_cost_fifths * best.cost;
     if (keeps_more || (keeps_as_much && is_cheaper)) best = std::move(other);
   }
 
@@ -109,20 +109,20 @@ class WholeSearch {
   const Scene& scene_;
   Program sums_;
   SumZeros zeros_;
-  std::vector<TextErrors> errors_ = {};  ///< by function
+  std::vector<FormErrors> errors_ = {};  ///< by function
 };
 
 /// True if V or a derivative differs from both its recursive form and its fully expanded closed
 /// form.
-bool has_distinct_form(const WholeChoice& best, std::size_t function) {
-  if (std::ranges::find(best.whole, true) != best.whole.end()) return true;
+bool has_distinct_form(const UnexpandedChoice& best, std::size_t function) {
+  if (std::ranges::find(best.unexpanded, true) != best.unexpanded.end()) return true;
   if (!best.choice.program.functions[function].rewritten.empty()) return true;
   const FormCosts& costs = best.choice.costs[function];
-  const bool is_text = costs.chosen == Form::recursive && costs.closed;
+  const bool is_text = costs.chosen_form == Form::recursive && costs.closed;
   return is_text && cost(*costs.closed) < cost(costs.recursive);
 }
 
-bool is_open_from(std::uint32_t first, const Instruction& i) {
+bool is_open_value_from(std::uint32_t first, const Instruction& i) {
   return i.opcode == Opcode::open_value && i.a >= first;
 }
 
@@ -131,7 +131,7 @@ bool is_open_from(std::uint32_t first, const Instruction& i) {
 class PotentialInserter {
  public:
   PotentialInserter(const Program& potential, std::uint32_t first, Program& to)
-      : potential_(potential), first_(first), to_(to) {
+      : potential_(potential), first_open_value_(first), target_(to) {
     for (std::uint32_t i = 0; i < potential.functions.size(); ++i) {
       for (const std::uint32_t entry : entries_of(potential.functions[i])) {
         entries_.emplace_back(i, entry);
@@ -144,18 +144,18 @@ class PotentialInserter {
     Function result = from;
     result.instructions.clear();
     result.names.clear();
-    Instructions instructions(result);
+    InstructionBuilder instructions(result);
     std::vector<std::uint32_t> places;
     for (std::size_t at = 0; at < from.instructions.size(); ++at) {
       const Instruction& i = from.instructions[at];
-      if (is_open_from(first_, i)) {
-        const auto [function, entry] = entries_[i.a - first_];
+      if (is_open_value_from(first_open_value_, i)) {
+        const auto [function, entry] = entries_[i.a - first_open_value_];
         const Function value = with_entries(potential_.functions[function], {entry});
         places.push_back(
             append_function(potential_, value, instructions)[value.fields[0].entries[0]]);
         continue;
       }
-      const Instruction next = renumber_operands(constant_in(program, i), places);
+      const Instruction next = renumber_operands(import_constant(program, i), places);
       places.push_back(at < first_repeated_instruction(from)
                            ? instructions.add(without_negation(result, next))
                            : instructions.append(next));
@@ -164,7 +164,7 @@ class PotentialInserter {
     for (Field& field : result.fields) {
       for (std::uint32_t& entry : field.entries) entry = places[entry];
     }
-    return trigonometry_first(pruned(result));
+    return with_trigonometry_first(eliminate_dead_code(result));
   }
 
  private:
@@ -183,20 +183,21 @@ class PotentialInserter {
     return i;
   }
 
-  [[nodiscard]] Instruction constant_in(const Program& program, Instruction i) {
-    if (i.opcode == Opcode::constant) i.a = position_of(program.constants[i.a], to_.constants);
+  [[nodiscard]] Instruction import_constant(const Program& program, Instruction i) {
+    if (i.opcode == Opcode::constant)
+      i.a = intern_constant(program.constants[i.a], target_.constants);
     return i;
   }
 
   std::vector<std::uint32_t> append_function(const Program& program, Function function,
-                                             Instructions& instructions) {
-    for (Instruction& i : function.instructions) i = constant_in(program, i);
+                                             InstructionBuilder& instructions) {
+    for (Instruction& i : function.instructions) i = import_constant(program, i);
     return instructions.add_all(function);
   }
 
   const Program& potential_;
-  std::uint32_t first_;
-  Program& to_;
+  std::uint32_t first_open_value_;
+  Program& target_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_ = {};  ///< function, instruction
 };
 
@@ -204,7 +205,7 @@ class PotentialInserter {
 std::vector<std::uint32_t> dependent_entries(const Function& function, std::uint32_t first) {
   std::vector<bool> holds;
   for (const Instruction& i : function.instructions) {
-    bool found = is_open_from(first, i);
+    bool found = is_open_value_from(first, i);
     for (std::size_t k = 0; k < operand_count(i); ++k) found = found || holds[k == 0 ? i.a : i.b];
     holds.push_back(found);
   }
@@ -228,14 +229,15 @@ std::optional<RewrittenPotential> rewrite_potential(const Program& potential, co
   // V and dV/dx contain the same sums as the second derivatives, so the search omits these.
   Program without_second = potential;
   without_second.functions.resize(2);
-  WholeSearch search(without_second, domain, unnamed);
-  WholeChoice best = search.best();
+  UnexpandedSumSearch search(without_second, domain, unnamed);
+  UnexpandedChoice best = search.find_best_choice();
   const bool has_slopes = has_distinct_form(best, 1);
   if (!has_distinct_form(best, 0) && !has_slopes) return std::nullopt;
   const bool has_second = potential.functions.size() > 2;
   if (!has_second) return RewrittenPotential{std::move(best.choice.program), has_slopes};
-  const SumZeros zeros = sum_zeros(potential, domain);
-  return RewrittenPotential{search.forms_of(potential, zeros, best.whole).program, has_slopes};
+  const SumZeros zeros = find_sum_zeros(potential, domain);
+  return RewrittenPotential{search.choose_forms(potential, zeros, best.unexpanded).program,
+                            has_slopes};
 }
 
 Domain with_open_potential(Domain domain, const Program& potential) {
@@ -250,26 +252,27 @@ Domain with_open_potential(Domain domain, const Program& potential) {
   return domain;
 }
 
-void insert_potential(const RewrittenPotential& potential, const Choice& open, const Domain& domain,
-                      Choice& choice) {
-  Choice result = choice;
+void insert_potential(const RewrittenPotential& potential, const FormChoice& open,
+                      const Domain& domain, FormChoice& choice) {
+  FormChoice result = choice;
   const auto first = static_cast<std::uint32_t>(choice.program.leaves.f.size());
-  PotentialInserter put(potential.program, first, result.program);
+  PotentialInserter insert(potential.program, first, result.program);
   for (const Function& function : open.program.functions) {
     const std::vector<std::uint32_t> entries = dependent_entries(function, first);
-    const bool stays = !potential.has_slopes && !dependent_entries(function, first + 1).empty();
+    const bool stays =
+        !potential.has_derivatives && !dependent_entries(function, first + 1).empty();
     if (entries.empty() || stays) continue;
-    Function own = put(open.program, function);
+    Function own = insert(open.program, function);
     const auto named = std::ranges::find(choice.program.functions, function.name, &Function::name);
     const auto i = static_cast<std::size_t>(named - choice.program.functions.begin());
     const Function& old = *named;
-    TextErrors errors(choice.program, old, comparison_points(choice.program, old, domain));
-    if (errors.inaccurate_entry(result.program, own)) return;
+    FormErrors errors(choice.program, old, comparison_points(choice.program, old, domain));
+    if (errors.first_inaccurate_entry(result.program, own)) return;
     errors.add_form(result.program, own);
     own.rewritten = entries;
     FormCosts& costs = result.costs[i];
     const bool is_closed = own.form == Form::closed;
-    costs.chosen = own.form;
+    costs.chosen_form = own.form;
     (is_closed ? costs.closed.emplace() : costs.recursive) = count_operations(own);
     (is_closed ? costs.closed_loss : costs.recursive_loss) = errors.worst_loss(result.program, own);
     result.program.functions[i] = std::move(own);

@@ -1,4 +1,4 @@
-// sum_zeros: see points.hpp.
+// find_sum_zeros: see points.hpp.
 //
 //     before    sqrt((x - l*cos(th))^2 + (l*sin(th))^2)      l = 0.4
 //     after     r = x - l*cos(th), l*sin(th);   x = 0.4, th = 0
@@ -17,28 +17,28 @@ namespace {
 
 constexpr std::size_t most_sums = 8;  ///< per function
 constexpr std::size_t most_zeros = 16;
-constexpr std::size_t most_rounds = 30;
+constexpr std::size_t max_rounds = 30;
 constexpr std::size_t most_states = 2;
 constexpr std::size_t most_axes = 4;
 constexpr int max_expansion_order = 4;  ///< of a zero: 4 for (x - a)^4
-constexpr std::size_t longest_program = 400;
+constexpr std::size_t max_instructions = 400;
 
 /// A difference over a step of 1e-25 keeps 40 of the 64 digits. Zeros are accurate to 1e-16, far
 /// less than their distances from the points of comparison.
-const Real& step() {
+const Real& difference_step() {
   static const Real value(power_of_ten(-25));
   return value;
 }
-const Real& negligible() {
+const Real& negligible_length() {
   static const Real value(power_of_ten(-16));
   return value;
 }
 
 /// Groups of expressions that must vanish together: all bases of a sum of squares; any other sum,
 /// as a group of one; each logarithm, as a group of one (log(x) = 0 at x = 1).
-class Residuals {
+class ResidualGroups {
  public:
-  explicit Residuals(const Function& function) : function_(function) {
+  explicit ResidualGroups(const Function& function) : function_(function) {
     std::vector<bool> is_part(function.instructions.size());
     for (const Instruction& i : function.instructions) {
       if (!is_sum(i)) continue;
@@ -50,12 +50,12 @@ class Residuals {
       if (!is_logarithm && (!is_sum(i) || is_part[at])) continue;
       std::vector<std::uint32_t> bases;
       if (!add_bases(at, bases)) bases = {at};
-      const bool is_known = std::ranges::find(all, bases) != all.end();
-      if (!is_known && all.size() < most_sums) all.push_back(std::move(bases));
+      const bool is_known = std::ranges::find(groups, bases) != groups.end();
+      if (!is_known && groups.size() < most_sums) groups.push_back(std::move(bases));
     }
   }
 
-  std::vector<std::vector<std::uint32_t>> all = {};  ///< one group per sum
+  std::vector<std::vector<std::uint32_t>> groups = {};  ///< one group per sum
 
  private:
   /// Adds the bases of the squares; false if a term contains no square.
@@ -87,23 +87,23 @@ class ZeroProjection {
   ZeroProjection(const Program& program, Function residuals, const Arguments<double>& start)
       : program_(program),
         residuals_(std::move(residuals)),
-        moving_(coordinates_of(residuals_)),
-        at_(map_leaves([](double x) { return Real(exact_value(x)); }, start)) {
+        coordinates_(coordinates_of(residuals_)),
+        state_(map_leaves([](double x) { return Real(exact_value(x)); }, start)) {
     const auto format = cln::float_format(64);
-    for (Real& x : at_.q) x = Real(cln::cl_float(x.value(), format));
+    for (Real& x : state_.q) x = Real(cln::cl_float(x.value(), format));
   }
 
   /// The coordinates of the state, in doubles; none if the iteration does not converge.
-  std::optional<std::vector<double>> zero() {
+  std::optional<std::vector<double>> find_zero() {
     const std::size_t count = entry_count(residuals_);
-    for (std::size_t round = 0; round < most_rounds && !moving_.empty(); ++round) {
+    for (std::size_t round = 0; round < max_rounds && !coordinates_.empty(); ++round) {
       Real length(0);
       for (std::size_t entry = 0; entry < count; ++entry) {
-        const Real step = project(entry);
+        const Real step = project_onto_entry(entry);
         if (!step.is_defined()) return std::nullopt;
         length = max(length, step);
       }
-      if (length.value() <= negligible().value()) return rounded();
+      if (length.value() <= negligible_length().value()) return round_zero();
       if (count == 1) find_multiplicity(length);
     }
     return std::nullopt;
@@ -111,26 +111,26 @@ class ZeroProjection {
 
  private:
   [[nodiscard]] Real residual(std::size_t entry) const {
-    return evaluate(program_, residuals_, at_)[entry];
+    return evaluate(program_, residuals_, state_)[entry];
   }
 
   /// Projects the state onto one linearised entry = 0. Returns the length of the step; undefined if
   /// the slope is 0.
-  Real project(std::size_t entry) {
+  Real project_onto_entry(std::size_t entry) {
     const Real r = residual(entry);
     if (r.is_defined() && cln::zerop(r.value())) return r;
     std::vector<Real> slopes;
     Real square(0);
-    for (const std::uint32_t k : moving_) {
-      const Real old = at_.q[k];
-      at_.q[k] = old + step();
-      slopes.push_back((residual(entry) - r) / step());
-      at_.q[k] = old;
+    for (const std::uint32_t k : coordinates_) {
+      const Real old = state_.q[k];
+      state_.q[k] = old + difference_step();
+      slopes.push_back((residual(entry) - r) / difference_step());
+      state_.q[k] = old;
       square = square + slopes.back() * slopes.back();
     }
     const Real scale = r * multiplicity_ / square;
-    for (std::size_t i = 0; i < moving_.size(); ++i) {
-      Real& x = at_.q[moving_[i]];
+    for (std::size_t i = 0; i < coordinates_.size(); ++i) {
+      Real& x = state_.q[coordinates_[i]];
       x = x - scale * slopes[i];
     }
     return abs(scale) * sqrt(square);
@@ -139,8 +139,8 @@ class ZeroProjection {
   /// Finds the order m of a zero: each step is 1 - 1/m times the previous step. Steps m times as
   /// long converge as at a simple zero (Schröder 1870).
   void find_multiplicity(const Real& length) {
-    const Real ratio = length / last_;
-    last_ = length;
+    const Real ratio = length / last_step_length_;
+    last_step_length_ = length;
     for (int order = 2; order <= max_expansion_order && ratio.is_defined(); ++order) {
       const Real shrinking(cln::cl_RA(order - 1) / order);
       const bool is_near = abs(ratio - shrinking).value() < cln::cl_RA(1) / 50;
@@ -149,10 +149,10 @@ class ZeroProjection {
   }
 
   /// The zero in doubles; negligible coordinates become exactly 0.
-  [[nodiscard]] std::vector<double> rounded() const {
+  [[nodiscard]] std::vector<double> round_zero() const {
     std::vector<double> q;
-    for (const Real& x : at_.q) {
-      const bool is_zero = abs(x).value() <= negligible().value();
+    for (const Real& x : state_.q) {
+      const bool is_zero = abs(x).value() <= negligible_length().value();
       q.push_back(is_zero ? 0 : to_double(x.value()));
     }
     return q;
@@ -160,16 +160,16 @@ class ZeroProjection {
 
   const Program& program_;
   Function residuals_;
-  std::vector<std::uint32_t> moving_;
-  Arguments<Real> at_;
+  std::vector<std::uint32_t> coordinates_;
+  Arguments<Real> state_;
   Real multiplicity_ = Real(1);
-  Real last_ = Real(0);  ///< length of the last step
+  Real last_step_length_ = Real(0);  ///< length of the last step
 };
 
 /// Starts: states inside the ranges, and two states per coordinate, derived from the first state.
 /// One has the sign of the coordinate changed, because zeros of a + b cos(x) depend on the sign of
 /// a. The other is on the axis of the coordinate, where zeros on circles are found.
-std::vector<Arguments<double>> starts_of(const Domain& domain) {
+std::vector<Arguments<double>> make_starts(const Domain& domain) {
   std::vector<Arguments<double>> all(
       domain.states.begin(), domain.states.begin() + static_cast<std::ptrdiff_t>(std::min(
                                                          most_states, domain.states.size())));
@@ -191,8 +191,8 @@ std::vector<Arguments<double>> starts_of(const Domain& domain) {
 /// Starts for a sum of one coordinate: minima of |sum| and changes of its sign, found by a scan of
 /// the range in equal steps. From other starts, Newton's method may diverge to a region in which a
 /// potential decays to 0.
-std::vector<Arguments<double>> scanned_starts(const Program& program, const Function& vanishing,
-                                              const Domain& domain, std::uint32_t coordinate) {
+std::vector<Arguments<double>> scan_starts(const Program& program, const Function& vanishing,
+                                           const Domain& domain, std::uint32_t coordinate) {
   constexpr int steps = 16;
   const Range& range = domain.ranges.q[coordinate];
   std::vector<Arguments<double>> all;
@@ -223,18 +223,18 @@ std::vector<Arguments<double>> scanned_starts(const Program& program, const Func
   return starts;
 }
 
-SumZeros sum_zeros(const Program& program, const Domain& domain) {
+SumZeros find_sum_zeros(const Program& program, const Domain& domain) {
   SumZeros zeros;
-  const std::vector<Arguments<double>> all = starts_of(domain);
+  const std::vector<Arguments<double>> all = make_starts(domain);
   for (const Function& text : program.functions) {
-    if (has_motion(text) || text.instructions.size() > longest_program) continue;
-    for (const std::vector<std::uint32_t>& residuals : Residuals(text).all) {
+    if (depends_on_motion(text) || text.instructions.size() > max_instructions) continue;
+    for (const std::vector<std::uint32_t>& residuals : ResidualGroups(text).groups) {
       const Function vanishing = with_entries(text, residuals);
       const std::vector<std::uint32_t> moving = coordinates_of(vanishing);
       const auto starts =
-          moving.size() == 1 ? scanned_starts(program, vanishing, domain, moving.front()) : all;
+          moving.size() == 1 ? scan_starts(program, vanishing, domain, moving.front()) : all;
       for (const Arguments<double>& start : starts) {
-        auto zero = ZeroProjection(program, vanishing, start).zero();
+        auto zero = ZeroProjection(program, vanishing, start).find_zero();
         if (!zero || zeros.size() == most_zeros) continue;
         if (std::ranges::find(zeros, *zero) == zeros.end()) zeros.push_back(std::move(*zero));
       }

@@ -24,9 +24,9 @@ constexpr double unit_roundoff = 0x1p-53;
 /// equal.
 constexpr double certainly_equal = 4;
 /// A value in double whose relative error is at most this is precise enough as the magnitude |x|.
-constexpr double certain_digits = 0x1p-10;
+constexpr double max_certain_error = 0x1p-10;
 
-bool is_certainly_accurate(const Running<double>& own, const Running<double>& text) {
+bool is_certainly_accurate(const RunningValue<double>& own, const RunningValue<double>& text) {
   const double apart = std::abs(own.value - text.value);
   return !own.is_lost && !text.is_lost &&
          own.error <= certainly_accurate_ratio * std::max(text.error, std::abs(text.value)) &&
@@ -35,40 +35,40 @@ bool is_certainly_accurate(const Running<double>& own, const Running<double>& te
 
 /// True if a rewriting and the text have different values: a rewriting may equal the text on only
 /// one side of a branch.
-bool has_other_value(const Running<Real>& own, const Running<Real>& text) {
+bool has_different_value(const RunningValue<Real>& own, const RunningValue<Real>& text) {
   static const Real negligible(power_of_ten(-45));
   const Real scale = own.error + text.error + abs(text.value);
   return abs(own.value - text.value).value() > (scale * negligible).value();
 }
 
-bool is_inaccurate(const Running<Real>& own, const Running<Real>& text) {
+bool is_inaccurate(const RunningValue<Real>& own, const RunningValue<Real>& text) {
   if (!text.error.is_defined()) return false;
-  if (!own.error.is_defined() || has_other_value(own, text)) return true;
+  if (!own.error.is_defined() || has_different_value(own, text)) return true;
   const Real allowed = max(text.error, abs(text.value)) * Real(cln::cl_I(accurate_ratio));
   return own.error.value() > allowed.value();
 }
 
 /// The running errors of the entries of a function. Number is Real, or double for rough errors.
 template <class Number>
-std::vector<Running<Number>> running_entries(const Program& program, const Function& function,
-                                             const RunningErrorRules<Number>& rules) {
-  return entries_of(function, fold<Running<Number>>(rules, program, function));
+std::vector<RunningValue<Number>> running_entries(const Program& program, const Function& function,
+                                                  const RunningErrorRules<Number>& rules) {
+  return entries_of(function, fold<RunningValue<Number>>(rules, program, function));
 }
 
-std::vector<Running<Real>> exact_entries(const Program& program, const Function& function,
-                                         const Arguments<double>& point) {
-  const RunningErrorRules<Real> rules{running_leaves<Real>(point, Leaves::exact)};
+std::vector<RunningValue<Real>> exact_entries(const Program& program, const Function& function,
+                                              const Arguments<double>& point) {
+  const RunningErrorRules<Real> rules{running_leaves<Real>(point, LeafRounding::exact)};
   return running_entries(program, function, rules);
 }
 
 /// x in double; NaN if x is undefined.
-double number_of(const Real& x) {
+double to_double_or_nan(const Real& x) {
   return x.is_defined() ? to_double(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// The loss at a point: 0 if the text has no value there, infinite if the form has none but the
 /// text has one.
-double loss_at(double error, double magnitude, double least) {
+double loss_ratio(double error, double magnitude, double least) {
   if (std::isnan(magnitude) || error == 0) return 0;
   if (std::isnan(error)) return std::numeric_limits<double>::infinity();
   return error / (least > magnitude ? least : magnitude);
@@ -77,30 +77,33 @@ double loss_at(double error, double magnitude, double least) {
 }  // namespace
 
 bool loses_more(double loss, double other, double tolerated) {
-  return loss > std::max(tolerated, similar_losses * other);
+  return loss > std::max(tolerated, loss_equality_factor * other);
 }
 
-TextErrors::TextErrors(const Program& program, const Function& text, Points points, Scale scale)
+FormErrors::FormErrors(const Program& program, const Function& text, Points points,
+                       MagnitudeScope scale)
     : program_(program), text_(text), points_(std::move(points)) {
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    rules_.push_back({running_leaves<double>(points_[point], Leaves::exact)});
-    rough_.push_back(running_entries(program, text, rules_[point]));
+    rules_.push_back({running_leaves<double>(points_[point], LeafRounding::exact)});
+    rough_entries_.push_back(running_entries(program, text, rules_[point]));
     magnitudes_.push_back(magnitudes_at(point, scale));
-    least_.push_back(errors_at(program, text, point, rough_[point]));
+    least_errors_.push_back(errors_at(program, text, point, rough_entries_[point]));
   }
 }
 
 /// The magnitude |x| of each entry. A value of the text is recomputed exactly if double gives
 /// hardly any of its digits.
-std::vector<double> TextErrors::magnitudes_at(std::size_t point, Scale scale) const {
+std::vector<double> FormErrors::magnitudes_at(std::size_t point, MagnitudeScope scale) const {
   std::vector<double> magnitudes;
-  for (std::size_t i = 0; i < rough_[point].size(); ++i) {
-    const Running<double>& rough = rough_[point][i];
+  for (std::size_t i = 0; i < rough_entries_[point].size(); ++i) {
+    const RunningValue<double>& rough = rough_entries_[point][i];
     const double size = std::abs(rough.value);
-    const bool is_certain = !rough.is_lost && rough.error * unit_roundoff <= certain_digits * size;
-    magnitudes.push_back(is_certain ? size : number_of(exact_text(point)[i].value));
+    const bool is_certain =
+        !rough.is_lost && rough.error * unit_roundoff <= max_certain_error * size;
+    magnitudes.push_back(is_certain ? size
+                                    : to_double_or_nan(exact_recursive_entries(point)[i].value));
   }
-  if (scale == Scale::entry) return magnitudes;
+  if (scale == MagnitudeScope::entry) return magnitudes;
   auto begin = magnitudes.begin();
   for (const Field& field : text_.fields) {
     const auto end = begin + static_cast<std::ptrdiff_t>(field.entries.size());
@@ -112,27 +115,27 @@ std::vector<double> TextErrors::magnitudes_at(std::size_t point, Scale scale) co
   return magnitudes;
 }
 
-std::vector<double> TextErrors::errors_at(const Program& program, const Function& form,
-                                          std::size_t point, const Entries& rough) const {
+std::vector<double> FormErrors::errors_at(const Program& program, const Function& form,
+                                          std::size_t point, const RoughEntries& rough) const {
   std::vector<double> errors;
-  std::optional<std::vector<Running<Real>>> exact;
-  for (const Running<double>& entry : rough) {
+  std::optional<std::vector<RunningValue<Real>>> exact;
+  for (const RunningValue<double>& entry : rough) {
     const std::size_t i = errors.size();
     errors.push_back(entry.error);
     if (!entry.is_lost && std::isfinite(entry.error)) continue;
     if (!exact) exact = exact_entries(program, form, points_[point]);
-    errors.back() = number_of((*exact)[i].error);
+    errors.back() = to_double_or_nan((*exact)[i].error);
   }
   return errors;
 }
 
-std::vector<double> TextErrors::errors_at(const Program& program, const Function& form,
+std::vector<double> FormErrors::errors_at(const Program& program, const Function& form,
                                           std::size_t point) const {
   return errors_at(program, form, point, running_entries(program, form, rules_[point]));
 }
 
-ErrorsAtPoints TextErrors::errors_of(const Expressions& rewriting) const {
-  const Linearised one(make_network(rewriting));
+ErrorsAtPoints FormErrors::errors_of(const Expressions& rewriting) const {
+  const LinearisedNetwork one(make_network(rewriting));
   ErrorsAtPoints errors;
   for (std::size_t point = 0; point < points_.size(); ++point) {
     errors.push_back(errors_at(one.program, one.function, point).front());
@@ -140,86 +143,90 @@ ErrorsAtPoints TextErrors::errors_of(const Expressions& rewriting) const {
   return errors;
 }
 
-std::optional<ErrorsAtPoints> TextErrors::accurate_errors(const Expressions& rewriting,
-                                                          std::size_t entry) const {
-  const auto [program, function] = Linearised(make_network(rewriting));
+std::optional<ErrorsAtPoints> FormErrors::errors_if_accurate(const Expressions& rewriting,
+                                                             std::size_t entry) const {
+  const auto [program, function] = LinearisedNetwork(make_network(rewriting));
   ErrorsAtPoints errors;
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    const Entries rough = running_entries(program, function, rules_[point]);
-    if (inaccurate_entry_at(program, function, point, rough, entry)) return std::nullopt;
+    const RoughEntries rough = running_entries(program, function, rules_[point]);
+    if (first_inaccurate_entry_at(program, function, point, rough, entry)) return std::nullopt;
     errors.push_back(errors_at(program, function, point, rough).front());
   }
   return errors;
 }
 
-bool TextErrors::may_lose(const ErrorsAtPoints& errors, std::size_t entry) const {
+bool FormErrors::may_lose_digits(const ErrorsAtPoints& errors, std::size_t entry) const {
   for (std::size_t point = 0; point < points_.size(); ++point) {
     if (errors[point] > tolerated_loss * magnitudes_[point][entry]) return true;
   }
   return false;
 }
 
-void TextErrors::add_rewriting(const ErrorsAtPoints& errors, std::size_t entry) {
+void FormErrors::add_rewriting(const ErrorsAtPoints& errors, std::size_t entry) {
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    double& least = least_[point][entry];
+    double& least = least_errors_[point][entry];
     if (errors[point] < least) least = errors[point];
   }
 }
 
-void TextErrors::add_form(const Program& program, const Function& form) {
+void FormErrors::add_form(const Program& program, const Function& form) {
   for (std::size_t point = 0; point < points_.size(); ++point) {
     const std::vector<double> errors = errors_at(program, form, point);
     for (std::size_t i = 0; i < errors.size(); ++i) {
-      least_[point][i] = std::min(least_[point][i], errors[i]);
+      least_errors_[point][i] = std::min(least_errors_[point][i], errors[i]);
     }
   }
 }
 
-double TextErrors::loss_of(const ErrorsAtPoints& errors, std::size_t entry) const {
+double FormErrors::loss_of(const ErrorsAtPoints& errors, std::size_t entry) const {
   double loss = 0;
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    loss = std::max(loss, loss_at(errors[point], magnitudes_[point][entry], least_[point][entry]));
+    loss = std::max(
+        loss, loss_ratio(errors[point], magnitudes_[point][entry], least_errors_[point][entry]));
   }
   return loss;
 }
 
-double TextErrors::worst_loss(const Program& program, const Function& form) const {
+double FormErrors::worst_loss(const Program& program, const Function& form) const {
   double loss = 0;
   for (std::size_t point = 0; point < points_.size(); ++point) {
     const std::vector<double> errors = errors_at(program, form, point);
     for (std::size_t i = 0; i < errors.size(); ++i) {
-      loss = std::max(loss, loss_at(errors[i], magnitudes_[point][i], least_[point][i]));
+      loss = std::max(loss, loss_ratio(errors[i], magnitudes_[point][i], least_errors_[point][i]));
     }
   }
   return loss;
 }
 
-std::optional<std::size_t> TextErrors::inaccurate_entry(const Program& program,
-                                                        const Function& form) const {
+std::optional<std::size_t> FormErrors::first_inaccurate_entry(const Program& program,
+                                                              const Function& form) const {
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    const Entries rough = running_entries(program, form, rules_[point]);
-    if (const auto entry = inaccurate_entry_at(program, form, point, rough, 0)) return entry;
+    const RoughEntries rough = running_entries(program, form, rules_[point]);
+    if (const auto entry = first_inaccurate_entry_at(program, form, point, rough, 0)) return entry;
   }
   return std::nullopt;
 }
 
-std::optional<std::size_t> TextErrors::inaccurate_entry_at(const Program& program,
-                                                           const Function& form, std::size_t point,
-                                                           const Entries& rough,
-                                                           std::size_t first) const {
-  std::optional<std::vector<Running<Real>>> exact;
+std::optional<std::size_t> FormErrors::first_inaccurate_entry_at(const Program& program,
+                                                                 const Function& form,
+                                                                 std::size_t point,
+                                                                 const RoughEntries& rough,
+                                                                 std::size_t first) const {
+  std::optional<std::vector<RunningValue<Real>>> exact;
   for (std::size_t i = 0; i < rough.size(); ++i) {
-    if (is_certainly_accurate(rough[i], rough_[point][first + i])) continue;
+    if (is_certainly_accurate(rough[i], rough_entries_[point][first + i])) continue;
     if (!exact) exact = exact_entries(program, form, points_[point]);
-    if (is_inaccurate((*exact)[i], exact_text(point)[first + i])) return first + i;
+    if (is_inaccurate((*exact)[i], exact_recursive_entries(point)[first + i])) return first + i;
   }
   return std::nullopt;
 }
 
-const std::vector<Running<Real>>& TextErrors::exact_text(std::size_t point) const {
-  const auto known = exact_.find(point);
-  if (known != exact_.end()) return known->second;
-  return exact_.emplace(point, exact_entries(program_, text_, points_[point])).first->second;
+const std::vector<RunningValue<Real>>& FormErrors::exact_recursive_entries(
+    std::size_t point) const {
+  const auto known = exact_entries_.find(point);
+  if (known != exact_entries_.end()) return known->second;
+  return exact_entries_.emplace(point, exact_entries(program_, text_, points_[point]))
+      .first->second;
 }
 
 }  // namespace elgen

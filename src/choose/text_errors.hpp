@@ -24,12 +24,12 @@
 
 namespace elgen {
 
-/// True if loss > max(tolerated, similar_losses * other): the form with this loss loses many more
-/// digits than the form with the loss `other`.
+/// True if loss > max(tolerated, loss_equality_factor * other): the form with this loss loses many
+/// more digits than the form with the loss `other`.
 [[nodiscard]] bool loses_more(double loss, double other, double tolerated = tolerated_loss);
 
 /// The magnitude |x| that errors are compared with.
-enum class Scale : std::uint8_t {
+enum class MagnitudeScope : std::uint8_t {
   entry,  ///< the entry itself
   field,  ///< the largest entry of its field, because a much smaller entry may be noise
 };
@@ -37,26 +37,26 @@ enum class Scale : std::uint8_t {
 /// E at each point; NaN if the rewriting has no value there.
 using ErrorsAtPoints = std::vector<double>;
 
-class TextErrors {
+class FormErrors {
  public:
   /// Keeps references to `program` and `text`. Cost: one operation in double per instruction and
   /// point.
-  TextErrors(const Program& program, const Function& text, Points points,
-             Scale scale = Scale::field);
+  FormErrors(const Program& program, const Function& text, Points points,
+             MagnitudeScope scale = MagnitudeScope::field);
 
   /// E of a rewriting of entry number `entry`; none if it is less accurate than the text.
-  [[nodiscard]] std::optional<ErrorsAtPoints> accurate_errors(const Expressions& rewriting,
-                                                              std::size_t entry) const;
+  [[nodiscard]] std::optional<ErrorsAtPoints> errors_if_accurate(const Expressions& rewriting,
+                                                                 std::size_t entry) const;
 
   /// The first inaccurate entry of another form; none if all are accurate.
-  [[nodiscard]] std::optional<std::size_t> inaccurate_entry(const Program& program,
-                                                            const Function& form) const;
+  [[nodiscard]] std::optional<std::size_t> first_inaccurate_entry(const Program& program,
+                                                                  const Function& form) const;
 
   /// E of a rewriting of one entry.
   [[nodiscard]] ErrorsAtPoints errors_of(const Expressions& rewriting) const;
 
   /// True if the errors are so large that a search for a better rewriting is worthwhile.
-  [[nodiscard]] bool may_lose(const ErrorsAtPoints& errors, std::size_t entry) const;
+  [[nodiscard]] bool may_lose_digits(const ErrorsAtPoints& errors, std::size_t entry) const;
 
   /// Updates the least known errors of an entry by the errors of one rewriting.
   void add_rewriting(const ErrorsAtPoints& errors, std::size_t entry);
@@ -71,30 +71,33 @@ class TextErrors {
   [[nodiscard]] double worst_loss(const Program& program, const Function& form) const;
 
  private:
-  using Entries = std::vector<Running<double>>;  ///< entries of a form in double
+  using RoughEntries = std::vector<RunningValue<double>>;  ///< entries of a form in double
 
   /// The first entry of the form that is less accurate than the text. The first entry of the form
   /// is entry number `first` of the text.
-  [[nodiscard]] std::optional<std::size_t> inaccurate_entry_at(const Program& program,
-                                                               const Function& form,
-                                                               std::size_t point,
-                                                               const Entries& rough,
-                                                               std::size_t first) const;
+  [[nodiscard]] std::optional<std::size_t> first_inaccurate_entry_at(const Program& program,
+                                                                     const Function& form,
+                                                                     std::size_t point,
+                                                                     const RoughEntries& rough,
+                                                                     std::size_t first) const;
   [[nodiscard]] std::vector<double> errors_at(const Program& program, const Function& form,
                                               std::size_t point) const;
   [[nodiscard]] std::vector<double> errors_at(const Program& program, const Function& form,
-                                              std::size_t point, const Entries& rough) const;
-  [[nodiscard]] const std::vector<Running<Real>>& exact_text(std::size_t point) const;
-  [[nodiscard]] std::vector<double> magnitudes_at(std::size_t point, Scale scale) const;
+                                              std::size_t point, const RoughEntries& rough) const;
+  [[nodiscard]] const std::vector<RunningValue<Real>>& exact_recursive_entries(
+      std::size_t point) const;
+  [[nodiscard]] std::vector<double> magnitudes_at(std::size_t point, MagnitudeScope scale) const;
 
   const Program& program_;
   const Function& text_;
   Points points_;
   std::vector<RunningErrorRules<double>> rules_ = {};  ///< by point
-  std::vector<Entries> rough_ = {};                    ///< of the text, by point and entry
-  mutable std::map<std::size_t, std::vector<Running<Real>>> exact_ = {};  ///< by point, on demand
+  std::vector<RoughEntries> rough_entries_ = {};       ///< of the text, by point and entry
+  mutable std::map<std::size_t, std::vector<RunningValue<Real>>> exact_entries_ =
+      {};                                             ///< by point, on demand
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value
-  std::vector<std::vector<double>> least_ = {};  ///< least E of all rewritings, by point and entry
+  std::vector<std::vector<double>> least_errors_ =
+      {};  ///< least E of all rewritings, by point and entry
 };
 
 }  // namespace elgen

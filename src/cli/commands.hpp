@@ -38,8 +38,8 @@ void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options
 
 /// Adds an option that may be repeated. Each value becomes a source, so that diagnostics can point
 /// into the value.
-inline void add_sources(CLI::App& command, const std::string& name, const std::string& type,
-                        std::vector<SourcePointer>& sources, const std::string& doc) {
+inline void add_source_option(CLI::App& command, const std::string& name, const std::string& type,
+                              std::vector<SourcePointer>& sources, const std::string& doc) {
   const auto read = [&sources](const std::vector<std::string>& values) {
     for (const std::string& value : values) sources.push_back(make_source("command line", value));
   };
@@ -59,8 +59,8 @@ inline std::string number_error(const std::string& word) {
 }
 
 /// Adds an option with a number; `value` stays empty if the command line lacks the option.
-inline CLI::Option* add_number(CLI::App& command, const char* name, std::optional<double>& value,
-                               const char* doc) {
+inline CLI::Option* add_number_option(CLI::App& command, const char* name,
+                                      std::optional<double>& value, const char* doc) {
   return command.add_option_function<double>(
       name, [&value](double given) { value = given; }, doc);
 }
@@ -72,35 +72,35 @@ struct FileOption {
 };
 
 /// Adds -o and --force.
-inline void add_output(CLI::App& command, FileOption& output, const std::string& doc) {
+inline void add_file_options(CLI::App& command, FileOption& output, const std::string& doc) {
   command.add_option("-o,--output", output.file, doc)->type_name("FILE");
   command.add_flag("--force", output.force, "overwrite FILE if it exists");
 }
 
 /// The errors E703 and E708 that write_output() would report, for a check before a long
 /// computation.
-[[nodiscard]] inline Diagnostics refuse_place(const FileOption& output) {
+[[nodiscard]] inline Diagnostics check_output_path(const FileOption& output) {
   if (output.file.empty()) return {};
-  return refuse_places({{output.file, "", Replaces::nothing}}, output.force);
+  return check_output_paths({{output.file, "", ReplacePolicy::never}}, output.force);
 }
 
 /// write_files() for one file; only --force replaces an existing file.
 inline Result<std::vector<std::string>> write_output(const GlobalOptions& global,
                                                      const FileOption& output,
                                                      const std::string& text) {
-  return write_files({{output.file, text, Replaces::nothing}},
+  return write_files({{output.file, text, ReplacePolicy::never}},
                      {output.force, global.limits.seconds});
 }
 
 /// Adds --fix and --size.
-inline void add_specialisation(CLI::App& command, SceneOptions& options) {
-  add_sources(command, "--fix", "NAME[=VALUE]", options.fixed,
-              "replace a parameter by a number: NAME, NAME=VALUE or all");
-  add_sources(command, "--size", "NAME=N", options.sizes, "override a size of the model");
+inline void add_specialisation_options(CLI::App& command, SceneOptions& options) {
+  add_source_option(command, "--fix", "NAME[=VALUE]", options.fixed,
+                    "replace a parameter by a number: NAME, NAME=VALUE or all");
+  add_source_option(command, "--size", "NAME=N", options.sizes, "override a size of the model");
 }
 
 /// Adds --language.
-inline void add_language(CLI::App& command, std::optional<LanguageId>& language) {
+inline void add_language_option(CLI::App& command, std::optional<LanguageId>& language) {
   std::vector<std::string> names;
   for (const LanguageRow& row : language_table) names.emplace_back(row.name);
   const auto set = [&language](const std::string& name) {

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool same_text(const SourcePointer& x, const SourcePointer& y) {
+bool has_same_text(const SourcePointer& x, const SourcePointer& y) {
   if (x == nullptr || y == nullptr) return x == y;
   return x->text == y->text;
 }
@@ -45,13 +45,13 @@ bool is_hidden(const fs::path& name) { return name.string().starts_with("."); }
 /// Reads the files of one version, from the disk or from a revision.
 struct VersionReader {
   SourceReader read;
-  std::function<Result<Inputs>(const std::string& path)> inputs;
+  std::function<Result<PipelineSources>(const std::string& path)> read_inputs;
   /// The paths of all files below a folder, relative to it, without files in hidden folders. E707
   /// if a folder cannot be read.
-  std::function<Result<std::vector<std::string>>(const std::string& folder)> files_below;
+  std::function<Result<std::vector<std::string>>(const std::string& folder)> list_files;
 };
 
-Result<std::vector<std::string>> files_on_disk(const std::string& folder) {
+Result<std::vector<std::string>> list_disk_files(const std::string& folder) {
   std::vector<std::string> files;
   std::error_code error;
   fs::path last = folder;
@@ -68,20 +68,23 @@ Result<std::vector<std::string>> files_on_disk(const std::string& folder) {
   return Diagnostic{
       Code::E707,
       {},
-      fmt::format("{} could not be read: {}", in_backticks(last.string()), error.message())};
+      fmt::format("{} could not be read: {}", quote_text(last.string()), error.message())};
 }
 
-VersionReader on_disk(const Limits& limits) {
+VersionReader disk_reader(const Limits& limits) {
   return {[&limits](const std::string& path) { return read_source(path, limits); },
-          [&limits](const std::string& path) { return read_inputs(path, limits); }, &files_on_disk};
+          [&limits](const std::string& path) { return read_inputs(path, limits); },
+          &list_disk_files};
 }
 
-VersionReader in_revision(const Revision& revision, const Limits& limits) {
-  const SourceReader read = [&](const std::string& path) { return revision.read(path, limits); };
+VersionReader revision_reader(const Revision& revision, const Limits& limits) {
+  const SourceReader read = [&](const std::string& path) {
+    return revision.read_source(path, limits);
+  };
   return {read,
           [&limits, read](const std::string& path) { return read_inputs(path, limits, read); },
           [&revision](const std::string& folder) {
-            std::vector<std::string> files = revision.files_below(folder);
+            std::vector<std::string> files = revision.list_files(folder);
             std::erase_if(files, [](const fs::path& file) {
               const fs::path folders = file.parent_path();
               return std::any_of(folders.begin(), folders.end(), is_hidden);
@@ -132,8 +135,8 @@ FileRole role_of(const VersionReader& side, const std::string& path) {
 }
 
 /// The models, scenes and other TOML files below a folder.
-Result<FolderFiles> systems_below(const VersionReader& side, const std::string& folder) {
-  const Result<std::vector<std::string>> found = side.files_below(folder);
+Result<FolderFiles> find_systems(const VersionReader& side, const std::string& folder) {
+  const Result<std::vector<std::string>> found = side.list_files(folder);
   if (!found) return found.diagnostics;
   FolderFiles files;
   for (const std::string& inside : *found) {
@@ -147,30 +150,30 @@ Result<FolderFiles> systems_below(const VersionReader& side, const std::string& 
 
 /// A file that exists on one side only.
 struct UnpairedFile {
-  const VersionReader* side = nullptr;
-  std::string path = {};   ///< the path on its side
-  std::string shown = {};  ///< the path in the report
+  const VersionReader* reader = nullptr;
+  std::string path = {};         ///< the path on its side
+  std::string report_path = {};  ///< the path in the report
 };
 
-class VersionPairs {
+class VersionComparison {
  public:
-  VersionPairs(const CompareOptions& options, const Limits& limits)
+  VersionComparison(const CompareOptions& options, const Limits& limits)
       : options_(options), limits_(limits) {}
 
   /// Compares two files; their errors are kept for the result.
   void compare(const VersionReader& old_side, const std::string& old_path,
                const VersionReader& new_side, const std::string& new_path) {
     const Progress progress(new_path);
-    progress.stage("compare");
-    const Result<Inputs> before = old_side.inputs(old_path);
-    const Result<Inputs> after = new_side.inputs(new_path);
+    progress.show_stage("compare");
+    const Result<PipelineSources> before = old_side.read_inputs(old_path);
+    const Result<PipelineSources> after = new_side.read_inputs(new_path);
     const bool is_read =
         keep_errors(new_path, before.diagnostics) && keep_errors(new_path, after.diagnostics);
     if (!is_read || !before || !after) return;
     const bool is_same =
-        same_text(before->model, after->model) && same_text(before->scene, after->scene);
+        has_same_text(before->model, after->model) && has_same_text(before->scene, after->scene);
     if (is_same) {
-      keep_errors_of(new_path, *after);
+      keep_input_errors(new_path, *after);
       return;
     }
     const Result<LoadedVersion> old = load_version(*before, limits_);
@@ -180,13 +183,13 @@ class VersionPairs {
     if (!old || !now) return;
     SystemChange& found =
         report_.systems.emplace_back(elgen::compare(old->version(), now->version(), options_));
-    found.path = shown_path(new_path);
+    found.path = printable_path(new_path);
   }
 
   void compare_folders(const VersionReader& old_side, const std::string& old_folder,
                        const VersionReader& new_side, const std::string& new_folder) {
-    const Result<FolderFiles> olds = systems_below(old_side, old_folder);
-    const Result<FolderFiles> news = systems_below(new_side, new_folder);
+    const Result<FolderFiles> olds = find_systems(old_side, old_folder);
+    const Result<FolderFiles> news = find_systems(new_side, new_folder);
     if (!keep_errors(new_folder, olds.diagnostics) || !keep_errors(new_folder, news.diagnostics))
       return;
     const auto compare_both = [&](const std::string& inside) {
@@ -196,7 +199,7 @@ class VersionPairs {
       if (olds->systems.count(inside) + olds->others.count(inside) > 0) {
         compare_both(inside);
       } else {
-        add(new_side, join_paths(new_folder, inside));
+        note_added(new_side, join_paths(new_folder, inside));
       }
     }
     for (const std::string& inside : olds->systems) {
@@ -204,45 +207,46 @@ class VersionPairs {
       if (news->others.count(inside) > 0) {
         compare_both(inside);
       } else {
-        remove(old_side, join_paths(old_folder, inside), inside);
+        note_removed(old_side, join_paths(old_folder, inside), inside);
       }
     }
     for (const std::string& inside : news->doubtful) {
       if (olds->doubtful.count(inside) > 0) {
         compare_both(inside);
       } else if (olds->systems.count(inside) + olds->others.count(inside) == 0) {
-        add(new_side, join_paths(new_folder, inside));
+        note_added(new_side, join_paths(new_folder, inside));
       }
     }
   }
 
   /// Notes a file that only the new side has.
-  void add(const VersionReader& side, const std::string& path) {
+  void note_added(const VersionReader& side, const std::string& path) {
     added_.push_back({&side, path, path});
   }
 
   /// Notes a file that only the old side has.
-  void remove(const VersionReader& side, const std::string& path, const std::string& shown) {
+  void note_removed(const VersionReader& side, const std::string& path, const std::string& shown) {
     removed_.push_back({&side, path, shown});
   }
 
-  Result<DiffReport> result() {
+  Result<DiffReport> finish() {
     compare_moved();
     for (const UnpairedFile& file : added_) {
-      const Result<Inputs> inputs = file.side->inputs(file.path);
+      const Result<PipelineSources> inputs = file.reader->read_inputs(file.path);
       const bool is_read = keep_errors(file.path, inputs.diagnostics) && inputs;
-      if (is_read && keep_errors_of(file.path, *inputs)) {
-        report_.added.push_back(shown_path(file.shown));
+      if (is_read && keep_input_errors(file.path, *inputs)) {
+        report_.added.push_back(printable_path(file.report_path));
       }
     }
-    for (const UnpairedFile& file : removed_) report_.removed.push_back(shown_path(file.shown));
+    for (const UnpairedFile& file : removed_)
+      report_.removed.push_back(printable_path(file.report_path));
     sort_by_position(diagnostics_);
     return {std::move(report_), std::move(diagnostics_)};
   }
 
  private:
   [[nodiscard]] std::string name_of(const UnpairedFile& file) const {
-    const Result<Inputs> inputs = file.side->inputs(file.path);
+    const Result<PipelineSources> inputs = file.reader->read_inputs(file.path);
     return inputs ? system_name(*inputs, limits_) : std::string();
   }
 
@@ -259,15 +263,15 @@ class VersionPairs {
         continue;
       }
       const auto old = removed_.begin() + (found - old_names.begin());
-      compare(*old->side, old->path, *now.side, now.path);
+      compare(*old->reader, old->path, *now.reader, now.path);
       removed_.erase(old);
       old_names.erase(found);
     }
   }
 
   /// Keeps the errors of a file that is not compared; true if it has none.
-  bool keep_errors_of(const std::string& path, const Inputs& inputs) {
-    return keep_errors(path, mistakes(inputs, limits_));
+  bool keep_input_errors(const std::string& path, const PipelineSources& inputs) {
+    return keep_errors(path, inspection_diagnostics(inputs, limits_));
   }
 
   /// Keeps the errors among the diagnostics; true if there are none. Warnings are dropped, because
@@ -277,8 +281,8 @@ class VersionPairs {
       if (code_row(diagnostic.code).severity != Severity::error) continue;
       diagnostics_.push_back(diagnostic);
       std::vector<UnreadableSystem>& unreadable = report_.unreadable;
-      const bool is_known = !unreadable.empty() && unreadable.back().path == shown_path(path);
-      if (!is_known) unreadable.push_back({shown_path(path), diagnostic});
+      const bool is_known = !unreadable.empty() && unreadable.back().path == printable_path(path);
+      if (!is_known) unreadable.push_back({printable_path(path), diagnostic});
     }
     return !has_errors(found);
   }
@@ -295,39 +299,39 @@ class VersionPairs {
 
 Result<DiffReport> compare_paths(const std::string& before, const std::string& after,
                                  const CompareOptions& options, const Limits& limits) {
-  const VersionReader files = on_disk(limits);
-  VersionPairs comparing(options, limits);
+  const VersionReader files = disk_reader(limits);
+  VersionComparison comparing(options, limits);
   if (is_folder(before) && is_folder(after)) {
     comparing.compare_folders(files, before, files, after);
   } else {
     comparing.compare(files, before, files, after);
   }
-  return comparing.result();
+  return comparing.finish();
 }
 
 Result<DiffReport> compare_with_revision(const std::string& name, std::vector<std::string> paths,
                                          const CompareOptions& options, const Limits& limits) {
   const Result<Revision> revision = Revision::open(name);
   if (!revision) return revision.diagnostics;
-  const VersionReader committed = in_revision(*revision, limits);
-  const VersionReader files = on_disk(limits);
+  const VersionReader committed = revision_reader(*revision, limits);
+  const VersionReader files = disk_reader(limits);
   if (paths.empty()) paths = {"."};
-  VersionPairs comparing(options, limits);
+  VersionComparison comparing(options, limits);
   for (const std::string& path : paths) {
-    const Result<std::string> old = revision->path_of(path);
+    const Result<std::string> old = revision->repository_path(path);
     if (!old) return old.diagnostics;
-    const bool was_there = revision->has(*old);
+    const bool was_there = revision->contains(*old);
     if (is_folder(path)) {
       comparing.compare_folders(committed, *old, files, path);
     } else if (was_there == path_exists(path)) {
       comparing.compare(committed, *old, files, path);
     } else if (was_there) {
-      comparing.remove(committed, *old, path);
+      comparing.note_removed(committed, *old, path);
     } else {
-      comparing.add(files, path);
+      comparing.note_added(files, path);
     }
   }
-  return comparing.result();
+  return comparing.finish();
 }
 
 }  // namespace elgen::cli

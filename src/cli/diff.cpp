@@ -53,16 +53,14 @@ const DiffFormat& output_format(const GlobalOptions& global, const DiffOptions& 
 }
 
 /// The renames that the texts OLD=NEW state. E913 if a text lacks "=", OLD or NEW.
-Result<Renames> renames_of(const std::vector<std::string>& texts) {
+Result<Renames> parse_renames(const std::vector<std::string>& texts) {
   Renames renames;
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     const bool is_pair = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
     if (!is_pair) {
-      return Diagnostic{Reason::no_rename,
-                        {},
-                        fmt::format("{} is no rename", in_backticks(text)),
-                        "write OLD=NEW"};
+      return Diagnostic{
+          Reason::no_rename, {}, fmt::format("{} is no rename", quote_text(text)), "write OLD=NEW"};
     }
     renames.emplace(text.substr(0, equals), text.substr(equals + 1));
   }
@@ -70,7 +68,7 @@ Result<Renames> renames_of(const std::vector<std::string>& texts) {
 }
 
 /// E913 for each name in --only that no version has as output. No error if no system has changes.
-Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options) {
+Diagnostics unknown_output_errors(const DiffReport& report, const DiffOptions& options) {
   std::set<std::string> known;
   for (const SystemChange& system : report.systems) {
     for (const OutputChange& output : system.outputs) known.insert(output.name);
@@ -81,12 +79,12 @@ Diagnostics unknown_outputs(const DiffReport& report, const DiffOptions& options
     if (!are_compared || known.count(name) > 0) continue;
     errors.push_back({Reason::unknown_changed_output,
                       {},
-                      fmt::format("no version has an output {}", in_backticks(name))});
+                      fmt::format("no version has an output {}", quote_text(name))});
   }
   return errors;
 }
 
-ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
+ExitCode run_diff(const GlobalOptions& given, const DiffOptions& options) {
   GlobalOptions global = given;
   for (const DiagnosticFormatRow& row : diagnostic_formats()) {
     if (row.word == options.format) global.style.format = row.format;
@@ -98,7 +96,7 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
                             fmt::format("`diff` compares two, not {}", options.inputs.size()),
                             "write OLD NEW, or --against REV"}});
   }
-  const Result<Renames> renames = renames_of(options.renames);
+  const Result<Renames> renames = parse_renames(options.renames);
   if (!renames) return report(global, renames.diagnostics);
   const CompareOptions comparing{
       *renames, {options.only.begin(), options.only.end()}, options.strict};
@@ -108,7 +106,7 @@ ExitCode diff(const GlobalOptions& given, const DiffOptions& options) {
           : compare_with_revision(options.revision, options.inputs, comparing, global.limits);
   if (!found) return report(global, found.diagnostics);
   const bool is_whole = !has_errors(found.diagnostics);
-  const Diagnostics unknown = unknown_outputs(*found, options);
+  const Diagnostics unknown = unknown_output_errors(*found, options);
   if (is_whole && !unknown.empty()) return report(global, unknown);
   if (!is_whole && !format.shows_errors) report(global, found.diagnostics);
   const ExitCode printed = print(global, format.text(*found, options));
@@ -146,7 +144,7 @@ void add_diff(CLI::App& app, Action& action) {
       ->add_option("--format", options->format,
                    "text, json, markdown (for comments on pull requests) or github (annotations)")
       ->check(CLI::IsMember(column_words(formats, &DiffFormat::name)));
-  set_action(*command, action, options, &diff);
+  set_action(*command, action, options, &run_diff);
 }
 
 }  // namespace elgen::cli

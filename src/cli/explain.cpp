@@ -23,21 +23,22 @@ namespace {
 constexpr std::size_t page_width = 100;
 
 /// A name that [[expect]] may use, although no model declares it.
-struct WordRow {
+struct ExpectNameRow {
   std::string_view name;
   std::string_view doc;
 };
 
-constexpr std::array word_table{
-    WordRow{
+constexpr std::array expect_name_table{
+    ExpectNameRow{
         "E",
         "In `conserved` of `[[expect]]` the energy function v dL/dv - L, unless the model declares "
         "a name `E`. `energy_function` is the same quantity in every model."},
-    WordRow{"p",
-            "In `[[expect]]` `p(NAME)` is the momentum dL/d(dot(NAME)) of a coordinate. For a "
-            "rotation `p(NAME[k])` is the momentum about axis k of the body. It is allowed in "
-            "`conserved` and in outputs that take momenta. A name `p` of the model takes "
-            "precedence."}};
+    ExpectNameRow{
+        "p",
+        "In `[[expect]]` `p(NAME)` is the momentum dL/d(dot(NAME)) of a coordinate. For a "
+        "rotation `p(NAME[k])` is the momentum about axis k of the body. It is allowed in "
+        "`conserved` and in outputs that take momenta. A name `p` of the model takes "
+        "precedence."}};
 
 std::string choices_text(const KeyRow& key) {
   const std::vector<std::string_view> words = choice_words(key);
@@ -70,10 +71,10 @@ Json json_of(const OutputRow& row) {
 Json json_of(const FunctionRow& row) {
   return {{"function", row.name},
           {"arguments", row.arity},
-          {"forces_only", row.use == FunctionUse::forces}};
+          {"forces_only", row.use == FunctionUse::forces_only}};
 }
 
-Json json_of(const WordRow& row) { return {{"name", row.name}, {"doc", row.doc}}; }
+Json json_of(const ExpectNameRow& row) { return {{"name", row.name}, {"doc", row.doc}}; }
 
 std::string text_of(const CodeRow& row) {
   const std::vector<std::string_view> reasons = reasons_of(row.code);
@@ -94,12 +95,12 @@ std::string text_of(const OutputRow& row) {
 std::string text_of(const FunctionRow& row) {
   return fmt::format(
       "{}: a function of {}{}\n", row.name, count_text(row.arity, "argument"),
-      row.use == FunctionUse::forces
+      row.use == FunctionUse::forces_only
           ? ", only allowed in forces because it has a kink; its argument may have a unit"
           : "");
 }
 
-std::string text_of(const WordRow& row) {
+std::string text_of(const ExpectNameRow& row) {
   return fmt::format("{}: a name in [[expect]]\n\n{}\n", row.name, row.doc);
 }
 
@@ -121,7 +122,7 @@ std::string key_line(const KeyRow& key) {
 
 /// The header and doc of an entry: "[[frame]]: ..."; for a table inside an entry only its name,
 /// "frame.dh".
-std::string header(const std::string& name) {
+std::string entry_header(const std::string& name) {
   for (const EntryRow& entry : entry_table()) {
     if (entry.entry != name) continue;
     return fmt::format("{}: {}\n{}", header_text(entry), entry.doc,
@@ -148,7 +149,7 @@ std::string text_of(const std::vector<KeyRow>& keys) {
   std::string_view last;
   for (const KeyRow& key : keys) {
     if (key.entry != last)
-      text += (text.empty() ? "" : "\n") + header(std::string(key.entry)) + "\n";
+      text += (text.empty() ? "" : "\n") + entry_header(std::string(key.entry)) + "\n";
     last = key.entry;
     text += key_line(key);
   }
@@ -160,16 +161,16 @@ std::vector<std::string> known_names() {
   std::vector<std::string> names = column_words(entry_table(), &EntryRow::entry);
   for (const CodeRow& code : code_table()) names.emplace_back(code.name);
   for (const OutputRow& output : output_table()) {
-    if (!output.of_user) names.emplace_back(output.name);
+    if (!output.is_user_output) names.emplace_back(output.name);
   }
   for (const FunctionRow& function : function_table()) names.emplace_back(function.name);
-  for (const WordRow& word : word_table) names.emplace_back(word.name);
+  for (const ExpectNameRow& word : expect_name_table) names.emplace_back(word.name);
   return names;
 }
 
 const OutputRow* find_output(std::string_view name) {
   for (const OutputRow& output : output_table()) {
-    if (!output.of_user && output.name == name) return &output;
+    if (!output.is_user_output && output.name == name) return &output;
   }
   return nullptr;
 }
@@ -180,7 +181,7 @@ ExitCode print_row(const GlobalOptions& global, const Row& row) {
 }
 
 ExitCode explain(const GlobalOptions& global, const std::string& name) {
-  if (const CodeRow* row = find_code(capitals(name))) return print_row(global, *row);
+  if (const CodeRow* row = find_code(upper_case(name))) return print_row(global, *row);
   const std::vector<KeyRow> keys = keys_of_entry(name);
   if (!keys.empty()) {
     Json list = Json::array();
@@ -192,8 +193,8 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
   }
   if (const OutputRow* row = find_output(name)) return print_row(global, *row);
   if (const FunctionRow* row = find_function(name)) return print_row(global, *row);
-  const auto word = std::ranges::find(word_table, name, &WordRow::name);
-  if (word != word_table.end()) return print_row(global, *word);
+  const auto word = std::ranges::find(expect_name_table, name, &ExpectNameRow::name);
+  if (word != expect_name_table.end()) return print_row(global, *word);
   return report(global, {{Reason::nothing_to_explain,
                           {},
                           fmt::format("`{}` is no error code, entry, output or function", name),

@@ -42,7 +42,7 @@ struct GenerateOptions {
 /// One input with its sources and products.
 struct Job {
   std::string path;
-  Inputs inputs;
+  PipelineSources inputs;
   Products products;
 
   [[nodiscard]] const Scene& scene() const { return products.checked->scene; }
@@ -66,7 +66,7 @@ ExitCode run_jobs(const GlobalOptions& global, const GenerateOptions& options,
   ExitCode worst = ExitCode::success;
   std::set<std::string> reported;
   for (const std::string& path : options.inputs) {
-    Result<Inputs> inputs = read_inputs(path, global.limits);
+    Result<PipelineSources> inputs = read_inputs(path, global.limits);
     if (!inputs) {
       worst = std::max(worst, report(global, inputs.diagnostics));
       continue;
@@ -75,17 +75,17 @@ ExitCode run_jobs(const GlobalOptions& global, const GenerateOptions& options,
     if (!options.to_stdout) {
       pipeline.scene.paths = source_paths(*inputs, options.output_directory);
     }
-    Job job{path, *inputs, run_with_progress(path, *inputs, pipeline)};
+    Job job{path, *inputs, run_pipeline_with_progress(path, *inputs, pipeline)};
     job.products.diagnostics = without_repetitions(std::move(job.products.diagnostics), reported);
     worst = std::max(worst, report_products(global, job.products));
-    tell_times(global, job.products);
+    print_stage_times(global, job.products);
     jobs.push_back(std::move(job));
   }
   return worst;
 }
 
 /// E604 if two inputs would write the same files.
-Diagnostics duplicate_names(const std::vector<Job>& jobs) {
+Diagnostics duplicate_name_errors(const std::vector<Job>& jobs) {
   Diagnostics errors;
   std::map<std::string, std::string> first;
   for (const Job& job : jobs) {
@@ -109,12 +109,12 @@ EmittedFiles all_files(const std::vector<Job>& jobs) {
 }
 
 /// E607 if options would change files that were written by `generate` without these options.
-Diagnostics changed_by_options(const GenerateOptions& options, const std::vector<Job>& jobs) {
+Diagnostics option_change_errors(const GenerateOptions& options, const std::vector<Job>& jobs) {
   Diagnostics errors;
   for (const Job& job : jobs) {
     if (!job.scene().has_options || options.output_directory_given) continue;
-    for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
-      if (existing_text(file.path).value_or(file.text) == file.text) continue;
+    for (const OutputFile& file : to_output_files(options.output_directory, *job.products.files)) {
+      if (read_existing_file(file.path).value_or(file.text) == file.text) continue;
       errors.push_back(
           {Code::E607,
            {},
@@ -135,11 +135,11 @@ std::vector<SourcePointer> sources_of(const Job& job) {
 }
 
 /// E714 if a source changed after it was read: builds would then keep the code of the old source.
-Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
+Diagnostics changed_source_errors(const std::vector<Job>& jobs) {
   Diagnostics errors;
   for (const Job& job : jobs) {
     for (const SourcePointer& source : sources_of(job)) {
-      if (existing_text(source->path).value_or(source->text) == source->text) continue;
+      if (read_existing_file(source->path).value_or(source->text) == source->text) continue;
       errors.push_back({Code::E714,
                         {},
                         fmt::format("`{}` has changed since it was read", source->path),
@@ -151,21 +151,22 @@ Diagnostics changed_meanwhile(const std::vector<Job>& jobs) {
 
 /// The source that the existing file `file.path` states. None if the source is the input of `job`,
 /// or can no longer generate files of the job's name.
-std::optional<std::string> other_source(const GlobalOptions& global, const Job& job,
-                                        const std::string& directory, const OutputFile& file) {
-  const auto source = source_file(directory, stated_paths(existing_text(file.path).value_or("")));
+std::optional<std::string> find_other_source(const GlobalOptions& global, const Job& job,
+                                             const std::string& directory, const OutputFile& file) {
+  const auto source =
+      find_source_path(directory, stated_paths(read_existing_file(file.path).value_or("")));
   std::error_code error;
   const bool is_other = source && !fs::equivalent(*source, job.path, error);
   return is_other && may_have_name(global, *source, job.scene().base_name) ? source : std::nullopt;
 }
 
 /// E604 if files of another model or scene with the same name would be replaced.
-Diagnostics occupied_names(const GlobalOptions& global, const GenerateOptions& options,
-                           const std::vector<Job>& jobs) {
+Diagnostics occupied_name_errors(const GlobalOptions& global, const GenerateOptions& options,
+                                 const std::vector<Job>& jobs) {
   Diagnostics errors;
   for (const Job& job : jobs) {
-    for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
-      const auto other = other_source(global, job, options.output_directory, file);
+    for (const OutputFile& file : to_output_files(options.output_directory, *job.products.files)) {
+      const auto other = find_other_source(global, job, options.output_directory, file);
       if (!other) continue;
       errors.push_back({Code::E604,
                         {},
@@ -181,7 +182,7 @@ Diagnostics occupied_names(const GlobalOptions& global, const GenerateOptions& o
 /// The paths of a job's files, the header first, then in the order of artifacts.def.
 std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job) {
   std::vector<std::string> paths;
-  for (const Artifact& artifact : artifacts_of(job.scene())) {
+  for (const Artifact& artifact : requested_artifacts(job.scene())) {
     paths.push_back((fs::path(options.output_directory) / artifact.path).generic_string());
   }
   return paths;
@@ -189,30 +190,31 @@ std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job
 
 /// The text of --depfile. The header is the first target, because Ninja expects the first output of
 /// its rule.
-std::string dependencies(const GenerateOptions& options, const std::vector<Job>& jobs) {
+std::string dependency_rules_text(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs) {
     std::string sources;
     for (const SourcePointer& source : sources_of(job)) {
-      sources += " " + escaped_for_make(source->path);
+      sources += " " + escape_for_make(source->path);
     }
     for (const std::string& path : paths_of(options, job)) {
-      text += escaped_for_make(path) + ":" + sources + "\n";
+      text += escape_for_make(path) + ":" + sources + "\n";
     }
   }
   return text;
 }
 
 std::vector<OutputFile> output_files(const GenerateOptions& options, const std::vector<Job>& jobs) {
-  std::vector<OutputFile> files = files_in(options.output_directory, all_files(jobs));
+  std::vector<OutputFile> files = to_output_files(options.output_directory, all_files(jobs));
   if (!options.depfile.empty()) {
-    files.push_back({options.depfile, dependencies(options, jobs), Replaces::dependencies});
+    files.push_back(
+        {options.depfile, dependency_rules_text(options, jobs), ReplacePolicy::dependencies});
   }
   return files;
 }
 
 /// The word; in single quotes if a shell needs quotes.
-std::string quoted_for_shell(const std::string& word) {
+std::string quote_for_shell(const std::string& word) {
   constexpr const char* harmless =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,/:@%";
   if (!word.empty() && word.find_first_not_of(harmless) == std::string::npos) return word;
@@ -225,10 +227,10 @@ std::string quoted_for_shell(const std::string& word) {
 std::string repair_command(const GlobalOptions& global, const GenerateOptions& options) {
   std::string command = "elgen";
   for (std::size_t i = 1; i < global.words.size(); ++i) {
-    if (global.words[i] != "--check") command += " " + quoted_for_shell(global.words[i]);
+    if (global.words[i] != "--check") command += " " + quote_for_shell(global.words[i]);
   }
   if (options.scene.changes_files() && !options.output_directory_given) {
-    command += " -o " + quoted_for_shell(options.output_directory);
+    command += " -o " + quote_for_shell(options.output_directory);
   }
   return command;
 }
@@ -237,12 +239,12 @@ std::string repair_command(const GlobalOptions& global, const GenerateOptions& o
 std::string comparison_command(const GenerateOptions& options) {
   if (std::ranges::count(options.inputs, "-") > 0) return {};
   std::string command = "elgen diff --against REV";
-  for (const std::string& input : options.inputs) command += " " + quoted_for_shell(input);
+  for (const std::string& input : options.inputs) command += " " + quote_for_shell(input);
   return command;
 }
 
-ExitCode check(const GlobalOptions& global, const GenerateOptions& options,
-               const std::vector<Job>& jobs) {
+ExitCode check_jobs(const GlobalOptions& global, const GenerateOptions& options,
+                    const std::vector<Job>& jobs) {
   GeneratedSystems systems{options.output_directory,
                            all_files(jobs),
                            {},
@@ -268,16 +270,18 @@ void report_files(const GlobalOptions& global, const GenerateOptions& options, c
                   const std::vector<std::string>& written) {
   const auto& [model, scene] = *job.products.checked;
   if (global.verbose) {
-    tell(global, overview(model_page(model, scene, job.products.book->program), screen_of(stderr)));
+    print_message(global, overview(model_page(model, scene, job.products.page_programs->program),
+                                   screen_of(stderr)));
   }
-  for (const OutputFile& file : files_in(options.output_directory, *job.products.files)) {
+  for (const OutputFile& file : to_output_files(options.output_directory, *job.products.files)) {
     const bool is_new = std::find(written.begin(), written.end(), file.path) != written.end();
-    tell(global, (is_new ? "wrote " : "unchanged ") + shown_path(file.path));
+    print_message(global, (is_new ? "wrote " : "unchanged ") + printable_path(file.path));
   }
   const bool expects = !model.expectations.empty();
-  tell(global, fmt::format("{}: {}{}", job.scene().base_name, receipt(*job.products.self_check),
-                           expects ? "; `elgen verify` checks [[expect]]" : ""));
-  if (global.verbose) tell(global, next_commands(job.path));
+  print_message(global, fmt::format("{}: {}{}", job.scene().base_name,
+                                    self_check_text(*job.products.self_check),
+                                    expects ? "; `elgen verify` checks [[expect]]" : ""));
+  if (global.verbose) print_message(global, next_commands(job.path));
 }
 
 /// The paths in the order in which they are printed.
@@ -303,7 +307,7 @@ Json json_of(const GenerateOptions& options, const Job& job,
             {"sources", std::move(sources)},
             {"files", std::move(files)}};
   if (written != nullptr) {
-    json["self_check"] = receipt(*job.products.self_check);
+    json["self_check"] = self_check_text(*job.products.self_check);
   }
   return json;
 }
@@ -315,11 +319,11 @@ std::string to_json(const GenerateOptions& options, const std::vector<Job>& jobs
   return Json{{"systems", std::move(systems)}}.dump(2) + "\n";
 }
 
-ExitCode write(const GlobalOptions& global, const GenerateOptions& options,
-               const std::vector<Job>& jobs) {
-  Diagnostics refusals = changed_by_options(options, jobs);
-  if (refusals.empty()) refusals = changed_meanwhile(jobs);
-  if (refusals.empty() && !options.force) refusals = occupied_names(global, options, jobs);
+ExitCode write_jobs(const GlobalOptions& global, const GenerateOptions& options,
+                    const std::vector<Job>& jobs) {
+  Diagnostics refusals = option_change_errors(options, jobs);
+  if (refusals.empty()) refusals = changed_source_errors(jobs);
+  if (refusals.empty() && !options.force) refusals = occupied_name_errors(global, options, jobs);
   if (!refusals.empty()) return report(global, refusals);
   const auto written =
       write_files(output_files(options, jobs), {options.force, global.limits.seconds});
@@ -336,10 +340,10 @@ std::string path_list(const GenerateOptions& options, const std::vector<Job>& jo
   return text;
 }
 
-std::string headers(const std::vector<Job>& jobs) {
+std::string joined_headers(const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs)
-    text += job.products.files->files.at(artifacts_of(job.scene()).front().path);
+    text += job.products.files->files.at(requested_artifacts(job.scene()).front().path);
   return text;
 }
 
@@ -351,14 +355,14 @@ ExitCode generate(const GlobalOptions& global, const GenerateOptions& options) {
   const ExitCode worst = run_jobs(global, options, jobs);
   if (worst != ExitCode::success) return worst;
   if (!global.stop_after.empty() && !options.list_outputs) return worst;
-  const Diagnostics duplicates = duplicate_names(jobs);
+  const Diagnostics duplicates = duplicate_name_errors(jobs);
   if (!duplicates.empty()) return report(global, duplicates);
   if (options.list_outputs) {
     return print(global,
                  wants_json(global) ? to_json(options, jobs, nullptr) : path_list(options, jobs));
   }
-  if (options.to_stdout) return print(global, headers(jobs));
-  return options.check ? check(global, options, jobs) : write(global, options, jobs);
+  if (options.to_stdout) return print(global, joined_headers(jobs));
+  return options.check ? check_jobs(global, options, jobs) : write_jobs(global, options, jobs);
 }
 
 }  // namespace
@@ -375,10 +379,10 @@ void add_generate(CLI::App& app, Action& action) {
       ->type_name("DIR")
       ->capture_default_str()
       ->each([options](const std::string&) { options->output_directory_given = true; });
-  add_sources(*command, "--outputs", "LIST", options->scene.outputs,
-              "write only these outputs: mass_matrix,bias,…");
-  add_language(*command, options->scene.language);
-  add_specialisation(*command, options->scene);
+  add_source_option(*command, "--outputs", "LIST", options->scene.outputs,
+                    "write only these outputs: mass_matrix,bias,…");
+  add_language_option(*command, options->scene.language);
+  add_specialisation_options(*command, options->scene);
   CLI::Option* check = command->add_flag("--check", options->check,
                                          "write nothing; exit with 1 if the files differ");
   command->add_flag("--force", options->force, "also overwrite files that elgen did not generate");

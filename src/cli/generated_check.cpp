@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The paths in a folder, sorted by name.
-std::vector<fs::path> entries_in(const fs::path& folder) {
+std::vector<fs::path> sorted_entries(const fs::path& folder) {
   std::vector<fs::path> all;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) all.push_back(entry.path());
@@ -30,7 +30,7 @@ std::vector<fs::path> entries_in(const fs::path& folder) {
   return all;
 }
 
-bool same_sources(const SourcePaths& x, const SourcePaths& y) {
+bool has_same_sources(const SourcePaths& x, const SourcePaths& y) {
   return x.model == y.model && x.scene == y.scene;
 }
 
@@ -39,44 +39,46 @@ class OrphanSearch {
   OrphanSearch(const std::string& directory, const EmittedFiles& files,
                const std::vector<SourcePaths>& sources)
       : directory_(directory), sources_(sources) {
-    for (const OutputFile& file : files_in(directory, files)) {
+    for (const OutputFile& file : to_output_files(directory, files)) {
       written_.insert(fs::path(file.path).lexically_normal());
       folders_.insert(fs::path(file.path).lexically_normal().parent_path());
     }
   }
 
   std::vector<FileDifference> operator()() {
-    for (const fs::path& folder : folders_) add(folder, "no input generates it");
-    for (const fs::path& folder : entries_in(directory_)) {
+    for (const fs::path& folder : folders_) add_orphans(folder, "no input generates it");
+    for (const fs::path& folder : sorted_entries(directory_)) {
       std::error_code error;
       const bool is_other =
           fs::is_directory(folder, error) && folders_.count(folder.lexically_normal()) == 0;
       if (!is_other) continue;
-      if (const std::string reason = reason_of(folder); !reason.empty()) add(folder, reason);
+      if (const std::string reason = orphan_reason(folder); !reason.empty())
+        add_orphans(folder, reason);
     }
     return std::move(found_);
   }
 
  private:
-  void add(const fs::path& folder, const std::string& reason) {
-    for (const fs::path& path : entries_in(folder)) {
+  void add_orphans(const fs::path& folder, const std::string& reason) {
+    for (const fs::path& path : sorted_entries(folder)) {
       const bool is_ours =
-          written_.count(path.lexically_normal()) == 0 && has_marker(path.string());
+          written_.count(path.lexically_normal()) == 0 && has_generated_marker(path.string());
       if (is_ours) found_.push_back({FileState::orphaned, path.generic_string(), reason});
     }
   }
 
   /// Why no input generates the files of the folder; "" if some input does, or if this is unknown.
-  std::string reason_of(const fs::path& folder) const {
-    for (const fs::path& path : entries_in(folder)) {
+  std::string orphan_reason(const fs::path& folder) const {
+    for (const fs::path& path : sorted_entries(folder)) {
       if (!path.filename().string().ends_with(sidecar_ending)) continue;
-      const SourcePaths stated = stated_paths(existing_text(path.string()).value_or(""));
-      const auto file = source_file(directory_, stated);
+      const SourcePaths stated = stated_paths(read_existing_file(path.string()).value_or(""));
+      const auto file = find_source_path(directory_, stated);
       if (!file) return {};
       std::error_code error;
       if (!fs::exists(*file, error)) return fmt::format("{} does not exist", *file);
-      const bool is_renamed = std::ranges::any_of(
-          sources_, [&stated](const SourcePaths& paths) { return same_sources(paths, stated); });
+      const bool is_renamed = std::ranges::any_of(sources_, [&stated](const SourcePaths& paths) {
+        return has_same_sources(paths, stated);
+      });
       return is_renamed ? fmt::format("{} is now generated under another name", *file) : "";
     }
     return {};
@@ -93,8 +95,8 @@ class OrphanSearch {
 /// all other generated files are orphans. In another folder below `directory`, all generated files
 /// are orphans if the sidecar names a source that does not exist, or one of `sources`: this source
 /// now generates files of another name.
-std::vector<FileDifference> orphans(const std::string& directory, const EmittedFiles& files,
-                                    const std::vector<SourcePaths>& sources) {
+std::vector<FileDifference> find_orphans(const std::string& directory, const EmittedFiles& files,
+                                         const std::vector<SourcePaths>& sources) {
   return OrphanSearch(directory, files, sources)();
 }
 
@@ -118,21 +120,21 @@ Diagnostics diagnostics_of(const std::vector<FileDifference>& differences) {
   Diagnostics all;
   for (const FileDifference& difference : differences) {
     const SourcePointer file =
-        make_permanent_source(difference.path, existing_text(difference.path).value_or(""));
+        make_permanent_source(difference.path, read_existing_file(difference.path).value_or(""));
     const std::string reason =
         difference.state == FileState::orphaned ? ": " + difference.detail : std::string();
     all.push_back({Code::E715,
                    {file.get(), 0, 0},
-                   fmt::format("{} is {}{}", quoted_for_shell(difference.path),
-                               name_of(difference.state), reason)});
+                   fmt::format("{} is {}{}", quote_for_shell(difference.path), name_of(difference.state),
+                               reason)});
   }
   return all;
 }
 
 /// Reports one error for all files, with the commands that repair them and the command that
 /// compares the equations.
-ExitCode report_all(const GlobalOptions& global, const GeneratedSystems& systems,
-                    const std::vector<FileDifference>& differences) {
+ExitCode report_repairs(const GlobalOptions& global, const GeneratedSystems& systems,
+                        const std::vector<FileDifference>& differences) {
   const auto is_orphan = [](const FileDifference& found) {
     return found.state == FileState::orphaned;
   };
@@ -146,10 +148,10 @@ ExitCode report_all(const GlobalOptions& global, const GeneratedSystems& systems
                             differences.size() == 1 ? "is" : "are"),
                 is_written ? "to repair: " + systems.repair : ""}});
   if (is_stale && !systems.comparison.empty()) {
-    tell(global, "to compare the equations: " + systems.comparison);
+    print_message(global, "to compare the equations: " + systems.comparison);
   }
   for (const FileDifference& found : differences) {
-    if (is_orphan(found)) tell(global, "to repair: delete " + shown_path(found.path));
+    if (is_orphan(found)) print_message(global, "to repair: delete " + printable_path(found.path));
   }
   return reported;
 }
@@ -158,17 +160,17 @@ ExitCode report_all(const GlobalOptions& global, const GeneratedSystems& systems
 
 ExitCode check_generated(const GlobalOptions& global, const GeneratedSystems& systems) {
   std::vector<FileDifference> differences = compare_files(systems.directory, systems.files);
-  const auto left = orphans(systems.directory, systems.files, systems.sources);
+  const auto left = find_orphans(systems.directory, systems.files, systems.sources);
   differences.insert(differences.end(), left.begin(), left.end());
   if (differences.empty()) {
-    tell(global, "up to date");
+    print_message(global, "up to date");
     return ExitCode::success;
   }
   if (global.style.format != DiagnosticFormat::text) {
     return report(global, diagnostics_of(differences));
   }
   const ExitCode printed = print(global, difference_text(global, differences));
-  return std::max(printed, report_all(global, systems, differences));
+  return std::max(printed, report_repairs(global, systems, differences));
 }
 
 }  // namespace elgen::cli

@@ -42,13 +42,13 @@ struct RawOptions {
 };
 
 /// "elgen 0.1.0 (d205d2cd1a2b)".
-std::string version() {
+std::string version_text() {
   const std::string of_commit = *commit == '\0' ? "" : fmt::format(" ({})", commit);
   return "elgen " ELGEN_VERSION + of_commit;
 }
 
 void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
-  app.set_version_flag("-V,--version", version());
+  app.set_version_flag("-V,--version", version_text());
   app.add_option("--color", raw.color,
                  "auto, always or never (default: auto; NO_COLOR is honoured)")
       ->check(CLI::IsMember({"auto", "always", "never"}));
@@ -60,7 +60,7 @@ void add_global_options(CLI::App& app, CommandLine& line, RawOptions& raw) {
   app.add_option("--dump", line.global.dump_stage, "print the result of a stage on stdout")
       ->check(CLI::IsMember({"derive", "lower"}));
   app.add_option("--stop-after", line.global.stop_after, "stop after this stage and write nothing")
-      ->check(CLI::IsMember(std::vector<std::string>(goal_names.begin(), goal_names.end())));
+      ->check(CLI::IsMember(std::vector<std::string>(stage_names.begin(), stage_names.end())));
   app.add_flag("--timings", line.global.timings, "print the time of every stage");
   app.add_flag("--limits", raw.list_limits, "list the limits and exit");
   app.add_option("--limit", raw.limits, "raise or lower a limit")
@@ -101,7 +101,7 @@ std::vector<std::string> known_words(const CLI::App& app) {
 }
 
 /// The hint "see `elgen COMMAND --help`"; without COMMAND if the command line names no command.
-std::string see_help(const CLI::App& app) {
+std::string help_hint(const CLI::App& app) {
   const std::vector<CLI::App*> begun = app.get_subcommands();
   const std::string command = begun.empty() ? "" : begun.front()->get_name() + " ";
   return fmt::format("see `elgen {}--help`", command);
@@ -117,7 +117,7 @@ std::vector<std::string> without_help_command(std::vector<std::string> words) {
 
 /// Turns `--state a=1 b=2` and `--state a=1, b=2` into `--state a=1 --state b=2`. Names of input
 /// files do not count as settings.
-std::vector<std::string> with_options_repeated(const std::vector<std::string>& words) {
+std::vector<std::string> repeat_options(const std::vector<std::string>& words) {
   std::vector<std::string> all;
   std::string option;  // to which the following settings belong
   bool is_first = false;
@@ -147,8 +147,8 @@ Diagnostic parse_error(const CLI::App& app, const std::vector<std::string>& word
                          suggestion(word.substr(0, word.find('=')), known_words(app)));
   }
   std::string message = error.what();
-  if (!message.empty()) message[0] = in_lower_case(message[0]);
-  return {Reason::unknown_option, {}, message, see_help(app)};
+  if (!message.empty()) message[0] = to_lower_case(message[0]);
+  return {Reason::unknown_option, {}, message, help_hint(app)};
 }
 
 Result<Limits> read_limits(const std::vector<std::string>& settings) {
@@ -225,7 +225,7 @@ DiagnosticStyle style_of(const std::string& color, const std::string& format) {
 }
 
 /// E913 for each option whose output has no JSON form, if the format is JSON.
-Diagnostics refuse_json(const GlobalOptions& global) {
+Diagnostics check_json_options(const GlobalOptions& global) {
   if (!wants_json(global)) return {};
   Diagnostics refused;
   const auto refuse = [&](bool is_asked_for, const char* option) {
@@ -240,7 +240,7 @@ Diagnostics refuse_json(const GlobalOptions& global) {
 }
 
 /// The value of an option, found without CLI11, even if other words contain mistakes.
-std::string value_of(const std::vector<std::string>& words, const std::string& option) {
+std::string find_option_value(const std::vector<std::string>& words, const std::string& option) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     if (words[i] == option && i + 1 < words.size()) return words[i + 1];
     if (words[i].rfind(option + "=", 0) == 0) return words[i].substr(option.size() + 1);
@@ -250,8 +250,8 @@ std::string value_of(const std::vector<std::string>& words, const std::string& o
 
 /// The style for errors of read_command_line(), from --color and --format as far as they are valid.
 DiagnosticStyle style_of_mistakes(const std::vector<std::string>& words) {
-  const std::string color = value_of(words, "--color");
-  return style_of(color.empty() ? "auto" : color, value_of(words, "--format"));
+  const std::string color = find_option_value(words, "--color");
+  return style_of(color.empty() ? "auto" : color, find_option_value(words, "--format"));
 }
 
 /// Parses the command line. E913, with a suggestion, for words that are not understood.
@@ -266,7 +266,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
 #include "cli/commands.def"
 #undef ELGEN_COMMAND
   try {
-    const std::vector<std::string> read = with_options_repeated(without_help_command(words));
+    const std::vector<std::string> read = repeat_options(without_help_command(words));
     std::vector<std::string> reversed(read.rbegin(), read.rend() - 1);
     app.parse(reversed);
   } catch (const CLI::CallForHelp&) {
@@ -294,14 +294,14 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
   Result<Limits> limits = read_limits(raw.limits);
   if (!limits) return limits.diagnostics;
   line.global.limits = *limits;
-  const Diagnostics refused = refuse_json(line.global);
+  const Diagnostics refused = check_json_options(line.global);
   if (!refused.empty()) return refused;
   return line;
 }
 
 /// Runs the command line. Sets `global` before the command runs, so that the caller can report
 /// exceptions in the requested format.
-ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global) {
+ExitCode run_command_line(const std::vector<std::string>& words, GlobalOptions& global) {
   const auto line = read_command_line(words);
   if (!line) {
     global.style = style_of_mistakes(words);
@@ -316,9 +316,9 @@ ExitCode run_words(const std::vector<std::string>& words, GlobalOptions& global)
 ExitCode run_program(int count, char** words) {
   GlobalOptions global;
   try {
-    return run_words({words, words + count}, global);
+    return run_command_line({words, words + count}, global);
   } catch (const std::bad_alloc&) {
-    return report(global, {out_of_memory(global.limits)});
+    return report(global, {memory_limit_error(global.limits)});
   } catch (const std::exception& mistake) {
     return report(global,
                   {{Reason::exception, {}, fmt::format("internal error: {}", mistake.what())}});

@@ -22,7 +22,7 @@ struct GlobalOptions {
 };
 
 /// Prints a result on stdout, in one piece. E706 if that fails.
-ExitCode print(const GlobalOptions& global, const std::string& asked_for);
+ExitCode print(const GlobalOptions& global, const std::string& result);
 
 /// Prints diagnostics on stderr, without notes if --quiet is set, and returns their exit code.
 ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics);
@@ -33,8 +33,8 @@ ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics);
 }
 
 /// Prints a line on stderr, unless --quiet is set or the format is JSON.
-void tell(const GlobalOptions& global, const std::string& line);
+void print_message(const GlobalOptions& global, const std::string& line);
 
-void tell_times(const GlobalOptions& global, const Products& products);
+void print_stage_times(const GlobalOptions& global, const Products& products);
 
 }  // namespace elgen::cli

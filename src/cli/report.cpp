@@ -20,7 +20,7 @@ void write_stderr(const Diagnostics& diagnostics, const DiagnosticStyle& style) 
   // All memory is allocated before the first byte is written. Signals are deferred until the last
   // byte is written.
   const std::string text = format(diagnostics, style);
-  const NoInterrupts until_written;
+  const SignalBlocker until_written;
   write_stderr(text);
 }
 
@@ -46,11 +46,11 @@ ExitCode report(const GlobalOptions& global, const Diagnostics& diagnostics) {
   return exit_code(diagnostics);
 }
 
-void tell(const GlobalOptions& global, const std::string& line) {
+void print_message(const GlobalOptions& global, const std::string& line) {
   if (!global.quiet && !wants_json(global)) write_stderr(line + "\n");
 }
 
-void tell_times(const GlobalOptions& global, const Products& products) {
+void print_stage_times(const GlobalOptions& global, const Products& products) {
   if (!global.timings) return;
   const auto line = [](const std::string& name, double seconds) {
     write_stderr(fmt::format("{:>12} {:9.2f} ms\n", name, seconds * 1e3));

@@ -6,7 +6,7 @@ namespace elgen::cli {
 
 namespace {
 
-ExitCode schema(const GlobalOptions& global, const std::string& name) {
+ExitCode print_schema(const GlobalOptions& global, const std::string& name) {
   return print(global, file_schema(name == "scene" ? FileKind::scene : FileKind::model));
 }
 
@@ -19,7 +19,7 @@ void add_schema(CLI::App& app, Action& action) {
   command->add_option("name", *name, "model or scene")
       ->required()
       ->check(CLI::IsMember({"model", "scene"}));
-  set_action(*command, action, name, &schema);
+  set_action(*command, action, name, &print_schema);
 }
 
 }  // namespace elgen::cli

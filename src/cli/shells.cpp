@@ -9,7 +9,7 @@ namespace {
 
 /// Sets an action that prints `text`. The text is made during parsing, because the list of commands
 /// exists only then.
-void print_later(Action& action, std::string text) {
+void set_print_action(Action& action, std::string text) {
   action = [text = std::move(text)](const GlobalOptions& global) {
     if (!wants_json(global)) return print(global, text);
     return report(
@@ -25,14 +25,15 @@ void add_completions(CLI::App& app, Action& action) {
   const auto shell = std::make_shared<std::string>();
   command->add_option("shell", *shell, "bash, zsh or fish")
       ->required()
-      ->check(CLI::IsMember(completed_shells()));
-  command->callback(
-      [&app, &action, shell] { print_later(action, completions(command_list(app), *shell)); });
+      ->check(CLI::IsMember(completion_shells()));
+  command->callback([&app, &action, shell] {
+    set_print_action(action, completion_script(command_list(app), *shell));
+  });
 }
 
 void add_man(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("man", "print the manual page elgen(1)");
-  command->callback([&app, &action] { print_later(action, manual_page(command_list(app))); });
+  command->callback([&app, &action] { set_print_action(action, manual_page(command_list(app))); });
 }
 
 }  // namespace elgen::cli

@@ -27,9 +27,9 @@ namespace {
 
 struct ShowOptions {
   std::string input = {};
-  std::string what = {};  ///< names of outputs, or a word of `subjects`; empty: all outputs
-  std::string as = {};    ///< notation; empty: usual_notation()
-  std::string at = {};    ///< "theta=0", or the name of an [[equilibrium]]
+  std::string what = {};        ///< names of outputs, or a word of `subjects`; empty: all outputs
+  std::string notation = {};    ///< notation; empty: usual_notation()
+  std::string rest_place = {};  ///< "theta=0", or the name of an [[equilibrium]]
   SceneOptions scene = {};
 };
 
@@ -49,33 +49,33 @@ std::string json_of_outputs(const Products& products, const PageOptions&) {
 
 std::string text_of_outputs(const Products& products, const PageOptions& options) {
   const auto& [model, scene] = *products.checked;
-  return text_page(model, scene, products.book->program, options);
+  return text_page(model, scene, products.page_programs->program, options);
 }
 
 Page page_of_outputs(const Products& products, const PageOptions& options) {
   const auto& [model, scene] = *products.checked;
-  return model_page(model, scene, products.book->program, options);
+  return model_page(model, scene, products.page_programs->program, options);
 }
 
 template <const std::string_view& title>
 Page page_of_steps(const Products& products, const PageOptions&) {
   const auto& [model, scene] = *products.checked;
-  return steps_page(model, scene, *products.steps, title);
+  return derivation_page(model, scene, *products.steps, title);
 }
 
 constexpr std::string_view all_steps;
 
 template <class T>
-using Shown = T (*)(const Products& products, const PageOptions& options);
+using ProductsFormatter = T (*)(const Products& products, const PageOptions& options);
 
 /// A subject of --what. Outputs can be combined with each other; all other subjects are shown
 /// alone.
 struct SubjectRow {
-  std::string_view word;    ///< in --what; "": outputs
-  Goal goal;                ///< the pipeline's goal that computes it
-  Shown<Page> page;         ///< null: only text exists
-  Shown<std::string> text;  ///< null: the text is made from the page
-  Shown<std::string> json;  ///< null: no JSON form
+  std::string_view word;                ///< in --what; "": outputs
+  Goal goal;                            ///< the pipeline's goal that computes it
+  ProductsFormatter<Page> page;         ///< null: only text exists
+  ProductsFormatter<std::string> text;  ///< null: the text is made from the page
+  ProductsFormatter<std::string> json;  ///< null: no JSON form
 };
 
 constexpr std::array subjects{
@@ -101,17 +101,17 @@ std::string subject_words() {
   return fmt::format("{} or {}", fmt::join(words, ", "), last);
 }
 
-Result<const SubjectRow*> subject_of(const ShowOptions& options) {
+Result<const SubjectRow*> find_subject(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
     if (row.word.empty()) continue;
     if (options.what == row.word) {
-      const bool is_plain = options.as == "text" || options.as == "unicode";
+      const bool is_plain = options.notation == "text" || options.notation == "unicode";
       const bool is_printed =
-          options.as == "json" ? row.json != nullptr : row.page != nullptr || is_plain;
+          options.notation == "json" ? row.json != nullptr : row.page != nullptr || is_plain;
       if (is_printed) return &row;
       return Diagnostic{Reason::not_printed_as,
                         {},
-                        fmt::format("`{}` is not printed as {}", row.word, options.as)};
+                        fmt::format("`{}` is not printed as {}", row.word, options.notation)};
     }
     if (("," + options.what + ",").find(fmt::format(",{},", row.word)) != std::string::npos) {
       return Diagnostic{Reason::shown_alone,
@@ -123,7 +123,8 @@ Result<const SubjectRow*> subject_of(const ShowOptions& options) {
   return &subjects.front();
 }
 
-double seconds(const std::vector<StageTime>& times, std::string_view first, std::string_view last) {
+double stage_seconds(const std::vector<StageTime>& times, std::string_view first,
+                     std::string_view last) {
   double sum = 0;
   bool counts = false;
   for (const StageTime& time : times) {
@@ -135,12 +136,12 @@ double seconds(const std::vector<StageTime>& times, std::string_view first, std:
 }
 
 double generation_time(const Products& products) {
-  return seconds(products.times, "parse", "emit");
+  return stage_seconds(products.times, "parse", "emit");
 }
 
 /// The sizes from options, and the sizes from the scene that no option overrides, as values of
 /// --size.
-std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions& options) {
+std::vector<SourcePointer> sizes_of(const PipelineSources& inputs, const PipelineOptions& options) {
   std::vector<SourcePointer> sizes = options.scene.sizes;
   const auto is_given = [&options](const std::string& name) {
     return std::ranges::any_of(options.scene.sizes, [&name](const SourcePointer& option) {
@@ -149,7 +150,7 @@ std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions&
   };
   if (inputs.scene != nullptr) {
     const Result<FileSyntax> scene = parse_scene(inputs.scene, options.limits);
-    for (const KeySyntax& key : keys_of(&*scene, "sizes")) {
+    for (const KeySyntax& key : entry_keys(&*scene, "sizes")) {
       if (is_given(key.key)) continue;
       sizes.push_back(make_source("[sizes]", fmt::format("{}={}", key.key, key.value.text)));
     }
@@ -159,7 +160,7 @@ std::vector<SourcePointer> sizes_of(const Inputs& inputs, const PipelineOptions&
 
 /// The products of the model without a scene, at the same sizes: all outputs, no fixed values, no
 /// locks.
-Products full_model(const Inputs& inputs, const PipelineOptions& options) {
+Products derive_full_model(const PipelineSources& inputs, const PipelineOptions& options) {
   PipelineOptions full = options;
   full.scene = {};
   full.scene.sizes = sizes_of(inputs, options);
@@ -189,12 +190,12 @@ std::vector<std::string> cost_columns(const OutputRequest& request, const Progra
 /// A table of outputs: cost of one call, cost in the full model (if there is a scene), and time to
 /// derive this output by itself (formulate to choose). Derives each output of `products` again, and
 /// the full model. `products` must belong to `inputs`.
-std::string generation_costs(const Inputs& inputs, const PipelineOptions& options,
-                             const Products& products) {
+std::string cost_table(const PipelineSources& inputs, const PipelineOptions& options,
+                       const Products& products) {
   PipelineOptions silent = options;
   silent.dump.reset();
   const bool has_scene = inputs.scene != nullptr || products.checked->scene.has_options;
-  const Products whole = has_scene ? full_model(inputs, silent) : Products{};
+  const Products whole = has_scene ? derive_full_model(inputs, silent) : Products{};
   const Products* full = has_scene ? &whole : nullptr;
   const std::vector<OutputRequest>& requests = products.checked->scene.outputs;
   TextRows rows{{"output", "cost"}};
@@ -211,8 +212,8 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
     const std::vector<std::string> costs = cost_columns(requests[i], *products.program, full);
     row.insert(row.end(), costs.begin(), costs.end());
     row.push_back(fmt::format(
-        "{:.1f} ms", 1e3 * seconds(stage_times_of_output(*products.checked, i, options.limits),
-                                   "formulate", "choose")));
+        "{:.1f} ms", 1e3 * stage_seconds(output_stage_times(*products.checked, i, options.limits),
+                                         "formulate", "choose")));
   }
   std::string text = fmt::format("{}\n", fmt::join(table_lines(rows, columns), "\n"));
   text += fmt::format("\ngenerated in {:.1f} ms", 1e3 * generation_time(products));
@@ -226,21 +227,21 @@ std::string generation_costs(const Inputs& inputs, const PipelineOptions& option
 std::string output_text(const Products& products, const SubjectRow& subject,
                         const ShowOptions& wanted) {
   PageOptions options;
-  options.zeros = !wanted.what.empty();  // a named output is shown even if it is 0
-  if (options.zeros) options.most_entries = SIZE_MAX;
-  const bool opens = wanted.what.empty() && products.book && products.book->steps;
-  if (opens) options.opening = &*products.book->steps;
-  if (wanted.as == "json") return subject.json(products, options);
-  if (subject.text != nullptr && (wanted.as == "text" || subject.page == nullptr)) {
+  options.shows_zeros = !wanted.what.empty();  // a named output is shown even if it is 0
+  if (options.shows_zeros) options.most_entries = SIZE_MAX;
+  const bool opens = wanted.what.empty() && products.page_programs && products.page_programs->steps;
+  if (opens) options.opening_steps = &*products.page_programs->steps;
+  if (wanted.notation == "json") return subject.json(products, options);
+  if (subject.text != nullptr && (wanted.notation == "text" || subject.page == nullptr)) {
     return subject.text(products, options);
   }
   const Page shown = subject.page(products, options);
-  if (wanted.as == "text") return text_of(shown);
-  if (wanted.as == "unicode") {
+  if (wanted.notation == "text") return text_of(shown);
+  if (wanted.notation == "unicode") {
     return screen_page(shown, {screen_of(stdout).columns, Alphabet::unicode});
   }
-  if (wanted.as == "latex") return latex_document(shown);
-  return wanted.as == "mathml" ? html_page(shown) : markdown_page(shown);
+  if (wanted.notation == "latex") return latex_document(shown);
+  return wanted.notation == "mathml" ? html_page(shown) : markdown_page(shown);
 }
 
 /// The default notation: JSON if --format says so, Unicode on a terminal that shows it, otherwise
@@ -252,30 +253,31 @@ std::string usual_notation(const GlobalOptions& global) {
 
 ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
   ShowOptions options = given;
-  if (options.as.empty()) options.as = usual_notation(global);
-  const Result<const SubjectRow*> found = subject_of(options);
+  if (options.notation.empty()) options.notation = usual_notation(global);
+  const Result<const SubjectRow*> found = find_subject(options);
   if (!found) return report(global, found.diagnostics);
   const SubjectRow& subject = **found;
-  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
+  const Result<PipelineSources> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {subject.goal});
   pipeline.scene = options.scene;
-  if (!options.at.empty()) {
-    const bool is_place = options.at.find('=') != std::string::npos;
-    pipeline.about = is_place ? "" : options.at;
-    if (is_place) pipeline.scene.starts = {make_source("--at", options.at)};
+  if (!options.rest_place.empty()) {
+    const bool is_place = options.rest_place.find('=') != std::string::npos;
+    pipeline.equilibrium_name = is_place ? "" : options.rest_place;
+    if (is_place) pipeline.scene.starts = {make_source("--at", options.rest_place)};
   }
   const AnalysisRow* const analysis = find_analysis(subject.goal);
-  if (analysis != nullptr && analysis->closes_functions) pipeline.scene.purpose = purpose::rest;
+  if (analysis != nullptr && analysis->samples_open_functions)
+    pipeline.scene.purpose = purpose::rest;
   if (subject.word.empty() && !options.what.empty()) {
     pipeline.scene.outputs = {make_source("command line", options.what)};
   }
-  const Products products = run_with_progress(options.input, *inputs, pipeline);
+  const Products products = run_pipeline_with_progress(options.input, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
-  tell_times(global, products);
+  print_stage_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
   std::string text = output_text(products, subject, options);
-  if (subject.word == "cost") text += "\n" + generation_costs(*inputs, pipeline, products);
+  if (subject.word == "cost") text += "\n" + cost_table(*inputs, pipeline, products);
   return print(global, text);
 }
 
@@ -290,18 +292,18 @@ void add_show(CLI::App& app, Action& action) {
       ->add_option("--what", options->what, "outputs: mass_matrix,gravity,…; or " + subject_words())
       ->type_name("LIST");
   command
-      ->add_option("--as", options->as,
+      ->add_option("--as", options->notation,
                    "unicode (default on a terminal), text (default otherwise), latex, mathml, "
                    "markdown or json")
       ->check(CLI::IsMember({"unicode", "text", "latex", "mathml", "markdown", "json"}));
   command
       ->add_option(
-          "--at", options->at,
+          "--at", options->rest_place,
           "for modes: an equilibrium, theta=0,… or its name (default: all stable equilibria)")
       ->type_name("PLACE");
-  add_sources(*command, "--input", "NAME=VALUE", options->scene.laws,
-              "for equilibria and modes: value of an input (default: 0)");
-  add_specialisation(*command, options->scene);
+  add_source_option(*command, "--input", "NAME=VALUE", options->scene.laws,
+                    "for equilibria and modes: value of an input (default: 0)");
+  add_specialisation_options(*command, options->scene);
   set_action(*command, action, options, &show);
 }
 

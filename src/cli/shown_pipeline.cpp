@@ -14,16 +14,16 @@ namespace elgen::cli {
 PipelineOptions pipeline_options(const GlobalOptions& global, std::vector<Goal> goals) {
   PipelineOptions pipeline;
   pipeline.limits = global.limits;
-  pipeline.dump = find_goal(global.dump_stage);
+  pipeline.dump = find_stage(global.dump_stage);
   pipeline.goals = std::move(goals);
-  if (const auto last = find_goal(global.stop_after)) pipeline.goals = {*last};
+  if (const auto last = find_stage(global.stop_after)) pipeline.goals = {*last};
   return pipeline;
 }
 
-Products run_with_progress(const std::string& subject, const Inputs& inputs,
-                           PipelineOptions options) {
+Products run_pipeline_with_progress(const std::string& subject, const PipelineSources& inputs,
+                                    PipelineOptions options) {
   const Progress progress(subject);
-  options.on_stage = [&](const std::string& stage) { progress.stage(stage); };
+  options.on_stage = [&](const std::string& stage) { progress.show_stage(stage); };
   return run_pipeline(inputs, options);
 }
 
@@ -35,7 +35,7 @@ ExitCode report_products(const GlobalOptions& global, const Products& products) 
 bool may_have_name(const GlobalOptions& global, const std::string& path, const std::string& name) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
-  const Result<Inputs> inputs = read_inputs(path, global.limits);
+  const Result<PipelineSources> inputs = read_inputs(path, global.limits);
   if (!inputs) return false;
   renew_time_limit(global.limits);
   const Products products = run_pipeline(*inputs, pipeline_options(global, {Goal::check}));

@@ -15,8 +15,9 @@ namespace elgen::cli {
 
 /// Runs the pipeline and shows its stages. The line of progress is cleared before this returns, so
 /// that results can be printed.
-[[nodiscard]] Products run_with_progress(const std::string& subject, const Inputs& inputs,
-                                         PipelineOptions options);
+[[nodiscard]] Products run_pipeline_with_progress(const std::string& subject,
+                                                  const PipelineSources& inputs,
+                                                  PipelineOptions options);
 
 /// Prints the dump, if any, on stdout and the diagnostics on stderr.
 ExitCode report_products(const GlobalOptions& global, const Products& products);

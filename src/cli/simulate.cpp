@@ -38,8 +38,9 @@ constexpr double default_rows = 1000;
 /// A function for the progress of a run. After one second it estimates the duration of the whole
 /// run. If this is ten seconds or more, it shows the estimate once: in the line of progress on a
 /// terminal, otherwise as a message.
-std::function<void(double)> estimate_of_run(const GlobalOptions& global, const Progress& progress,
-                                            double from, double time) {
+std::function<void(double)> make_duration_estimator(const GlobalOptions& global,
+                                                    const Progress& progress, double from,
+                                                    double time) {
   using Clock = std::chrono::steady_clock;
   return [&global, &progress, from, time, first = Clock::now(), is_over = false](double t) mutable {
     const double seconds = std::chrono::duration<double>(Clock::now() - first).count();
@@ -51,119 +52,122 @@ std::function<void(double)> estimate_of_run(const GlobalOptions& global, const P
     const std::string text =
         fmt::format("{:.3g} of {:.3g} s after {:.1f} s, the whole run will take about {:.2g} s{}",
                     t - from, time, seconds, whole, is_beyond ? " (--limit seconds=N)" : "");
-    progress.stage("simulate: " + text);
-    if (!is_terminal(stderr)) tell(global, text);
+    progress.show_stage("simulate: " + text);
+    if (!is_terminal(stderr)) print_message(global, text);
   };
 }
 
 /// Runs derive_for_run() and shows its stages. The line of progress is cleared before this returns.
-Products derive_with_progress(const SimulateOptions& options, const Inputs& inputs,
+Products derive_with_progress(const SimulateOptions& options, const PipelineSources& inputs,
                               PipelineOptions pipeline) {
   const Progress progress(options.input);
-  pipeline.on_stage = [&progress](const std::string& stage) { progress.stage(stage); };
-  return derive_for_run(inputs, std::move(pipeline), step_of_run(options.run));
+  pipeline.on_stage = [&progress](const std::string& stage) { progress.show_stage(stage); };
+  return derive_for_run(inputs, std::move(pipeline), step_for_run(options.run));
 }
 
 /// E910 if the rows need more memory than the limit. Each row has t, q, v and E, as numbers and as
 /// texts of at least two characters.
-Diagnostics refuse_rows(const SimulationOptions& run, const Model& model, const Limits& limits) {
-  if (!run.every) return {};
+Diagnostics check_row_memory(const SimulationOptions& run, const Model& model,
+                             const Limits& limits) {
+  if (!run.row_interval) return {};
   const std::size_t numbers = model.coordinates.size() + model.velocities.size() + 2;
   const std::size_t bytes = sizeof(std::vector<double>) + numbers * (sizeof(double) + 2);
-  const double rows = run.time / *run.every;
+  const double rows = run.duration / *run.row_interval;
   if (rows * static_cast<double>(bytes) <= static_cast<double>(limits.memory_mib) * 0x1p20)
     return {};
   return {{Code::E910,
            {},
            fmt::format("`--every {}` gives {:.3g} rows, which take more than {} MiB of memory",
-                       *run.every, rows, limits.memory_mib),
+                       *run.row_interval, rows, limits.memory_mib),
            "give a longer `--every`, or raise --limit memory_mib=N"}};
 }
 
-Result<Trajectory> trajectory_of(const GlobalOptions& global, const SimulateOptions& options,
-                                 const Products& products) {
+Result<Trajectory> run_simulation(const GlobalOptions& global, const SimulateOptions& options,
+                                  const Products& products) {
   SimulationOptions run = options.run;
   const bool has_rows = !options.output.file.empty() || wants_json(global);
-  if (has_rows && !run.every) run.every = run.time / default_rows;
-  Diagnostics refused = refuse_rows(run, products.checked->model, global.limits);
+  if (has_rows && !run.row_interval) run.row_interval = run.duration / default_rows;
+  Diagnostics refused = check_row_memory(run, products.checked->model, global.limits);
   if (!refused.empty()) return refused;
   const Progress progress(options.input);
   Result<CompiledHeaders> headers = CompiledHeaders();
-  if (!step_of_run(run)) {
-    progress.stage("compile");
+  if (!step_for_run(run)) {
+    progress.show_stage("compile");
     headers = compile_for_run(products, global.limits);
     if (!headers) return headers.diagnostics;
   }
   const CompiledModel* const compiled =
       headers->empty() ? nullptr : headers->front().functions.get();
-  progress.stage("simulate");
+  progress.show_stage("simulate");
   renew_time_limit(global.limits);
-  run.on_progress = estimate_of_run(global, progress, run.from, run.time);
+  run.on_progress = make_duration_estimator(global, progress, run.from, run.duration);
   return simulate(*products.checked, *products.program, compiled, run);
 }
 
-bool is_page(const SimulateOptions& options) { return options.output.file.ends_with(".html"); }
+bool writes_page(const SimulateOptions& options) { return options.output.file.ends_with(".html"); }
 
 /// The options of a page's run. Default: rk4 with ten thousand steps of equal length.
-SimulationOptions run_of_page(SimulationOptions run) {
+SimulationOptions page_run_options(SimulationOptions run) {
   constexpr double default_steps = 10'000;
   if (run.method.empty()) run.method = "rk4";
-  if (!run.step) run.step = run.time / default_steps;
+  if (!run.step) run.step = run.duration / default_steps;
   return run;
 }
 
 /// The derivation for the page; without constraints, also the equilibria and normal modes, if they
 /// can be found.
-Products derive_page_texts(const SimulateOptions& options, const Inputs& inputs,
+Products derive_page_texts(const SimulateOptions& options, const PipelineSources& inputs,
                            PipelineOptions pipeline, bool is_constrained) {
   pipeline.scene.purpose = purpose::rest;
   pipeline.goals = {Goal::steps};
   if (!is_constrained) pipeline.goals.push_back(Goal::modes);
-  return run_with_progress(options.input, inputs, pipeline);
+  return run_pipeline_with_progress(options.input, inputs, pipeline);
 }
 
 ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options) {
-  const SimulationOptions run = run_of_page(options.run);
+  const SimulationOptions run = page_run_options(options.run);
   Diagnostics refused = check_run_options(run);
   if (refused.empty()) refused = check_player_options(run);
   if (refused.empty()) {
-    refused = refuse_places({{options.output.file, "", Replaces::nothing}}, options.output.force);
+    refused =
+        check_output_paths({{options.output.file, "", ReplacePolicy::never}}, options.output.force);
   }
   if (!refused.empty()) return report(global, refused);
-  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
+  const Result<PipelineSources> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
   const Products moving = derive_with_progress({.input = options.input, .run = run}, *inputs,
                                                player_pipeline_options(pipeline));
   const ExitCode derived = report_products(global, moving);
-  tell_times(global, moving);
+  print_stage_times(global, moving);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
   const Products read =
       derive_page_texts(options, *inputs, pipeline, !moving.checked->model.constraints.empty());
   const Result<std::string> page = player_page(moving, read, run, global.limits);
   const ExitCode reported_code = report(global, page.diagnostics);
   if (!page) return reported_code;
-  const auto written = write_files({{options.output.file, *page, Replaces::nothing}},
+  const auto written = write_files({{options.output.file, *page, ReplacePolicy::never}},
                                    {options.output.force, global.limits.seconds});
   return std::max(reported_code, report(global, written.diagnostics));
 }
 
 /// E913 if `--show` or `--path` is set but the output is no plot.
-Diagnostics refuse_curves(const SimulateOptions& options) {
-  const bool has_curves = !options.run.show.empty() || !options.run.path.empty();
+Diagnostics check_curve_options(const SimulateOptions& options) {
+  const bool has_curves = !options.run.panel_columns.empty() || !options.run.path.empty();
   if (!has_curves || options.output.file.ends_with(".svg")) return {};
   return {
       {Reason::option_of_plots, {}, "`--show` and `--path` apply to plots: give `-o FILE.svg`"}};
 }
 
 ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& given) {
-  if (Diagnostics refused = refuse_curves(given); !refused.empty()) return report(global, refused);
-  if (is_page(given)) return write_page(global, given);
+  if (Diagnostics refused = check_curve_options(given); !refused.empty())
+    return report(global, refused);
+  if (writes_page(given)) return write_page(global, given);
   SimulateOptions options = given;
   if (options.run.method.empty()) options.run.method = "dopri5";
   Diagnostics refused = check_run_options(options.run);
-  if (options.run.every && options.output.file.empty() && !wants_json(global)) {
+  if (options.run.row_interval && options.output.file.empty() && !wants_json(global)) {
     refused.push_back({Reason::option_of_runs,
                        {},
                        "`--every` applies to rows: give `-o FILE` or `--format json`"});
@@ -171,21 +175,21 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
   if (!refused.empty()) return report(global, refused);
   Result<DataFormat<Trajectory>> format;
   if (!options.output.file.empty()) {
-    format = format_of<Trajectory>(options.output.file, data_formats<Trajectory>, "html");
+    format = select_format<Trajectory>(options.output.file, data_formats<Trajectory>, "html");
     if (!format) return report(global, format.diagnostics);
-    refused = refuse_place(options.output);
+    refused = check_output_path(options.output);
     if (!refused.empty()) return report(global, refused);
   }
-  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
+  const Result<PipelineSources> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
   pipeline.scene.purpose = purpose::simulate;
   const Products products = derive_with_progress(options, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
-  tell_times(global, products);
+  print_stage_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
-  const Result<Trajectory> trajectory = trajectory_of(global, options, products);
+  const Result<Trajectory> trajectory = run_simulation(global, options, products);
   const ExitCode reported_code = report(global, trajectory.diagnostics);
   if (!trajectory) return reported_code;
   const ExitCode judged = trajectory->loses_energy ? ExitCode::differs : reported_code;
@@ -196,8 +200,8 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
   return std::max(printed, report(global, written.diagnostics));
 }
 
-void add_numbers(CLI::App& command, SimulationOptions& run) {
-  command.add_option("--time", run.time, "duration in s")->required();
+void add_run_options(CLI::App& command, SimulationOptions& run) {
+  command.add_option("--time", run.duration, "duration in s")->required();
   command.add_option("--from", run.from, "time at the start in s")->capture_default_str();
   run.method.clear();  // pages and other runs have different defaults
   command.add_option("--method", run.method,
@@ -205,13 +209,14 @@ void add_numbers(CLI::App& command, SimulationOptions& run) {
   command.add_option_function<std::uint32_t>(
       "--order", [&run](std::uint32_t given) { run.order = given; },
       "order of verlet and midpoint: 2 (default), 4 or 8");
-  add_number(command, "--step", run.step, "largest length of a step in s");
-  add_number(command, "--tolerance", run.tolerance,
-             "allowed error of dopri5 steps with variable length (default: 1e-9)");
-  add_number(command, "--every", run.every,
-             "time between rows in s (default: a thousandth of --time)");
-  add_number(command, "--hold", run.hold, "hold the inputs constant for this time in s");
-  command.add_option("--show", run.show, "also plot these rates and multipliers")
+  add_number_option(command, "--step", run.step, "largest length of a step in s");
+  add_number_option(command, "--tolerance", run.tolerance,
+                    "allowed error of dopri5 steps with variable length (default: 1e-9)");
+  add_number_option(command, "--every", run.row_interval,
+                    "time between rows in s (default: a thousandth of --time)");
+  add_number_option(command, "--hold", run.input_hold_time,
+                    "hold the inputs constant for this time in s");
+  command.add_option("--show", run.panel_columns, "also plot these rates and multipliers")
       ->type_name("NAME,…")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -220,12 +225,12 @@ void add_numbers(CLI::App& command, SimulationOptions& run) {
       ->excludes("--show");
   command
       .add_option_function<std::string>(
-          "--project", [&run](const std::string& given) { run.project = given == "on"; },
+          "--project", [&run](const std::string& given) { run.projects = given == "on"; },
           "project the state onto the constraints after each step (default: on)")
       ->check(CLI::IsMember({"on", "off"}));
   command
       .add_option_function<std::string>(
-          "--through", [&run](const std::string&) { run.through_singular = true; },
+          "--through", [&run](const std::string&) { run.continues_at_singularity = true; },
           "singular: continue with fixed steps if M or the constraints lose rank")
       ->check(CLI::IsMember({"singular"}));
 }
@@ -237,15 +242,15 @@ void add_simulate(CLI::App& app, Action& action) {
   const auto options = std::make_shared<SimulateOptions>();
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
-  add_numbers(*command, options->run);
-  add_sources(*command, "--state", "NAME=VALUE,…", options->scene.starts,
-              "start state: theta=1, dot(theta)=0, attitude=[1,0,0,0]");
-  add_sources(*command, "--set", "NAME=VALUE", options->scene.values, "value of a parameter");
-  add_sources(*command, "--input", "NAME=LAW", options->scene.laws,
-              "value or law of an input: u=-3*theta - dot(theta)");
-  add_output(*command, options->output,
-             "write the rows (.csv, .json), a plot (.svg) or an animated page (.html)");
-  add_specialisation(*command, options->scene);
+  add_run_options(*command, options->run);
+  add_source_option(*command, "--state", "NAME=VALUE,…", options->scene.starts,
+                    "start state: theta=1, dot(theta)=0, attitude=[1,0,0,0]");
+  add_source_option(*command, "--set", "NAME=VALUE", options->scene.values, "value of a parameter");
+  add_source_option(*command, "--input", "NAME=LAW", options->scene.laws,
+                    "value or law of an input: u=-3*theta - dot(theta)");
+  add_file_options(*command, options->output,
+                   "write the rows (.csv, .json), a plot (.svg) or an animated page (.html)");
+  add_specialisation_options(*command, options->scene);
   set_action(*command, action, options, &simulate_input);
 }
 

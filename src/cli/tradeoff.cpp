@@ -22,7 +22,7 @@ namespace {
 
 /// The options for the table, and for a picked row.
 struct TradeoffOutput {
-  std::string as = {};  ///< format on stdout; empty: follows --format
+  std::string format = {};  ///< format on stdout; empty: follows --format
   FileOption table = {};
   std::optional<double> max_error = {};  ///< the cheapest row within this error is picked
   std::string scene_file = {};           ///< for the scene of the picked row; empty: no scene
@@ -30,7 +30,7 @@ struct TradeoffOutput {
 
 struct TradeoffOptions {
   std::string input = {};
-  std::string of = {};               ///< the output to measure
+  std::string measured_output = {};  ///< the output to measure
   std::optional<double> time = {};   ///< duration of runs in s; none: an output is measured
   std::vector<double> lengths = {};  ///< of steps in these runs, in s
   DesignChoices choices = {};
@@ -39,7 +39,7 @@ struct TradeoffOptions {
 };
 
 /// The path of the model, relative to the scene's folder.
-std::string model_path(const Inputs& inputs, const std::string& scene_file) {
+std::string model_path(const PipelineSources& inputs, const std::string& scene_file) {
   namespace fs = std::filesystem;
   const auto from_root = [](const fs::path& path) { return fs::absolute(path).lexically_normal(); };
   return from_root(inputs.model->path)
@@ -47,8 +47,8 @@ std::string model_path(const Inputs& inputs, const std::string& scene_file) {
       .generic_string();
 }
 
-Diagnostics no_design_within(const TradeoffTable& table, double max_error) {
-  const TradeoffRow* const nearest = most_accurate(table);
+Diagnostics no_design_errors(const TradeoffTable& table, double max_error) {
+  const TradeoffRow* const nearest = most_accurate_row(table);
   return {{Code::E632,
            {},
            fmt::format("no design has a worst error of at most {}", max_error),
@@ -61,47 +61,48 @@ Diagnostics no_design_within(const TradeoffTable& table, double max_error) {
 /// Picks the cheapest row within --max-error; E632 if there is none. If --write-scene is set,
 /// appends the scene of the row to `files`. The scene of an output requires this `max_error`.
 ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
-                    const Inputs& inputs, const TradeoffTable& table,
+                    const PipelineSources& inputs, const TradeoffTable& table,
                     std::vector<OutputFile>& files) {
   const TradeoffOutput& output = options.output;
-  const TradeoffRow* const row = cheapest_within(table, *output.max_error);
-  if (row == nullptr) return report(global, no_design_within(table, *output.max_error));
+  const TradeoffRow* const row = cheapest_accurate_row(table, *output.max_error);
+  if (row == nullptr) return report(global, no_design_errors(table, *output.max_error));
   if (output.scene_file.empty()) return ExitCode::success;
   const std::string subject = row->design.step ? "" : table.subject;
-  const Result<OutputBase> base = read_output_base(inputs, subject, options.ranges, global.limits);
+  const Result<SingleOutputModel> base =
+      read_single_output_model(inputs, subject, options.ranges, global.limits);
   if (!base) return report(global, base.diagnostics);
   const std::string path = model_path(inputs, output.scene_file);
-  DesignBase from = base->base();
+  DesignSource from = base->design_source();
   if (!row->design.step) from.max_error = output.max_error;
-  files.push_back({output.scene_file, scene_text(from, row->design, path), Replaces::nothing});
+  files.push_back({output.scene_file, scene_text(from, row->design, path), ReplacePolicy::never});
   return ExitCode::success;
 }
 
 /// E913 for an unknown file ending; E703 or E708 if an existing file may not be replaced.
-Diagnostics refuse_output(const TradeoffOutput& output) {
+Diagnostics check_table_output(const TradeoffOutput& output) {
   if (!output.table.file.empty()) {
-    const auto format = format_of<TradeoffTable>(output.table.file);
+    const auto format = select_format<TradeoffTable>(output.table.file);
     if (!format) return format.diagnostics;
   }
   std::vector<OutputFile> files;
   for (const std::string& path : {output.table.file, output.scene_file}) {
-    if (!path.empty()) files.push_back({path, "", Replaces::nothing});
+    if (!path.empty()) files.push_back({path, "", ReplacePolicy::never});
   }
-  return refuse_places(files, output.table.force);
+  return check_output_paths(files, output.table.force);
 }
 
 /// Prints and writes a ranked table, and the scene of the picked row if output.scene_file is set.
 /// E632 if no row is within max_error; E706 if a file cannot be written.
 ExitCode write_results(const GlobalOptions& global, const TradeoffOptions& options,
-                       const Inputs& inputs, const TradeoffTable& table) {
+                       const PipelineSources& inputs, const TradeoffTable& table) {
   const TradeoffOutput& output = options.output;
-  const std::string as = output.as.empty() && wants_json(global) ? "json" : output.as;
-  const auto printed = format_of<TradeoffTable>("." + as);
+  const std::string as = output.format.empty() && wants_json(global) ? "json" : output.format;
+  const auto printed = select_format<TradeoffTable>("." + as);
   ExitCode worst = print(global, printed ? printed->text(table) : to_text(table));
   std::vector<OutputFile> files;
   if (!output.table.file.empty()) {
-    const auto format = format_of<TradeoffTable>(output.table.file);
-    files.push_back({output.table.file, format->text(table), Replaces::nothing});
+    const auto format = select_format<TradeoffTable>(output.table.file);
+    files.push_back({output.table.file, format->text(table), ReplacePolicy::never});
   }
   if (output.max_error) {
     worst = std::max(worst, choose_row(global, options, inputs, table, files));
@@ -112,34 +113,36 @@ ExitCode write_results(const GlobalOptions& global, const TradeoffOptions& optio
 
 /// Measures the designs or the runs, and shows the stages on a line that is cleared at the end.
 Result<MeasuredTable> measure_with_progress(const GlobalOptions& global,
-                                            const TradeoffOptions& options, const Inputs& inputs) {
+                                            const TradeoffOptions& options,
+                                            const PipelineSources& inputs) {
   const Progress progress(options.input);
-  const BenchProcess process{global.limits,
-                             [&progress](const std::string& name) { progress.stage(name); },
+  const BenchOptions process{global.limits,
+                             [&progress](const std::string& name) { progress.show_stage(name); },
                              [&global] { renew_time_limit(global.limits); }};
   if (options.time) return measure_runs({inputs, *options.time, options.lengths}, process);
-  return measure_designs({inputs, options.of, options.choices, options.ranges}, process);
+  return measure_designs({inputs, options.measured_output, options.choices, options.ranges},
+                         process);
 }
 
 /// E913 if a scene should be written for a model on standard input: a scene names the file of its
 /// model.
-Diagnostics refuse_scene(const TradeoffOptions& options, const Inputs& inputs) {
+Diagnostics check_scene_output(const TradeoffOptions& options, const PipelineSources& inputs) {
   if (options.output.scene_file.empty() || inputs.model->path != stdin_name) return {};
   return {{Reason::stdin_in_scene, {}, "a scene cannot name a model on standard input"}};
 }
 
 ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& options) {
-  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
+  const Result<PipelineSources> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
-  const Diagnostics refused = refuse_scene(options, *inputs);
+  const Diagnostics refused = check_scene_output(options, *inputs);
   if (!refused.empty()) return report(global, refused);
   Result<MeasuredTable> result = measure_with_progress(global, options, *inputs);
   ExitCode found = report(global, result.diagnostics);
   if (!result) return found;
-  if (!result->not_compiled.empty()) {
+  if (!result->compiler_errors.empty()) {
     // Other designs were compiled and measured, so the exit code is not the one of an internal
     // error.
-    report(global, result->not_compiled);
+    report(global, result->compiler_errors);
     found = ExitCode::inaccessible;
   }
   result->table.max_error = options.output.max_error;
@@ -148,7 +151,7 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
 }
 
 ExitCode run_tradeoff(const GlobalOptions& global, const TradeoffOptions& options) {
-  const Diagnostics wrong = refuse_output(options.output);
+  const Diagnostics wrong = check_table_output(options.output);
   return wrong.empty() ? measure_input(global, options) : report(global, wrong);
 }
 
@@ -165,8 +168,8 @@ void add_dimension_options(CLI::App& command, DesignChoices& choices) {
 }
 
 /// Adds the options that select the designs and the ranges of their states, or the runs.
-void add_subject(CLI::App& command, TradeoffOptions& options) {
-  CLI::Option* const time = add_number(
+void add_subject_options(CLI::App& command, TradeoffOptions& options) {
+  CLI::Option* const time = add_number_option(
       command, "--trajectory", options.time,
       "measure runs of this length in s with all emitted step methods, instead of an output");
   command.add_option("--steps", options.lengths, "step lengths of these runs in s: 1e-2,1e-3")
@@ -174,7 +177,8 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->needs(time);
-  command.add_option("--of", options.of, "output to measure (default: inverse_dynamics)")
+  command
+      .add_option("--of", options.measured_output, "output to measure (default: inverse_dynamics)")
       ->type_name("OUTPUT")
       ->excludes(time);
   command
@@ -187,22 +191,22 @@ void add_subject(CLI::App& command, TradeoffOptions& options) {
       ->allow_extra_args(false)
       ->excludes(time);
   add_dimension_options(command, options.choices);
-  add_sources(command, "--range", "NAME=LOW..HIGH", options.ranges,
-              "range in which errors are measured: theta=-0.1..0.1");
+  add_source_option(command, "--range", "NAME=LOW..HIGH", options.ranges,
+                    "range in which errors are measured: theta=-0.1..0.1");
   command.get_option("--range")->excludes(time);
 }
 
 /// Adds the options for the output of the table.
 void add_output_options(CLI::App& command, TradeoffOutput& output) {
   CLI::Option* const max_error =
-      add_number(command, "--max-error", output.max_error,
-                 "pick the cheapest design whose worst error is at most this");
+      add_number_option(command, "--max-error", output.max_error,
+                        "pick the cheapest design whose worst error is at most this");
   command.add_option("--write-scene", output.scene_file, "write that design as a scene")
       ->type_name("FILE")
       ->needs(max_error);
-  command.add_option("--as", output.as, "format of the table: text (default), json or csv")
+  command.add_option("--as", output.format, "format of the table: text (default), json or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));
-  add_output(command, output.table, "write the table (.svg, .json or .csv)");
+  add_file_options(command, output.table, "write the table (.svg, .json or .csv)");
 }
 
 }  // namespace
@@ -212,7 +216,7 @@ void add_tradeoff(CLI::App& app, Action& action) {
   const auto options = std::make_shared<TradeoffOptions>();
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
-  add_subject(*command, *options);
+  add_subject_options(*command, *options);
   add_output_options(*command, options->output);
   set_action(*command, action, options, &run_tradeoff);
 }

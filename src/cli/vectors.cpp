@@ -17,7 +17,7 @@ namespace {
 struct VectorsOptions {
   std::string input = {};
   SceneOptions scene = {};
-  VectorOptions vectors = {};
+  TestVectorOptions vectors = {};
   FileOption output = {};  ///< empty: JSON on stdout
 };
 
@@ -26,10 +26,10 @@ constexpr std::array vector_formats{DataFormat<ValueTable>{"csv", &to_csv},
                                     DataFormat<ValueTable>{"h", &to_header}};
 
 /// Computes the vectors and shows the stage. The line of progress is cleared before this returns.
-Result<ValueTable> vectors_of(const GlobalOptions& global, const VectorsOptions& options,
-                              const Products& products) {
+Result<ValueTable> compute_vectors(const GlobalOptions& global, const VectorsOptions& options,
+                                   const Products& products) {
   const Progress progress(options.input);
-  progress.stage("vectors");
+  progress.show_stage("vectors");
   renew_time_limit(global.limits);
   return test_vectors(*products.checked, *products.program, options.vectors);
 }
@@ -37,19 +37,19 @@ Result<ValueTable> vectors_of(const GlobalOptions& global, const VectorsOptions&
 ExitCode make_vectors(const GlobalOptions& global, const VectorsOptions& options) {
   const bool is_printed = options.output.file.empty();
   const std::string file = is_printed ? ".json" : options.output.file;
-  const auto format = format_of<ValueTable>(file, vector_formats);
+  const auto format = select_format<ValueTable>(file, vector_formats);
   if (!format) return report(global, format.diagnostics);
-  const Diagnostics refused = refuse_place(options.output);
+  const Diagnostics refused = check_output_path(options.output);
   if (!refused.empty()) return report(global, refused);
-  const Result<Inputs> inputs = read_inputs(options.input, global.limits);
+  const Result<PipelineSources> inputs = read_inputs(options.input, global.limits);
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
-  const Products products = run_with_progress(options.input, *inputs, pipeline);
+  const Products products = run_pipeline_with_progress(options.input, *inputs, pipeline);
   const ExitCode derived = report_products(global, products);
-  tell_times(global, products);
+  print_stage_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
-  const Result<ValueTable> vectors = vectors_of(global, options, products);
+  const Result<ValueTable> vectors = compute_vectors(global, options, products);
   if (!vectors) return report(global, vectors.diagnostics);
   const std::string text = format->text(*vectors);
   if (is_printed) return print(global, text);
@@ -64,15 +64,15 @@ void add_vectors(CLI::App& app, Action& action) {
   const auto options = std::make_shared<VectorsOptions>();
   command->add_option("input", options->input, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
-  add_sources(*command, "--outputs", "LIST", options->scene.outputs,
-              "outputs: mass_matrix,forward_dynamics (default: all outputs of the scene)");
+  add_source_option(*command, "--outputs", "LIST", options->scene.outputs,
+                    "outputs: mass_matrix,forward_dynamics (default: all outputs of the scene)");
   command->add_option("--samples", options->vectors.samples, "states per output (default: 16)")
       ->check(number_error)
       ->check(CLI::PositiveNumber);
   command->add_option("--seed", options->vectors.seed, "seed of the random states (default: 1)")
       ->check(number_error);
-  add_output(*command, options->output, "write .json, .csv or .h (default: JSON on stdout)");
-  add_specialisation(*command, options->scene);
+  add_file_options(*command, options->output, "write .json, .csv or .h (default: JSON on stdout)");
+  add_specialisation_options(*command, options->scene);
   set_action(*command, action, options, &make_vectors);
 }
 

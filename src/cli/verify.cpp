@@ -25,15 +25,17 @@ namespace {
 /// A word of --build.
 struct BuildWord {
   std::string_view word;
-  Build build;
+  BuildFlags build;
 };
-constexpr std::array<BuildWord, 3> build_words{
-    {{"written", Build::as_written}, {"native", Build::native}, {"users", Build::user_flags}}};
+constexpr std::array<BuildWord, 3> build_words{{{"written", BuildFlags::as_written},
+                                                {"native", BuildFlags::native},
+                                                {"users", BuildFlags::user_flags}}};
 
 struct VerifyCommandOptions {
   std::vector<std::string> inputs = {};
   VerifyOptions verify = {};  ///< verify_compiled() sets forms, claims and on_step
-  std::vector<Build> builds = {Build::as_written, Build::native, Build::user_flags};
+  std::vector<BuildFlags> builds = {BuildFlags::as_written, BuildFlags::native,
+                                    BuildFlags::user_flags};
   bool strict = false;     ///< a skipped check counts as failed
   FileOption output = {};  ///< for the certificates
   std::optional<LanguageId> language = {};
@@ -53,14 +55,14 @@ std::string certificate_text(const GlobalOptions& global, const Certificate& cer
 }
 
 ExitCode exit_code(const Certificate& certificate, bool strict) {
-  const bool is_decided = !strict || count(certificate, Verdict::skipped) == 0;
+  const bool is_decided = !strict || count_rows(certificate, Verdict::skipped) == 0;
   return holds(certificate) && is_decided ? ExitCode::success : ExitCode::differs;
 }
 
 template <class Step>
 auto run_timed(const std::string& name, Products& products, const Progress& progress,
                const Step& step) {
-  progress.stage(name);
+  progress.show_stage(name);
   const auto start = std::chrono::steady_clock::now();
   auto result = step();
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
@@ -70,7 +72,7 @@ auto run_timed(const std::string& name, Products& products, const Progress& prog
 
 /// One header without code, so that its checks are skipped: a compiler that is too slow is no fault
 /// of the model.
-CompiledHeaders late_compilation(const Diagnostic& late) {
+CompiledHeaders skipped_header(const Diagnostic& late) {
   CompiledHeaders headers(1);
   headers.front().failure_reason = late.message + "; " + late.hint;
   return headers;
@@ -79,24 +81,25 @@ CompiledHeaders late_compilation(const Diagnostic& late) {
 /// Compiles the emitted code in each build of options.builds; nothing if --quick is set.
 Result<CompiledHeaders> compile_builds(Products& products, const VerifyCommandOptions& options,
                                        const Limits& limits, const Progress& progress) {
-  if (options.verify.quick) return CompiledHeaders();
+  if (options.verify.is_quick) return CompiledHeaders();
   const auto& [model, scene] = *products.checked;
   const CompileOptions all{limits, options.builds, true};
   return run_timed("compile", products, progress, [&, &model = model, &scene = scene] {
     Result<CompiledHeaders> compiled =
         compile(*products.files, model, scene, *products.program, all);
     const bool is_late = !compiled && compiled.diagnostics.front().code == Code::E909;
-    if (is_late) return Result<CompiledHeaders>(late_compilation(compiled.diagnostics.front()));
+    if (is_late) return Result<CompiledHeaders>(skipped_header(compiled.diagnostics.front()));
     return compiled;
   });
 }
 
 /// The certificate rows for `max_error`. If the scene expands the model, derives the exact model
 /// for the comparison.
-Result<std::vector<CertificateRow>> check_promises(const Inputs& inputs, const Products& products,
-                                                   const CompiledHeaders& compiled,
-                                                   const VerifyOptions& options,
-                                                   const Limits& limits) {
+Result<std::vector<CertificateRow>> check_error_bounds(const PipelineSources& inputs,
+                                                       const Products& products,
+                                                       const CompiledHeaders& compiled,
+                                                       const VerifyOptions& options,
+                                                       const Limits& limits) {
   const CheckedModel& checked = *products.checked;
   renew_time_limit(limits);
   const bool is_judged = checked.scene.numerics.max_error && !compiled.empty();
@@ -112,7 +115,7 @@ Result<std::vector<CertificateRow>> check_promises(const Inputs& inputs, const P
 
 /// Compiles the code and verifies the products. Shows every step, and appends its time to
 /// products.times.
-Result<Verification> verify_compiled(const std::string& path, const Inputs& inputs,
+Result<Verification> verify_compiled(const std::string& path, const PipelineSources& inputs,
                                      Products& products, const VerifyCommandOptions& options,
                                      const Limits& limits) {
   const Progress progress(path);
@@ -120,15 +123,15 @@ Result<Verification> verify_compiled(const std::string& path, const Inputs& inpu
   if (!compiled) return compiled.diagnostics;
   VerifyOptions verification = options.verify;
   verification.forms = &*products.closed_forms;
-  if (products.claims) verification.claims = &*products.claims;
-  verification.on_step = [&progress](const std::string& step) { progress.stage(step); };
+  if (products.claims) verification.equilibrium_verdicts = &*products.claims;
+  verification.on_step = [&progress](const std::string& step) { progress.show_stage(step); };
   const auto& [model, scene] = *products.checked;
   Verification result =
       run_timed("verify", products, progress, [&, &model = model, &scene = scene] {
         return verify(model, scene, *products.program, *compiled, verification);
       });
   const auto more = run_timed("search", products, progress, [&] {
-    return check_promises(inputs, products, *compiled, verification, limits);
+    return check_error_bounds(inputs, products, *compiled, verification, limits);
   });
   if (!more) return more.diagnostics;
   std::vector<CertificateRow>& rows = result.certificate.rows;
@@ -137,8 +140,8 @@ Result<Verification> verify_compiled(const std::string& path, const Inputs& inpu
 }
 
 /// Compares foreign code with the oracle; no equations are derived.
-Result<Verification> judge_code(const std::string& path, Products& products,
-                                const VerifyCommandOptions& options, const Limits& limits) {
+Result<Verification> judge_foreign_code(const std::string& path, Products& products,
+                                        const VerifyCommandOptions& options, const Limits& limits) {
   ForeignOptions foreign = options.foreign;
   foreign.seed = options.verify.seed;
   foreign.states = options.verify.samples.value_or(foreign.states);
@@ -149,8 +152,8 @@ Result<Verification> judge_code(const std::string& path, Products& products,
 
 /// Prints the certificate of an input, and appends its full text to `certificates`; nothing is
 /// appended if the input has errors.
-ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& options,
-                    const Inputs& inputs, std::vector<std::string>& certificates) {
+ExitCode verify_input(const GlobalOptions& global, const VerifyCommandOptions& options,
+                      const PipelineSources& inputs, std::vector<std::string>& certificates) {
   const std::string& path = (inputs.scene != nullptr ? inputs.scene : inputs.model)->path;
   const bool is_foreign = !options.foreign.claims.empty();
   PipelineOptions pipeline = pipeline_options(global, {Goal::emit, Goal::claims});
@@ -160,20 +163,21 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   }
   pipeline.scene.purpose = purpose::verify;
   pipeline.scene.language = options.language;
-  Products products = run_with_progress(path, inputs, pipeline);
+  Products products = run_pipeline_with_progress(path, inputs, pipeline);
   const ExitCode generated = report_products(global, products);
   if (generated != ExitCode::success || !global.stop_after.empty()) {
-    tell_times(global, products);
+    print_stage_times(global, products);
     return generated;
   }
   if (global.verbose && !is_foreign) {
     const auto& [model, scene] = *products.checked;
-    tell(global, overview(model_page(model, scene, products.book->program), screen_of(stderr)));
+    print_message(global, overview(model_page(model, scene, products.page_programs->program),
+                                   screen_of(stderr)));
   }
   const auto verification = is_foreign
-                                ? judge_code(path, products, options, global.limits)
+                                ? judge_foreign_code(path, products, options, global.limits)
                                 : verify_compiled(path, inputs, products, options, global.limits);
-  tell_times(global, products);
+  print_stage_times(global, products);
   if (!verification) return report(global, verification.diagnostics);
   const Certificate& certificate = verification->certificate;
   certificates.push_back(full_text(global, certificate));
@@ -184,13 +188,13 @@ ExitCode verify_one(const GlobalOptions& global, const VerifyCommandOptions& opt
   return std::max(found, exit_code(certificate, options.strict));
 }
 
-ExitCode verify_each(const GlobalOptions& global, const VerifyCommandOptions& options) {
+ExitCode verify_inputs(const GlobalOptions& global, const VerifyCommandOptions& options) {
   ExitCode worst = ExitCode::success;
   std::vector<std::string> certificates;
   for (const std::string& path : options.inputs) {
     renew_time_limit(global.limits);
-    const Result<Inputs> inputs = read_inputs(path, global.limits);
-    const ExitCode found = inputs ? verify_one(global, options, *inputs, certificates)
+    const Result<PipelineSources> inputs = read_inputs(path, global.limits);
+    const ExitCode found = inputs ? verify_input(global, options, *inputs, certificates)
                                   : report(global, inputs.diagnostics);
     worst = std::max(worst, found);
   }
@@ -202,12 +206,12 @@ ExitCode verify_each(const GlobalOptions& global, const VerifyCommandOptions& op
 }
 
 ExitCode run_verify(const GlobalOptions& global, const VerifyCommandOptions& options) {
-  const Diagnostics refused = refuse_place(options.output);
-  return refused.empty() ? verify_each(global, options) : report(global, refused);
+  const Diagnostics refused = check_output_path(options.output);
+  return refused.empty() ? verify_inputs(global, options) : report(global, refused);
 }
 
 /// Adds the options for the number and the seed of states, and for the number of processes.
-void add_states(CLI::App& command, VerifyOptions& verify) {
+void add_state_options(CLI::App& command, VerifyOptions& verify) {
   constexpr unsigned most_jobs = 512;
   verify.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, most_jobs);
   command
@@ -222,7 +226,7 @@ void add_states(CLI::App& command, VerifyOptions& verify) {
 }
 
 /// Adds --build.
-void add_build(CLI::App& command, std::vector<Build>& builds) {
+void add_build_option(CLI::App& command, std::vector<BuildFlags>& builds) {
   const auto set = [&builds](const std::string& word) {
     builds = {std::ranges::find(build_words, word, &BuildWord::word)->build};
   };
@@ -242,7 +246,7 @@ ForeignClaim claim_of(const std::string& text) {
           claimed.size() + 1 < text.size() ? text.substr(claimed.size() + 1) : claimed};
 }
 
-void add_foreign(CLI::App& command, ForeignOptions& foreign) {
+void add_foreign_options(CLI::App& command, ForeignOptions& foreign) {
   const auto add_claims = [&foreign](const std::vector<std::string>& texts) {
     for (const std::string& text : texts) foreign.claims.push_back(claim_of(text));
   };
@@ -257,7 +261,7 @@ void add_foreign(CLI::App& command, ForeignOptions& foreign) {
   code->needs(function);
   const auto refused_nan = [](const std::string& word) {
     const bool is_nan = CLI::detail::to_lower(word).find("nan") != std::string::npos;
-    return is_nan ? in_backticks(word) + " is no number" : "";
+    return is_nan ? quote_text(word) + " is no number" : "";
   };
   command
       .add_option("--tolerance", foreign.tolerance,
@@ -277,16 +281,16 @@ void add_verify(CLI::App& app, Action& action) {
   const auto options = std::make_shared<VerifyCommandOptions>();
   command->add_option("inputs", options->inputs, "NAME.toml, NAME.scene.toml or - (stdin)")
       ->required();
-  add_states(*command, options->verify);
-  command->add_flag("--extremes", options->verify.extremes,
+  add_state_options(*command, options->verify);
+  command->add_flag("--extremes", options->verify.checks_extremes,
                     "also measure lost digits outside the declared ranges");
-  command->add_flag("--quick", options->verify.quick,
+  command->add_flag("--quick", options->verify.is_quick,
                     "few states, random projections instead of all entries, no compiler");
-  add_build(*command, options->builds);
-  add_language(*command, options->language);
-  add_foreign(*command, options->foreign);
+  add_build_option(*command, options->builds);
+  add_language_option(*command, options->language);
+  add_foreign_options(*command, options->foreign);
   command->add_flag("--strict", options->strict, "exit with 1 if a check is skipped");
-  add_output(*command, options->output, "also write the certificates to FILE");
+  add_file_options(*command, options->output, "also write the certificates to FILE");
   set_action(*command, action, options, &run_verify);
 }
 

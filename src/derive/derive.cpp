@@ -26,31 +26,35 @@ namespace {
 using Fields = std::vector<FieldEquations>;
 
 /// The entries of each field of an output, in the order of the table of outputs.
-using FieldEntries = std::vector<Vector>;
+using FieldEntries = std::vector<RealVector>;
 
-FieldEntries parts(Vector x) { return {std::move(x)}; }
-FieldEntries parts(const ex& x) { return {Vector{x}}; }
-FieldEntries parts(const InverseDerivatives& x) { return {x.by_position, x.by_velocity}; }
-FieldEntries parts(const ForwardDerivatives& x) {
+FieldEntries field_entries(RealVector x) { return {std::move(x)}; }
+FieldEntries field_entries(const ex& x) { return {RealVector{x}}; }
+FieldEntries field_entries(const InverseDerivatives& x) { return {x.by_position, x.by_velocity}; }
+FieldEntries field_entries(const ForwardDerivatives& x) {
   return {x.by_position, x.by_velocity, x.by_input};
 }
-FieldEntries parts(const Linearization& x) { return {x.a, x.b}; }
-FieldEntries parts(const ForwardDynamics& x) {
+FieldEntries field_entries(const Linearization& x) { return {x.a, x.b}; }
+FieldEntries field_entries(const ForwardDynamics& x) {
   return {x.acceleration, x.relative_pivots, x.multipliers, x.diagonal};
 }
-FieldEntries parts(const HamiltonEquations& x) { return {x.coordinate_rates, x.momentum_rates}; }
-FieldEntries parts(const ConstraintResidual& x) { return {x.position, x.rate}; }
-FieldEntries parts(const ProjectedState& x) { return {x.coordinates, x.rates}; }
-FieldEntries parts(const ConstrainedInverse& x) { return {x.inputs, x.multipliers, x.unbalanced}; }
+FieldEntries field_entries(const HamiltonEquations& x) {
+  return {x.coordinate_rates, x.momentum_rates};
+}
+FieldEntries field_entries(const ConstraintResidual& x) { return {x.position, x.rate}; }
+FieldEntries field_entries(const ProjectedState& x) { return {x.coordinates, x.rates}; }
+FieldEntries field_entries(const ConstrainedInverseDynamics& x) {
+  return {x.inputs, x.multipliers, x.unbalanced};
+}
 
-FieldEntries parts(const Completed& x) { return {x.rates, x.accelerations}; }
-FieldEntries parts(const OperationalDynamics& x) {
+FieldEntries field_entries(const CompletedMotion& x) { return {x.rates, x.accelerations}; }
+FieldEntries field_entries(const OperationalDynamics& x) {
   return {x.inertia, x.inverse_jacobian, x.bias, x.relative_pivots};
 }
 
-FieldEntries parts(const Regressor& x) { return {x.matrix, x.rest}; }
+FieldEntries field_entries(const Regressor& x) { return {x.matrix, x.rest}; }
 
-FieldEntries parts(const OutputDerivatives& x) {
+FieldEntries field_entries(const OutputDerivatives& x) {
   return {x.by_position, x.by_velocity, x.by_acceleration, x.by_input};
 }
 
@@ -60,54 +64,55 @@ void remove_pivots(FieldEntries& solution) {
   solution.resize(solution[2].empty() ? 1 : 3);
 }
 
-FieldEquations field_of(std::string_view name, const Vector& entries, std::size_t rows) {
+FieldEquations make_field(std::string_view name, const RealVector& entries, std::size_t rows) {
   return {std::string(name), static_cast<std::uint32_t>(rows),
           static_cast<std::uint32_t>(entries.size() / rows), entries};
 }
 
 /// The fields of an output. If an output has several fields, its empty fields are omitted, such as
 /// derivatives by u of a model without inputs. The table of outputs lacks the field `diagonal`.
-Fields fields(const Derivation& derivation, const OutputRequest& request, FieldEntries all) {
-  if (request.without_pivots) remove_pivots(all);
+Fields make_output_fields(const Derivation& derivation, const OutputRequest& request,
+                          FieldEntries all) {
+  if (request.omits_pivots) remove_pivots(all);
   if (all.size() == 1) return {{"", request.rows, request.columns, all.front()}};
   const std::span<const FieldRow> rows = output_row(request.kind).fields;
   Fields result;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Vector& entries = all[i];
+    const RealVector& entries = all[i];
     if (entries.empty()) continue;
     const FieldRow row = i < rows.size() ? rows[i] : FieldRow{.name = "diagonal"};
     // A matrix has as many rows as the first field, or one row per velocity.
     const bool is_like_first = row.rows == rows.front().rows;
     const std::size_t of_matrix = is_like_first ? request.rows : derivation.size();
-    const std::size_t height = has_columns(row) ? of_matrix : entries.size();
-    result.push_back(field_of(row.name, entries, height));
+    const std::size_t height = is_matrix_field(row) ? of_matrix : entries.size();
+    result.push_back(make_field(row.name, entries, height));
   }
   return result;
 }
 
-Vector user_value(Derivation& derivation, const NamedOutput& output) {
-  return output.motion ? along_motion(derivation, output.values) : output.values;
+RealVector user_value(Derivation& derivation, const NamedOutput& output) {
+  return output.solves_motion ? values_along_motion(derivation, output.values) : output.values;
 }
 
-Vector user_jacobian(Derivation& derivation, const NamedOutput& output) {
+RealVector user_jacobian(Derivation& derivation, const NamedOutput& output) {
   return output.twist ? twist_jacobian(derivation, *output.twist)
                       : jacobian(derivation, output.values);
 }
 
-Vector user_bias(Derivation& derivation, const NamedOutput& output) {
+RealVector user_bias(Derivation& derivation, const NamedOutput& output) {
   return output.twist ? twist_bias(derivation, *output.twist)
                       : second_rate(derivation, output.values);
 }
 
 OutputDerivatives user_derivatives(Derivation& derivation, const NamedOutput& output) {
   OutputDerivatives result = output_derivatives(derivation, user_value(derivation, output));
-  if (output.motion) result.by_acceleration.clear();
+  if (output.solves_motion) result.by_acceleration.clear();
   return result;
 }
 
 OperationalDynamics user_operational(Derivation& derivation, const NamedOutput& output) {
-  const Vector jacobian = user_jacobian(derivation, output);
-  const Vector bias = user_bias(derivation, output);
+  const RealVector jacobian = user_jacobian(derivation, output);
+  const RealVector bias = user_bias(derivation, output);
   return operational_dynamics(derivation, jacobian, bias);
 }
 
@@ -123,15 +128,16 @@ auto call_output(const Function& function, Derivation& derivation, const OutputR
 
 /// The function of each output, in the order of the table of outputs; null if the output is
 /// composed of other outputs.
-constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
+constexpr Fields (*output_functions[])(Derivation&, const OutputRequest&) = {
 #define ELGEN_OUTPUT(name)                                                                      \
   [](Derivation& d, const OutputRequest& request) {                                             \
     const auto all = [](auto&... given) -> decltype(name(given...)) { return name(given...); }; \
-    return fields(d, request, parts(call_output(all, d, request)));                             \
+    return make_output_fields(d, request, field_entries(call_output(all, d, request)));         \
   },
-#define ELGEN_USER_OUTPUT(name)                                                    \
-  [](Derivation& d, const OutputRequest& request) {                                \
-    return fields(d, request, parts(name(d, d.lagrangian.outputs[request.user]))); \
+#define ELGEN_USER_OUTPUT(name)                                                            \
+  [](Derivation& d, const OutputRequest& request) {                                        \
+    return make_output_fields(d, request,                                                  \
+                              field_entries(name(d, d.lagrangian.outputs[request.user]))); \
   },
 #define ELGEN_SUMMARY(name) nullptr,
 #define ELGEN_STEP(name) nullptr,
@@ -142,28 +148,29 @@ constexpr Fields (*derivations[])(Derivation&, const OutputRequest&) = {
 std::optional<OutputEquations> composed_output(Derivation& derivation,
                                                const OutputRequest& request) {
   const OutputRow& row = output_row(request.kind);
-  if (!row.solves || !row.differentiates) return std::nullopt;
-  const std::optional<ResponseParts> parts = response_parts(derivation);
+  if (!row.solves_mass_matrix || !row.differentiates) return std::nullopt;
+  const std::optional<ForwardDynamicsTerms> parts = forward_dynamics_terms(derivation);
   if (!parts) return std::nullopt;
   const std::size_t n = derivation.size();
   const auto& [by_position, by_velocity, by_input] = parts->forces;
-  Fields fields{field_of(mass_part, parts->mass, n), field_of(force_part, parts->force, n),
-                field_of(position_part, by_position, n), field_of(velocity_part, by_velocity, n)};
-  if (!by_input.empty()) fields.push_back(field_of(input_part, by_input, n));
+  Fields fields{make_field(mass_part, parts->mass, n), make_field(force_part, parts->force, n),
+                make_field(position_part, by_position, n),
+                make_field(velocity_part, by_velocity, n)};
+  if (!by_input.empty()) fields.push_back(make_field(input_part, by_input, n));
   // Only the linearization has rows for dq/dt.
   if (request.kind == OutputKind::linearization) {
-    fields.push_back(field_of(rate_part, parts->rates, n));
+    fields.push_back(make_field(rate_part, parts->rates, n));
   }
   OutputEquations output{request, std::move(fields)};
-  for (const std::size_t velocity : order_of_velocities(derivation)) {
-    output.elimination.push_back(static_cast<std::uint32_t>(velocity));
+  for (const std::size_t velocity : velocity_elimination_order(derivation)) {
+    output.elimination_order.push_back(static_cast<std::uint32_t>(velocity));
   }
   return output;
 }
 
 OutputEquations derive_output(Derivation& derivation, const OutputRequest& request) {
   if (auto parts = composed_output(derivation, request)) return std::move(*parts);
-  return {request, derivations[static_cast<std::size_t>(request.kind)](derivation, request)};
+  return {request, output_functions[static_cast<std::size_t>(request.kind)](derivation, request)};
 }
 
 /// Replaces each entry by the symbol of a definition, which other outputs can share.
@@ -174,10 +181,10 @@ void define_entries(Derivation& derivation, std::vector<FieldEquations>& fields)
 }
 
 /// The number of additions, multiplications and powers in an expression.
-std::size_t operations_of(const ex& value) {
+std::size_t count_ginac_operations(const ex& value) {
   std::size_t total = GiNaC::is_a<GiNaC::power>(value) ? 1 : 0;
   if (GiNaC::is_a<GiNaC::add>(value) || GiNaC::is_a<GiNaC::mul>(value)) total = value.nops() - 1;
-  for (std::size_t i = 0; i < value.nops(); ++i) total += operations_of(value.op(i));
+  for (std::size_t i = 0; i < value.nops(); ++i) total += count_ginac_operations(value.op(i));
   return total;
 }
 
@@ -198,17 +205,18 @@ std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
   Derivation derivation(lagrangian);
   ArticulatedRoute route;
   try {
-    const auto dynamics = articulated_dynamics(derivation, !request.without_pivots);
+    const auto dynamics = articulated_dynamics(derivation, !request.omits_pivots);
     if (!dynamics) return std::nullopt;
-    OutputEquations output{request, fields(derivation, request, parts(dynamics->solution))};
+    OutputEquations output{
+        request, make_output_fields(derivation, request, field_entries(dynamics->solution))};
     define_entries(derivation, output.fields);
     output.value_names = std::move(derivation.definitions.value_names.names);
     route.equations.outputs.push_back(std::move(output));
     std::size_t operations = 0;
     for (const Definition& definition : derivation.definitions.list) {
-      operations += operations_of(definition.value);
+      operations += count_ginac_operations(definition.value);
     }
-    route.is_shorter = operations < dynamics->operations_of_factorisation;
+    route.is_shorter = operations < dynamics->factorisation_operations;
   } catch (const ZeroPivot&) {
     return std::nullopt;
   }
@@ -219,18 +227,19 @@ std::optional<ArticulatedRoute> articulated_route(const Lagrangian& lagrangian,
   return route;
 }
 
-Diagnostic singular(const OutputRequest& request, const ZeroPivot& pivot, const LeafNames& names) {
+Diagnostic zero_pivot_error(const OutputRequest& request, const ZeroPivot& pivot,
+                            const LeafNames& names) {
   switch (pivot.rows) {
-    case RowsOf::constraints:
-      return *singular_besides_mass(request, pivot.row, names);
-    case RowsOf::inputs:
-      return redundant_input(request, names.u[pivot.row]);
-    case RowsOf::velocities:
+    case RowKind::constraints:
+      return *singular_system_error(request, pivot.row, names);
+    case RowKind::inputs:
+      return redundant_input_error(request, names.u[pivot.row]);
+    case RowKind::velocities:
       break;
   }
   const std::string& velocity = names.v[pivot.row];
-  return pivot.is_diagonal ? no_kinetic_energy(request, velocity)
-                           : singular_mass_matrix(request, velocity);
+  return pivot.is_diagonal ? no_kinetic_energy_error(request, velocity)
+                           : singular_mass_matrix_error(request, velocity);
 }
 
 }  // namespace
@@ -250,14 +259,14 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
       output.value_names = std::exchange(derivation.definitions.value_names, {}).names;
       equations.outputs.push_back(std::move(output));
     } catch (const ZeroPivot& pivot) {
-      return singular(request, pivot, lagrangian.leaves);
+      return zero_pivot_error(request, pivot, lagrangian.leaves);
     } catch (const GiNaC::pole_error&) {
       return Diagnostic{
           Code::E313, request.span,
           fmt::format("`{}` has no value: an energy divides by zero at zero rates", request.name)};
     }
     if (derivation.definitions.list.size() > limits.derived_nodes) {
-      return too_many_nodes(request, limits.derived_nodes);
+      return too_many_nodes_error(request, limits.derived_nodes);
     }
   }
   equations.symbols = derivation.symbols;
@@ -266,7 +275,7 @@ Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
     // Integration steps have no equations here: they are composed later, and the leaf h gets its
     // name then.
     const OutputRow& row = output_row(request.kind);
-    if (has_equations(row)) name_optional_leaves(row.takes, equations.leaves);
+    if (has_equations(row)) name_optional_leaves(row.argument_kinds, equations.leaves);
   }
   equations.definitions = std::move(derivation.definitions);
   return equations;

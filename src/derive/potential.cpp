@@ -19,7 +19,8 @@ namespace {
 
 /// A request for an output with `rows` entries. Equations are found by kind and `user`, so `user`
 /// distinguishes two outputs of one kind.
-OutputRequest request_of(OutputKind kind, std::uint32_t user, std::string name, std::size_t rows) {
+OutputRequest make_request(OutputKind kind, std::uint32_t user, std::string name,
+                           std::size_t rows) {
   OutputRequest request;
   request.kind = kind;
   request.user = user;
@@ -28,7 +29,7 @@ OutputRequest request_of(OutputKind kind, std::uint32_t user, std::string name, 
   return request;
 }
 
-void add_output(Derivation& derivation, const OutputRequest& request, Vector entries,
+void add_output(Derivation& derivation, const OutputRequest& request, RealVector entries,
                 PotentialEquations& potential) {
   for (ex& entry : entries) entry = define(derivation.definitions, entry);
   potential.requests.push_back(request);
@@ -36,12 +37,13 @@ void add_output(Derivation& derivation, const OutputRequest& request, Vector ent
 }
 
 /// d2V/dx_i dx_j, i <= j, row by row.
-Vector second_derivatives(Derivation& derivation, const Vector& variables, const Vector& slopes) {
+RealVector second_derivatives(Derivation& derivation, const RealVector& variables,
+                              const RealVector& slopes) {
   std::vector<Tangent> along;
   for (const ex& variable : variables) {
     along.emplace_back(derivation.definitions, Seeds{{variable, 1}});
   }
-  Vector result;
+  RealVector result;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     for (std::size_t j = i; j < variables.size(); ++j) result.push_back(along[j](slopes[i]));
   }
@@ -49,7 +51,7 @@ Vector second_derivatives(Derivation& derivation, const Vector& variables, const
 }
 
 /// Appends a definition whose value is a leaf. define() would return the leaf itself.
-ex open_definition(Definitions& definitions, const ex& leaf, LeafSet depends) {
+ex define_leaf(Definitions& definitions, const ex& leaf, LeafSet depends) {
   const ex symbol = GiNaC::realsymbol();
   const auto index = static_cast<std::uint32_t>(definitions.list.size());
   definitions.places.emplace(symbol, SymbolPlace{true, index, depends});
@@ -59,7 +61,8 @@ ex open_definition(Definitions& definitions, const ex& leaf, LeafSet depends) {
 
 }  // namespace
 
-std::optional<PotentialEquations> derive_potential(const Lagrangian& lagrangian, bool has_second) {
+std::optional<PotentialEquations> derive_potential(const Lagrangian& lagrangian,
+                                                   bool has_second_derivatives) {
   if (lagrangian.potential.empty() || lagrangian.expansion) return std::nullopt;
   Derivation derivation(lagrangian);
   const Terms terms = values_of(lagrangian.potential);
@@ -68,21 +71,21 @@ std::optional<PotentialEquations> derive_potential(const Lagrangian& lagrangian,
   if (depends.has_any(Opcode::velocity) || !depends.has_any(Opcode::coordinate)) {
     return std::nullopt;
   }
-  Vector leaves = derivation.symbols.q;
+  RealVector leaves = derivation.symbols.q;
   leaves.push_back(derivation.symbols.t);
-  const Vector all = gradient(derivation.definitions, weighted(terms, 1), leaves);
+  const RealVector all = gradient(derivation.definitions, weighted_terms(terms, 1), leaves);
   PotentialEquations potential;
-  Vector slopes;
+  RealVector slopes;
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     if (all[i].is_zero()) continue;
     potential.variables.push_back(leaves[i]);
     slopes.push_back(define(derivation.definitions, all[i]));
   }
   const std::size_t count = slopes.size();
-  add_output(derivation, request_of(OutputKind::potential_energy, 0, "V", 1), {V}, potential);
-  add_output(derivation, request_of(OutputKind::gravity, 0, "V_x", count), slopes, potential);
-  if (has_second) {
-    add_output(derivation, request_of(OutputKind::gravity, 1, "V_xx", count * (count + 1) / 2),
+  add_output(derivation, make_request(OutputKind::potential_energy, 0, "V", 1), {V}, potential);
+  add_output(derivation, make_request(OutputKind::gravity, 0, "V_x", count), slopes, potential);
+  if (has_second_derivatives) {
+    add_output(derivation, make_request(OutputKind::gravity, 1, "V_xx", count * (count + 1) / 2),
                second_derivatives(derivation, potential.variables, slopes), potential);
   }
   potential.equations.symbols = derivation.symbols;
@@ -94,7 +97,7 @@ std::optional<PotentialEquations> derive_potential(const Lagrangian& lagrangian,
 Lagrangian with_open_potential(Lagrangian lagrangian, const std::vector<ex>& variables) {
   Definitions& definitions = lagrangian.definitions;
   LeafSet depends;
-  for (const ex& variable : variables) depends |= definitions.places.at(variable).depends;
+  for (const ex& variable : variables) depends |= definitions.places.at(variable).leaf_dependence;
   const auto add = [&](const std::string& name) {
     const ex leaf = GiNaC::realsymbol(name);
     add_leaf(definitions, leaf, Opcode::open_value);
@@ -104,7 +107,7 @@ Lagrangian with_open_potential(Lagrangian lagrangian, const std::vector<ex>& var
   };
   const std::size_t count = variables.size();
   const ex V = add("V");
-  Vector leaves;
+  RealVector leaves;
   for (std::size_t i = 0; i < count; ++i) leaves.push_back(add("V_x[" + std::to_string(i) + "]"));
   std::vector<std::vector<std::pair<ex, ex>>> seconds(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -116,11 +119,11 @@ Lagrangian with_open_potential(Lagrangian lagrangian, const std::vector<ex>& var
   }
   std::vector<std::pair<ex, ex>> slopes;
   for (std::size_t i = 0; i < count; ++i) {
-    slopes.emplace_back(variables[i], open_definition(definitions, leaves[i], depends));
-    definitions.list.back().slopes = std::move(seconds[i]);
+    slopes.emplace_back(variables[i], define_leaf(definitions, leaves[i], depends));
+    definitions.list.back().derivatives = std::move(seconds[i]);
   }
-  lagrangian.potential = {{open_definition(definitions, V, depends)}};
-  definitions.list.back().slopes = std::move(slopes);
+  lagrangian.potential = {{define_leaf(definitions, V, depends)}};
+  definitions.list.back().derivatives = std::move(slopes);
   return lagrangian;
 }
 

@@ -1,5 +1,5 @@
-// derive_steps: Lagrange's equations as in a textbook, one coordinate after the other. The outputs
-// use shorter routes (derivation.hpp); tests compare both.
+// derive_textbook_steps: Lagrange's equations as in a textbook, one coordinate after the other. The
+// outputs use shorter routes (derivation.hpp); tests compare both.
 #include "elgen/steps.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ using GiNaC::ex;
 
 namespace {
 
-FieldEquations field_of(std::string name, Terms entries) {
+FieldEquations make_field(std::string name, Terms entries) {
   const auto rows = static_cast<std::uint32_t>(entries.size());
   return {std::move(name), rows, 1, std::move(entries)};
 }
@@ -22,12 +22,12 @@ FieldEquations vector_field(const std::array<ex, 3>& components) {
   return {"", 3, 1, {components.begin(), components.end()}};
 }
 
-class StepByStep {
+class StepsDerivation {
  public:
-  explicit StepByStep(const Lagrangian& lagrangian)
-      : derivation_(lagrangian), is_whole_(!lagrangian.lagrangian.empty()) {}
+  explicit StepsDerivation(const Lagrangian& lagrangian)
+      : derivation_(lagrangian), has_whole_lagrangian_(!lagrangian.lagrangian.empty()) {}
 
-  Steps operator()() {
+  DerivationSteps operator()() {
     if (!derivation_.lagrangian.masses.empty()) add_motions();
     if (!derivation_.lagrangian.constraints.empty()) add_constraints();
     add_energies();
@@ -40,7 +40,7 @@ class StepByStep {
   }
 
  private:
-  void add(const std::string& name, std::vector<FieldEquations> fields) {
+  void add_step(const std::string& name, std::vector<FieldEquations> fields) {
     for (FieldEquations& field : fields) {
       for (ex& entry : field.entries) entry = define(derivation_.definitions, entry);
     }
@@ -60,12 +60,12 @@ class StepByStep {
       positions.push_back(vector_field(mass.position));
       std::array<ex, 3> velocity;
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        velocity[axis] = derivation_.zero_acceleration(mass.position[axis]);
+        velocity[axis] = derivation_.rate_without_acceleration(mass.position[axis]);
       }
       velocities.push_back(vector_field(velocity));
     }
-    add("positions", std::move(positions));
-    add("velocities", std::move(velocities));
+    add_step("positions", std::move(positions));
+    add_step("velocities", std::move(velocities));
   }
 
   /// A field with f (or phi) of each constraint, then a field with the right-hand side 0.
@@ -73,15 +73,15 @@ class StepByStep {
     std::vector<FieldEquations> sides;
     for (const ConstraintEquation& constraint : derivation_.lagrangian.constraints) {
       sides.push_back(
-          field_of(derivation_.lagrangian.leaves.multipliers[sides.size()], {constraint.value}));
+          make_field(derivation_.lagrangian.leaves.multipliers[sides.size()], {constraint.value}));
     }
-    sides.push_back(field_of("", {ex(0)}));
-    add("constraints", std::move(sides));
+    sides.push_back(make_field("", {ex(0)}));
+    add_step("constraints", std::move(sides));
   }
 
   /// The non-zero summands: the sum over points and bodies, then `others`. If all are 0, a single
   /// 0.
-  [[nodiscard]] Terms summands(const ex& of_masses, const Terms& others) {
+  [[nodiscard]] Terms nonzero_summands(const ex& of_masses, const Terms& others) {
     Terms result{of_masses};
     result.insert(result.end(), others.begin(), others.end());
     std::erase_if(result, [](const ex& term) { return term.is_zero(); });
@@ -92,9 +92,9 @@ class StepByStep {
 
   void add_energies() {
     const Lagrangian& all = derivation_.lagrangian;
-    if (is_whole_) {
-      summands_ = summands(0, values_of(all.lagrangian));
-      add("energies", {field_of("L", summands_)});
+    if (has_whole_lagrangian_) {
+      summands_ = nonzero_summands(0, values_of(all.lagrangian));
+      add_step("energies", {make_field("L", summands_)});
       return;
     }
     const ex of_masses = kinetic_energy_of_masses(derivation_);
@@ -103,41 +103,43 @@ class StepByStep {
     for (const auto& [value, origin] : all.kinetic) {
       (origin == EnergyOrigin::spin ? spins : others).push_back(value);
     }
-    summands_ = summands(of_masses + GiNaC::add(spins), others);
-    const Terms potential = summands(weight_of_masses(derivation_), values_of(all.potential));
-    add("energies", {field_of("T", summands_), field_of("V", potential)});
+    summands_ = nonzero_summands(of_masses + GiNaC::add(spins), others);
+    const Terms potential =
+        nonzero_summands(potential_energy_of_masses(derivation_), values_of(all.potential));
+    add_step("energies", {make_field("T", summands_), make_field("V", potential)});
     for (const ex& term : potential) summands_.push_back(-term);
   }
 
   void add_coordinates() {
-    std::vector<Vector> rates;
-    std::vector<Vector> partials;
+    std::vector<RealVector> rates;
+    std::vector<RealVector> partials;
     for (const ex& term : summands_) {
-      momenta_.push_back(derivation_.by_velocity({{term, 1}}));
-      partials.push_back(derivation_.by_position({{term, 1}}));
+      momenta_.push_back(derivation_.gradient_by_velocity({{term, 1}}));
+      partials.push_back(derivation_.gradient_by_position({{term, 1}}));
       rates.push_back(hamel_force(derivation_, momenta_.back()));
     }
-    std::vector<Vector> dissipation;
+    std::vector<RealVector> dissipation;
     for (const EnergyTerm& term : derivation_.lagrangian.dissipation) {
-      dissipation.push_back(derivation_.by_velocity({{term.value, 1}}));
+      dissipation.push_back(derivation_.gradient_by_velocity({{term.value, 1}}));
     }
-    const Vector force = applied_force(derivation_, InputForces::acting);
-    const Vector held = constraint_force(derivation_, derivation_.symbols.multipliers);
+    const RealVector force = applied_force(derivation_, InputForces::acting);
+    const RealVector held = constraint_force(derivation_, derivation_.symbols.multipliers);
     for (std::size_t i = 0; i < derivation_.size(); ++i) {
       Terms rate;
       for (std::size_t k = 0; k < summands_.size(); ++k) {
-        rate.push_back(derivation_.motion(momenta_[k][i]) + rates[k][i]);
+        rate.push_back(derivation_.motion_rate(momenta_[k][i]) + rates[k][i]);
       }
-      add(derivation_.lagrangian.leaves.v[i],
-          {field_of("momentum", row(momenta_, i)), field_of("momentum_rate", std::move(rate)),
-           field_of("partial", row(partials, i)), field_of("dissipation", row(dissipation, i)),
-           field_of("force", {force[i] + held[i]})});
+      add_step(
+          derivation_.lagrangian.leaves.v[i],
+          {make_field("momentum", row(momenta_, i)), make_field("momentum_rate", std::move(rate)),
+           make_field("partial", row(partials, i)), make_field("dissipation", row(dissipation, i)),
+           make_field("force", {force[i] + held[i]})});
     }
   }
 
-  [[nodiscard]] static Terms row(const std::vector<Vector>& all, std::size_t i) {
+  [[nodiscard]] static Terms row(const std::vector<RealVector>& all, std::size_t i) {
     Terms result;
-    for (const Vector& each : all) result.push_back(each[i]);
+    for (const RealVector& each : all) result.push_back(each[i]);
     return result;
   }
 
@@ -152,21 +154,22 @@ class StepByStep {
       energies.push_back(energy);
       by_time.push_back(derivation_.time_partial(summands_[k]));
     }
-    add("invariants", {field_of("E", std::move(energies)), field_of("L_by_t", std::move(by_time))});
+    add_step("invariants",
+             {make_field("E", std::move(energies)), make_field("L_by_t", std::move(by_time))});
   }
 
   Derivation derivation_;
-  bool is_whole_;
-  Terms summands_ = {};               ///< of L
-  std::vector<Vector> momenta_ = {};  ///< of each summand
-  Steps steps_;
+  bool has_whole_lagrangian_;
+  Terms summands_ = {};                   ///< of L
+  std::vector<RealVector> momenta_ = {};  ///< of each summand
+  DerivationSteps steps_;
 };
 
 }  // namespace
 
-Result<Steps> derive_steps(const Lagrangian& lagrangian) {
+Result<DerivationSteps> derive_textbook_steps(const Lagrangian& lagrangian) {
   try {
-    return StepByStep(lagrangian)();
+    return StepsDerivation(lagrangian)();
   } catch (const GiNaC::pole_error&) {
     return Diagnostic{Code::E313, {}, "the Lagrangian divides by zero, whatever the state is"};
   }

@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t longest_value = 60;  ///< characters of a key's value
 
-std::string shortened(const std::string& text) {
+std::string shorten(const std::string& text) {
   if (text.size() <= longest_value) return text;
   return text.substr(0, longest_value - 3) + "...";
 }
 
 /// The unit after a space, " m/s"; "" if there is none or it is 1.
-std::string with_unit(const EntryChange& entry) {
+std::string unit_suffix(const EntryChange& entry) {
   return entry.unit.empty() || entry.unit == "1" ? "" : " " + entry.unit;
 }
 
@@ -39,7 +39,7 @@ std::string verdict_text(const EntryChange& entry) {
 }  // namespace
 
 std::string place_text(const KeyChange& change) {
-  const Span& span = change.after.empty() ? change.old_at : change.new_at;
+  const Span& span = change.after.empty() ? change.old_span : change.new_span;
   if (span.source == nullptr) return {};
   const LineColumn at = line_column(*span.source, span.begin);
   return fmt::format("{}:{}:{}  ", span.source->path, at.line, at.column);
@@ -47,15 +47,14 @@ std::string place_text(const KeyChange& change) {
 
 std::string text_of(const KeyChange& change) {
   std::string place = change.entry;
-  const std::string key = change.is_order ? "order" : text_of(change.path);
+  const std::string key = change.is_reordering ? "order" : text_of(change.path);
   if (!key.empty()) place += (place.empty() ? "" : " ") + key;
-  if (change.before.empty()) return fmt::format("{} is new: {}", place, shortened(change.after));
-  if (change.after.empty())
-    return fmt::format("{} is removed: {}", place, shortened(change.before));
-  return fmt::format("{}: {} -> {}", place, shortened(change.before), shortened(change.after));
+  if (change.before.empty()) return fmt::format("{} is new: {}", place, shorten(change.after));
+  if (change.after.empty()) return fmt::format("{} is removed: {}", place, shorten(change.before));
+  return fmt::format("{}: {} -> {}", place, shorten(change.before), shorten(change.after));
 }
 
-std::string meaning(Impact impact, bool is_told_apart) {
+std::string impact_meaning(Impact impact, bool is_told_apart) {
   std::string words(impact_row(impact).doc);
   if (is_told_apart || impact >= Impact::different) return words;
   return fmt::format("{}, compared at {} points only (see --strict)", words, zero_sample_count);
@@ -67,7 +66,7 @@ std::string label_of(const DiffReport& report, const SystemChange& system) {
                                          : fmt::format("{} ({})", system.name, system.path);
 }
 
-bool has_several(const DiffReport& report) {
+bool has_several_systems(const DiffReport& report) {
   const bool has_files =
       !report.added.empty() || !report.removed.empty() || !report.unreadable.empty();
   return report.systems.size() > 1 || has_files;
@@ -75,7 +74,7 @@ bool has_several(const DiffReport& report) {
 
 std::string text_of(const UnreadableSystem& system) {
   return fmt::format("{}: {}: {}", system.path, code_row(system.error.code).name,
-                     sentence(system.error));
+                     message_with_hint(system.error));
 }
 
 bool may_differ(const EntryChange& entry) {
@@ -129,10 +128,11 @@ std::string change_text(const EntryChange& entry) {
 std::string witness_text(const EntryChange& entry) {
   if (!entry.witness) return {};
   const auto& [at, before, after] = *entry.witness;
-  const std::string share =
-      entry.share > 0 ? fmt::format(", {:.2g} of the largest entry", entry.share) : std::string();
+  const std::string share = entry.relative_change > 0 ? fmt::format(", {:.2g} of the largest entry",
+                                                                    entry.relative_change)
+                                                      : std::string();
   return fmt::format("{}{:.3g} -> {:.3g}{}{}", at.empty() ? "" : "at " + at + ": ", before, after,
-                     with_unit(entry), share);
+                     unit_suffix(entry), share);
 }
 
 std::string text_of(const EntryChange& entry) {

@@ -13,15 +13,15 @@ namespace elgen {
 /// A changed key in words: "[gravity] vector[2]: -g -> g".
 [[nodiscard]] std::string text_of(const KeyChange& change);
 
-/// The meaning of an impact: "the equations are the same". Unless `is_told_apart`, adds that
+/// The meaning of an impact: "the equations are the same". Unless `is_certain`, adds that
 /// entries were only compared at sampled points.
-[[nodiscard]] std::string meaning(Impact impact, bool is_told_apart);
+[[nodiscard]] std::string impact_meaning(Impact impact, bool is_certain);
 
 /// The name of a system, followed by its path if other systems have the same name.
 [[nodiscard]] std::string label_of(const DiffReport& report, const SystemChange& system);
 
 /// True if the report has several systems or files, so that each line must name its system.
-[[nodiscard]] bool has_several(const DiffReport& report);
+[[nodiscard]] bool has_several_systems(const DiffReport& report);
 
 /// A system with errors in words: "models/a.toml: E201: unknown name `z`".
 [[nodiscard]] std::string text_of(const UnreadableSystem& system);

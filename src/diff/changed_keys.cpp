@@ -111,9 +111,9 @@ std::string text_of(const IdentifiedEntry& one) {
   return text;
 }
 
-using Path = std::vector<KeyStep>;
+using KeyPath = std::vector<PathComponent>;
 
-Path append_step(Path path, KeyStep step) {
+KeyPath append_step(KeyPath path, PathComponent step) {
   path.push_back(std::move(step));
   return path;
 }
@@ -132,7 +132,8 @@ IdentifiedEntries identify_entries(const FileSyntax& file) {
   return all;
 }
 
-const IdentifiedEntry* find(const IdentifiedEntries& entries, const IdentifiedEntry& wanted) {
+const IdentifiedEntry* find_identified_entry(const IdentifiedEntries& entries,
+                                             const IdentifiedEntry& wanted) {
   const auto found = std::ranges::find_if(entries, [&wanted](const IdentifiedEntry& one) {
     return has_same_key(one, wanted) && one.number == wanted.number;
   });
@@ -146,53 +147,53 @@ class KeyComparison {
     const IdentifiedEntries news = identify_entries(after);
     prefix_ = table_prefix(after.entries.empty() ? before : after);
     for (const IdentifiedEntry& now : news) {
-      set_place(now);
-      if (const IdentifiedEntry* const old = find(olds, now)) {
+      set_current_entry(now);
+      if (const IdentifiedEntry* const old = find_identified_entry(olds, now)) {
         compare(old->entry->keys, now.entry->keys, {});
       } else {
-        add({}, "", text_of(now.entry->keys), {}, now.entry->span);
+        add_change({}, "", text_of(now.entry->keys), {}, now.entry->span);
       }
     }
     for (const IdentifiedEntry& old : olds) {
-      if (find(news, old) != nullptr) continue;
-      set_place(old);
-      add({}, text_of(old.entry->keys), "", old.entry->span, {});
+      if (find_identified_entry(news, old) != nullptr) continue;
+      set_current_entry(old);
+      add_change({}, text_of(old.entry->keys), "", old.entry->span, {});
     }
     compare_orders(olds, news);
     return std::move(changes_);
   }
 
  private:
-  void set_place(const IdentifiedEntry& found) {
+  void set_current_entry(const IdentifiedEntry& found) {
     place_ = {.table = std::string(prefix_) + found.entry->name, .entry = text_of(found)};
   }
 
-  void add(Path path, std::string before, std::string after, Span old_at, Span new_at) {
+  void add_change(KeyPath path, std::string before, std::string after, Span old_at, Span new_at) {
     KeyChange& change = changes_.emplace_back(place_);
     change.path = std::move(path);
     change.before = std::move(before);
     change.after = std::move(after);
-    change.old_at = old_at;
-    change.new_at = new_at;
+    change.old_span = old_at;
+    change.new_span = new_at;
   }
 
   void compare(const std::vector<KeySyntax>& olds, const std::vector<KeySyntax>& news,
-               const Path& path) {
+               const KeyPath& path) {
     for (const KeySyntax& now : news) {
       const auto old = std::ranges::find(olds, now.key, &KeySyntax::key);
       if (old != olds.end()) {
         compare(old->value, now.value, append_step(path, {now.key}));
       } else {
-        add(append_step(path, {now.key}), "", text_of(now.value), {}, now.key_span);
+        add_change(append_step(path, {now.key}), "", text_of(now.value), {}, now.key_span);
       }
     }
     for (const KeySyntax& old : olds) {
       if (std::ranges::count(news, old.key, &KeySyntax::key) > 0) continue;
-      add(append_step(path, {old.key}), text_of(old.value), "", old.key_span, {});
+      add_change(append_step(path, {old.key}), text_of(old.value), "", old.key_span, {});
     }
   }
 
-  void compare(const ValueSyntax& old, const ValueSyntax& now, const Path& path) {
+  void compare(const ValueSyntax& old, const ValueSyntax& now, const KeyPath& path) {
     if (is_same(old, now)) return;
     const bool have_parts = !has_single_text(old) && !has_single_text(now);
     const bool are_tables = have_parts && old.kind == ValueKind::table && now.kind == old.kind;
@@ -205,11 +206,11 @@ class KeyComparison {
       return;
     }
     if (old.kind != now.kind && compare_short(old, now, path)) return;
-    add(path, text_of(old), text_of(now), old.span, now.span);
+    add_change(path, text_of(old), text_of(now), old.span, now.span);
   }
 
   /// Compares `m = 1` with its long form `m = { value = 1 }`; false for other kinds of values.
-  bool compare_short(const ValueSyntax& old, const ValueSyntax& now, const Path& path) {
+  bool compare_short(const ValueSyntax& old, const ValueSyntax& now, const KeyPath& path) {
     const auto written_out = [](const ValueSyntax& value) {
       return std::vector<KeySyntax>{{"value", value.span, value}};
     };
@@ -228,11 +229,11 @@ class KeyComparison {
   void compare_orders(const IdentifiedEntries& olds, const IdentifiedEntries& news) {
     if (!prefix_.empty()) return;  // a scene only refers to these names
     for (const char* const kind : {"coordinate", "input", "constraint"}) {
-      place_ = {.table = kind, .entry = fmt::format("[[{}]]", kind), .is_order = true};
+      place_ = {.table = kind, .entry = fmt::format("[[{}]]", kind), .is_reordering = true};
       compare_order(names_of(olds, kind), names_of(news, kind));
     }
-    place_ = {.table = "parameters", .entry = "[parameters]", .is_order = true};
-    compare_order(keys_of(olds), keys_of(news));
+    place_ = {.table = "parameters", .entry = "[parameters]", .is_reordering = true};
+    compare_order(parameter_names(olds), parameter_names(news));
   }
 
   using Names = std::vector<std::pair<std::string, Span>>;
@@ -247,7 +248,7 @@ class KeyComparison {
     return names;
   }
 
-  static Names keys_of(const IdentifiedEntries& entries) {
+  static Names parameter_names(const IdentifiedEntries& entries) {
     Names names;
     for (const IdentifiedEntry& one : entries) {
       if (one.entry->name != "parameters") continue;
@@ -271,7 +272,7 @@ class KeyComparison {
     const auto listed = [](const Names& names) {
       return fmt::format("{}", fmt::join(column_words(names, &Names::value_type::first), ", "));
     };
-    add({}, listed(olds), listed(news), moved.in1->second, moved.in2->second);
+    add_change({}, listed(olds), listed(news), moved.in1->second, moved.in2->second);
   }
 
   std::string_view prefix_ = {};
@@ -281,7 +282,7 @@ class KeyComparison {
 
 }  // namespace
 
-std::string text_of(const std::vector<KeyStep>& path) {
+std::string text_of(const std::vector<PathComponent>& path) {
   std::string text;
   for (const auto& [key, item] : path) {
     text +=
@@ -293,7 +294,7 @@ std::string text_of(const std::vector<KeyStep>& path) {
 std::vector<KeyChange> changed_keys(const FileSyntax& before, const FileSyntax& after,
                                     const Renames& renames) {
   return renames.empty() ? KeyComparison()(before, after)
-                         : KeyComparison()(renamed(before, renames), after);
+                         : KeyComparison()(apply_renames(before, renames), after);
 }
 
 }  // namespace elgen

@@ -28,7 +28,7 @@ constexpr std::array descriptive_keys{"doc",   "latex",  "title",    "descriptio
 /// True if a step of the key's path is in `descriptive_keys` and is not a name that a user chose.
 bool has_descriptive_key(const KeyChange& change) {
   std::string table = change.table;
-  for (const KeyStep& step : change.path) {
+  for (const PathComponent& step : change.path) {
     const bool is_name = has_names_for_keys(table);
     if (!is_name && std::ranges::count(descriptive_keys, step.key) > 0) return true;
     table += "." + (is_name ? "*" : step.key);
@@ -37,16 +37,16 @@ bool has_descriptive_key(const KeyChange& change) {
 }
 
 /// True if the key affects drawings only.
-bool is_drawn(const KeyChange& change) {
-  return !change.path.empty() && elgen::is_drawn(change.table, change.path.front().key);
+bool affects_drawing_only(const KeyChange& change) {
+  return !change.path.empty() && elgen::is_drawing_key(change.table, change.path.front().key);
 }
 
 /// True if only a number changes: `m` or `m.value` of a model, `fixed` or an accuracy of a scene.
-bool is_value(const KeyChange& change) {
+bool changes_only_number(const KeyChange& change) {
   if (change.table == "scene.parameters") return true;
   const bool is_both = !change.before.empty() && !change.after.empty();
-  if (change.is_order || !is_both) return false;
-  const std::vector<KeyStep>& path = change.path;
+  if (change.is_reordering || !is_both) return false;
+  const std::vector<PathComponent>& path = change.path;
   if (change.table == "scene.numeric") {
     const std::string& key = path.front().key;
     return key == "trigonometry" || key == "max_error" || key == "ranges";
@@ -56,7 +56,7 @@ bool is_value(const KeyChange& change) {
 
 /// The least impact of a changed key, before values and equations are compared. If a scene fixes a
 /// parameter at its value, the parameter becomes a number, so the impact is `values`.
-Impact impact_of(const KeyChange& change) {
+Impact least_impact(const KeyChange& change) {
   const bool is_fixed =
       change.table == "scene.parameters" && (change.before.empty() || change.after.empty());
   const bool is_secondary = is_fixed || change.table == "expect" || change.table == "equilibrium" ||
@@ -64,13 +64,13 @@ Impact impact_of(const KeyChange& change) {
   return is_secondary ? Impact::values : Impact::equal;
 }
 
-bool has_any(const std::vector<OutputChange>& outputs, EntryVerdict verdict) {
+bool has_entry_verdict(const std::vector<OutputChange>& outputs, EntryVerdict verdict) {
   return std::ranges::any_of(outputs, [verdict](const OutputChange& output) {
     return std::ranges::count(output.entries, verdict, &EntryChange::verdict) > 0;
   });
 }
 
-void count_as_different(std::vector<OutputChange>& outputs) {
+void mark_undecided_different(std::vector<OutputChange>& outputs) {
   for (OutputChange& output : outputs) {
     for (EntryChange& entry : output.entries) {
       if (entry.verdict == EntryVerdict::undecided) entry.verdict = EntryVerdict::different;
@@ -80,7 +80,7 @@ void count_as_different(std::vector<OutputChange>& outputs) {
 
 Impact impact_of(const std::vector<KeyChange>& keys) {
   Impact worst = Impact::equal;
-  for (const KeyChange& key : keys) worst = std::max(worst, impact_of(key));
+  for (const KeyChange& key : keys) worst = std::max(worst, least_impact(key));
   return worst;
 }
 
@@ -91,29 +91,29 @@ bool is_moved_equilibrium(const KeyChange& key) {
 }
 
 bool may_change_equations(const KeyChange& key) {
-  if (is_drawn(key)) return false;
+  if (affects_drawing_only(key)) return false;
   if (is_moved_equilibrium(key)) return true;
-  return impact_of(key) == Impact::equal && !is_value(key);
+  return least_impact(key) == Impact::equal && !changes_only_number(key);
 }
 
 /// True if callers see what the key declares: names, orders, functions, or the target language.
 bool affects_interface(const KeyChange& key) {
   constexpr std::array tables{"model",  "sizes",      "coordinate", "input",
                               "output", "constraint", "parameters", "function"};
-  const bool is_seen =
-      key.is_order || key.table.starts_with("scene.") || std::ranges::count(tables, key.table) > 0;
+  const bool is_seen = key.is_reordering || key.table.starts_with("scene.") ||
+                       std::ranges::count(tables, key.table) > 0;
   return is_seen && (may_change_equations(key) || key.table == "scene.parameters");
 }
 
 /// Sets the impact of each key to the worst impact that this key alone may have.
-void classify_keys(SystemChange& system, Impact of_entries) {
+void set_key_impacts(SystemChange& system, Impact of_entries) {
   Impact of_interface = Impact::equal;
   for (const InterfaceChange& change : system.interface) {
     if (change.impact > Impact::values) of_interface = std::max(of_interface, change.impact);
   }
   const bool is_said = std::ranges::any_of(system.keys, affects_interface);
   for (KeyChange& key : system.keys) {
-    if (is_drawn(key)) continue;
+    if (affects_drawing_only(key)) continue;
     const bool is_equation = may_change_equations(key);
     key.impact = is_equation ? of_entries : Impact::values;
     const bool may_break = is_said ? affects_interface(key) : is_equation;
@@ -124,14 +124,14 @@ void classify_keys(SystemChange& system, Impact of_entries) {
 std::string source_text(const SourcePointer& source) { return source ? source->text : ""; }
 
 /// The syntax of the scene; an empty file for a model without a scene.
-const FileSyntax& scene_of(const Version& version) {
+const FileSyntax& scene_syntax(const Version& version) {
   static const FileSyntax no_keys;
   return version.scene == nullptr ? no_keys : *version.scene;
 }
 
-bool same_texts(const Version& before, const Version& after) {
+bool has_same_texts(const Version& before, const Version& after) {
   return source_text(before.model.source) == source_text(after.model.source) &&
-         source_text(scene_of(before).source) == source_text(scene_of(after).source);
+         source_text(scene_syntax(before).source) == source_text(scene_syntax(after).source);
 }
 
 /// The parameters that only the newer version has, with the value 0 instead of their own.
@@ -139,7 +139,9 @@ ParameterValues new_parameters(const Version& before, const Version& after,
                                const Renames& renames) {
   ParameterValues values;
   for (const Parameter& now : after.checked.model.parameters) {
-    const auto is_it = [&](const Parameter& old) { return renamed(old.name, renames) == now.name; };
+    const auto is_it = [&](const Parameter& old) {
+      return apply_renames(old.name, renames) == now.name;
+    };
     if (std::ranges::any_of(before.checked.model.parameters, is_it)) continue;
     values.emplace(now.name, rational_constant(0));
   }
@@ -147,7 +149,8 @@ ParameterValues new_parameters(const Version& before, const Version& after,
 }
 
 /// "at mt = 0 all entries equal the old entries (proved)"; "" if they do not.
-std::string extension(const Version& before, const Version& after, const CompareOptions& options) {
+std::string extension_text(const Version& before, const Version& after,
+                           const CompareOptions& options) {
   const ParameterValues values = new_parameters(before, after, options.renames);
   if (values.empty()) return {};
   bool is_proved = true;
@@ -169,7 +172,7 @@ std::string extension(const Version& before, const Version& after, const Compare
 
 /// The names of the [[expect]] entries that do not hold.
 std::set<std::string> wrong_expectations(const Version& version) {
-  const Subject subject{version.checked.model, version.checked.scene, version.program};
+  const SystemUnderTest subject{version.checked.model, version.checked.scene, version.program};
   std::set<std::string> wrong;
   for (const CertificateRow& row : check_expectations(subject, nullptr, 1).rows) {
     if (row.verdict == Verdict::fails) wrong.insert(row.subject);
@@ -201,7 +204,8 @@ Diagnostics new_warnings(const Version& before, const Version& after) {
 std::vector<KeyChange> all_changed_keys(const Version& before, const Version& after,
                                         const Renames& renames) {
   std::vector<KeyChange> keys = changed_keys(before.model, after.model, renames);
-  const std::vector<KeyChange> more = changed_keys(scene_of(before), scene_of(after), renames);
+  const std::vector<KeyChange> more =
+      changed_keys(scene_syntax(before), scene_syntax(after), renames);
   keys.insert(keys.end(), more.begin(), more.end());
   return keys;
 }
@@ -244,28 +248,28 @@ SystemChange compare(const Version& before, const Version& after, const CompareO
   const Renames& renames = options.renames;
   SystemChange result{.name = after.checked.scene.base_name};
   result.keys = all_changed_keys(before, after, renames);
-  if (same_texts(before, after)) return result;
+  if (has_same_texts(before, after)) return result;
   result.impact = impact_of(result.keys);
   if (result.keys.empty() && renames.empty()) return result;
   result.outputs = output_changes(before, after, renames);
-  if (options.is_strict) count_as_different(result.outputs);
-  result.is_certain = !has_any(result.outputs, EntryVerdict::undecided);
+  if (options.is_strict) mark_undecided_different(result.outputs);
+  result.is_certain = !has_entry_verdict(result.outputs, EntryVerdict::undecided);
   result.interface = interface_changes(before, after, renames);
   result.operations = operations_changes(before, after);
   result.warnings = new_warnings(before, after);
   result.broken_expectations = broken_expectations(before, after);
   Impact of_entries = Impact::equal;
   const bool are_values = std::ranges::none_of(result.keys, may_change_equations);
-  if (has_any(result.outputs, EntryVerdict::different)) {
-    if (!are_values) result.extension = extension(before, after, options);
+  if (has_entry_verdict(result.outputs, EntryVerdict::different)) {
+    if (!are_values) result.extension = extension_text(before, after, options);
     of_entries = impact_of_entries(result, are_values);
   }
-  classify_keys(result, of_entries);
+  set_key_impacts(result, of_entries);
   result.impact = std::max(result.impact, of_entries);
   for (const InterfaceChange& change : result.interface) {
     result.impact = std::max(result.impact, change.impact);
   }
-  const std::set<std::string>& wanted = options.only;
+  const std::set<std::string>& wanted = options.reported_outputs;
   std::erase_if(result.outputs, [&wanted](const OutputChange& output) {
     return !wanted.empty() && wanted.count(output.name) == 0;
   });

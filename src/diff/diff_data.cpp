@@ -16,12 +16,12 @@ Json json_of(const Span& span) {
 }
 
 Json json_of(const KeyChange& change) {
-  return {{"id", change.entry + "/" + (change.is_order ? "order" : text_of(change.path))},
+  return {{"id", change.entry + "/" + (change.is_reordering ? "order" : text_of(change.path))},
           {"impact", impact_row(change.impact).word},
           {"before", change.before},
           {"after", change.after},
-          {"old_place", json_of(change.old_at)},
-          {"new_place", json_of(change.new_at)}};
+          {"old_place", json_of(change.old_span)},
+          {"new_place", json_of(change.new_span)}};
 }
 
 /// The words of EntryVerdict, in its order.
@@ -40,7 +40,7 @@ Json json_of(const EntryChange& entry) {
                                   {"difference", &entry.difference}}) {
     json[key] = text->empty() ? Json(nullptr) : Json(*text);
   }
-  json["share"] = entry.share;
+  json["share"] = entry.relative_change;
   if (entry.witness) {
     const auto& [at, before, after] = *entry.witness;
     json["witness"] = {{"at", at}, {"before", before}, {"after", after}};

@@ -29,12 +29,12 @@ using SummaryLines = std::vector<SummaryLine>;
 constexpr std::size_t most_keys = 5;       ///< further keys are only counted
 constexpr std::size_t most_interface = 6;  ///< further changes are only counted
 constexpr std::size_t most_operations = 3;
-constexpr std::size_t most_named = 4;  ///< number of named expectations
+constexpr std::size_t max_named_expectations = 4;  ///< number of named expectations
 
 /// The lines with one label. Each text appears once, with all its systems.
-class Section {
+class SummarySection {
  public:
-  Section(SummaryLines& lines, std::string label, std::size_t most = SIZE_MAX)
+  SummarySection(SummaryLines& lines, std::string label, std::size_t most = SIZE_MAX)
       : lines_(lines), label_(std::move(label)), most_(most) {}
 
   void add(const std::string& text, const std::string& system) {
@@ -48,7 +48,7 @@ class Section {
   }
 
   /// Adds a line with the number of texts that were left out.
-  void count_others(std::string_view noun) {
+  void add_rest_count(std::string_view noun) {
     if (known_.size() <= most_) return;
     lines_.push_back(
         {"", fmt::format("{} more (--list)", count_text(known_.size() - most_, noun))});
@@ -113,7 +113,7 @@ std::string expectations_text(const SystemChange& system) {
   std::vector<std::string> some = system.broken_expectations;
   if (some.empty()) return {};
   const std::size_t count = some.size();
-  some.resize(std::min(count, most_named));
+  some.resize(std::min(count, max_named_expectations));
   return fmt::format("[[expect]] was not updated: {} no longer {} ({}{})",
                      count == 1 ? "1 entry" : fmt::format("{} entries", count),
                      count == 1 ? "holds" : "hold", fmt::join(some, ", "),
@@ -121,7 +121,7 @@ std::string expectations_text(const SystemChange& system) {
 }
 
 /// The system in which most entries differ.
-const SystemChange* most_changed(const DiffReport& report) {
+const SystemChange* most_changed_system(const DiffReport& report) {
   const auto most = std::ranges::max_element(report.systems, {}, [](const SystemChange& system) {
     const VerdictCounts counts = counts_of(system);
     return std::pair(counts.different, counts.undecided);
@@ -131,7 +131,7 @@ const SystemChange* most_changed(const DiffReport& report) {
 
 /// The differing entry with the shortest text; if no entry differs, an undecided entry; null if
 /// there is none.
-const EntryChange* example(const SystemChange& system) {
+const EntryChange* find_example(const SystemChange& system) {
   const EntryChange* best = nullptr;
   const auto rank = [](const EntryChange& entry) {
     const std::size_t read = change_text(entry).size();
@@ -149,9 +149,10 @@ const EntryChange* example(const SystemChange& system) {
 /// The lines of a report: changed keys, consequences, one entry as example, changes of the
 /// interface, verdict. If the interface breaks callers, its changes come first. About a dozen lines
 /// unless `lists_all`.
-class Summary {
+class SummaryWriter {
  public:
-  Summary(const DiffReport& report, bool lists_all) : report_(report), lists_all_(lists_all) {}
+  SummaryWriter(const DiffReport& report, bool lists_all)
+      : report_(report), lists_all_(lists_all) {}
 
   SummaryLines operator()() {
     const Impact impact = impact_of(report_);
@@ -163,10 +164,10 @@ class Summary {
       if (impact != Impact::breaks) add_interface();
       add_operations();
     }
-    if (has_several(report_)) {
-      for_each("verdict", [](const SystemChange& system) {
+    if (has_several_systems(report_)) {
+      add_text_per_system("verdict", [](const SystemChange& system) {
         return fmt::format("{}: {}", impact_row(system.impact).word,
-                           meaning(system.impact, system.is_certain));
+                           impact_meaning(system.impact, system.is_certain));
       });
       for (SummaryLine& line : lines_) {
         if (!line.systems.empty()) line.text = line.systems + ": " + line.text;
@@ -176,73 +177,76 @@ class Summary {
     if (has_verdict(report_)) {
       lines_.push_back({std::string(impact_row(impact).word),
                         (report_.unreadable.empty() ? "" : "of the readable systems: ") +
-                            meaning(impact, is_told_apart)});
+                            impact_meaning(impact, is_told_apart)});
     }
     return std::move(lines_);
   }
 
  private:
-  void add(std::string label, std::string text) {
+  void add_line(std::string label, std::string text) {
     if (!text.empty()) lines_.push_back({std::move(label), std::move(text)});
   }
 
-  [[nodiscard]] std::string name(const SystemChange& system) const {
+  [[nodiscard]] std::string label(const SystemChange& system) const {
     return label_of(report_, system);
   }
 
   /// Adds the text words(system) of each system, all with one label.
   template <class TextOf>
-  void for_each(std::string label, const TextOf& words) {
-    Section section(lines_, std::move(label));
-    for (const SystemChange& system : report_.systems) section.add(words(system), name(system));
+  void add_text_per_system(std::string heading, const TextOf& words) {
+    SummarySection section(lines_, std::move(heading));
+    for (const SystemChange& system : report_.systems) section.add(words(system), label(system));
   }
 
-  [[nodiscard]] std::size_t most(std::size_t few) const { return lists_all_ ? SIZE_MAX : few; }
+  [[nodiscard]] std::size_t line_limit(std::size_t few) const {
+    return lists_all_ ? SIZE_MAX : few;
+  }
 
   void add_files() {
-    for (const std::string& path : report_.added) add("added", path);
-    for (const std::string& path : report_.removed) add("removed", path);
-    for (const UnreadableSystem& system : report_.unreadable) add("unreadable", text_of(system));
+    for (const std::string& path : report_.added) add_line("added", path);
+    for (const std::string& path : report_.removed) add_line("removed", path);
+    for (const UnreadableSystem& system : report_.unreadable)
+      add_line("unreadable", text_of(system));
   }
 
   void add_keys() {
-    Section section(lines_, "changed", most(most_keys));
+    SummarySection section(lines_, "changed", line_limit(most_keys));
     for (const bool are_expectations : {false, true}) {
       for (const SystemChange& system : report_.systems) {
         for (const KeyChange& key : system.keys) {
           if ((key.table == "expect") != are_expectations) continue;
-          section.add(place_text(key) + text_of(key), name(system));
+          section.add(place_text(key) + text_of(key), label(system));
         }
       }
     }
-    section.count_others("key");
+    section.add_rest_count("key");
   }
 
   void add_consequences() {
-    for_each("", [](const SystemChange& system) {
+    add_text_per_system("", [](const SystemChange& system) {
       return system.keys.empty() ? "" : terms_text(system);
     });
-    for_each("", [](const SystemChange& system) { return expectations_text(system); });
+    add_text_per_system("", [](const SystemChange& system) { return expectations_text(system); });
     add_warnings();
-    for_each("follows", [](const SystemChange& system) {
+    add_text_per_system("follows", [](const SystemChange& system) {
       const VerdictCounts counts = counts_of(system);
       return counts.all > 0 ? counts.text() : "";
     });
-    for_each("", [](const SystemChange& system) { return system.extension; });
-    const SystemChange* const system = most_changed(report_);
-    const EntryChange* const entry = system == nullptr ? nullptr : example(*system);
+    add_text_per_system("", [](const SystemChange& system) { return system.extension; });
+    const SystemChange* const system = most_changed_system(report_);
+    const EntryChange* const entry = system == nullptr ? nullptr : find_example(*system);
     if (entry == nullptr) return;
-    Section section(lines_, "example");
-    section.add(text_of(*entry), name(*system));
-    section.add(witness_text(*entry), name(*system));
+    SummarySection section(lines_, "example");
+    section.add(text_of(*entry), label(*system));
+    section.add(witness_text(*entry), label(*system));
   }
 
   void add_warnings() {
-    Section section(lines_, "warns");
+    SummarySection section(lines_, "warns");
     for (const SystemChange& system : report_.systems) {
       for (const Diagnostic& warning : system.warnings) {
         section.add(fmt::format("{}: {}", code_row(warning.code).name, warning.message),
-                    name(system));
+                    label(system));
       }
     }
   }
@@ -253,32 +257,32 @@ class Summary {
     for (const SystemChange& system : report_.systems) {
       for (const InterfaceChange& change : system.interface) changes.emplace_back(&change, &system);
     }
-    if (changes.empty()) return add("interface", "unchanged");
+    if (changes.empty()) return add_line("interface", "unchanged");
     std::ranges::stable_sort(changes, std::greater(), [](const Change& change) {
       return std::pair(change.first->impact, change.first->is_silent);
     });
-    Section section(lines_, "interface", most(most_interface));
+    SummarySection section(lines_, "interface", line_limit(most_interface));
     for (const auto& [change, system] : changes) {
       section.add(fmt::format("{}: {}", impact_row(change->impact).word, change->text),
-                  name(*system));
+                  label(*system));
     }
-    section.count_others("change");
+    section.add_rest_count("change");
   }
 
   /// Adds the changed numbers of operations. Adds nothing if a system lacks its numbers, because
   /// the lines of the other systems would look complete.
   void add_operations() {
-    Section section(lines_, "operations", most(most_operations));
+    SummarySection section(lines_, "operations", line_limit(most_operations));
     for (const SystemChange& system : report_.systems) {
       if (!system.operations) return;
     }
     for (const SystemChange& system : report_.systems) {
       for (const OperationsChange& change : *system.operations) {
-        section.add(text_of(change), name(system));
+        section.add(text_of(change), label(system));
       }
     }
-    if (section.is_empty()) return add("operations", "unchanged");
-    section.count_others("function");
+    if (section.is_empty()) return add_line("operations", "unchanged");
+    section.add_rest_count("function");
   }
 
   const DiffReport& report_;
@@ -286,7 +290,7 @@ class Summary {
   SummaryLines lines_ = {};
 };
 
-void add_lines(const OutputChange& output, std::vector<std::string>& lines) {
+void append_entry_lines(const OutputChange& output, std::vector<std::string>& lines) {
   for (const EntryChange& entry : output.entries) {
     lines.push_back(text_of(entry));
     std::string witness = witness_text(entry);
@@ -313,7 +317,7 @@ std::vector<EntryList> entry_lists(const DiffReport& report) {
   std::vector<EntryList> lists;
   for (const SystemChange& system : report.systems) {
     EntryList list{label_of(report, system), {}};
-    for (const OutputChange& output : system.outputs) add_lines(output, list.lines);
+    for (const OutputChange& output : system.outputs) append_entry_lines(output, list.lines);
     if (!list.lines.empty()) lists.push_back(std::move(list));
   }
   return lists;
@@ -339,7 +343,7 @@ std::string code_block(const std::string& text) {
 }
 
 /// A <details> element, which readers can unfold.
-std::string folded(const EntryList& list) {
+std::string details_element(const EntryList& list) {
   std::string text;
   for (std::size_t i = 0; i < std::min(list.lines.size(), most_lines); ++i) {
     text += list.lines[i] + "\n";
@@ -367,7 +371,7 @@ Impact impact_of(const DiffReport& report) {
 }
 
 std::string to_text(const DiffReport& report, bool lists_all) {
-  std::string text = text_of(Summary(report, lists_all)());
+  std::string text = text_of(SummaryWriter(report, lists_all)());
   if (!lists_all) return text;
   for (const auto& [system, entries] : entry_lists(report)) {
     SummaryLines lines;
@@ -378,14 +382,14 @@ std::string to_text(const DiffReport& report, bool lists_all) {
 }
 
 std::string to_markdown(const DiffReport& report) {
-  SummaryLines lines = Summary(report, false)();
+  SummaryLines lines = SummaryWriter(report, false)();
   std::string text = "### elgen diff: unreadable\n";
   if (has_verdict(report)) {
     text = fmt::format("### elgen diff: {} ({})\n", lines.back().label, lines.back().text);
     lines.pop_back();
   }
   if (!lines.empty()) text += "\n" + code_block(text_of(lines));
-  for (const EntryList& list : entry_lists(report)) text += "\n" + folded(list);
+  for (const EntryList& list : entry_lists(report)) text += "\n" + details_element(list);
   return text;
 }
 

@@ -15,12 +15,12 @@ namespace {
 
 LeafNames with_renames(LeafNames names, const Renames& renames) {
   for_each_leaf(
-      [&renames](Opcode, std::uint32_t, std::string& name) { name = renamed(name, renames); },
+      [&renames](Opcode, std::uint32_t, std::string& name) { name = apply_renames(name, renames); },
       static_cast<LeafValues<std::string>&>(names));
   return names;
 }
 
-Assumption weaker(Assumption x, Assumption y) {
+Assumption weaker_assumption(Assumption x, Assumption y) {
   if (x == Assumption::none || y == Assumption::none) return Assumption::none;
   return x == y ? x : Assumption::nonnegative;
 }
@@ -29,16 +29,16 @@ Assumption weaker(Assumption x, Assumption y) {
 class FunctionCopier {
  public:
   FunctionCopier(const Program& from, const LeafValues<std::uint32_t>& places, Program& to,
-                 Instructions& instructions)
+                 InstructionBuilder& instructions)
       : from_(from), places_(places), to_(to), instructions_(instructions) {}
 
   std::vector<std::uint32_t> operator()(const Function& function, const ParameterValues& values) {
     std::vector<std::uint32_t> copies;
     for (Instruction i : function.instructions) {
       if (is_leaf(i.opcode)) {
-        i = leaf(i, values);
+        i = map_leaf(i, values);
       } else if (i.opcode == Opcode::constant) {
-        i.a = position_of(from_.constants[i.a], to_.constants);
+        i.a = intern_constant(from_.constants[i.a], to_.constants);
       }
       copies.push_back(instructions_.add(renumber_operands(i, copies)));
     }
@@ -48,35 +48,35 @@ class FunctionCopier {
   }
 
  private:
-  Instruction leaf(Instruction i, const ParameterValues& values) {
+  Instruction map_leaf(Instruction i, const ParameterValues& values) {
     const auto value = i.opcode == Opcode::parameter
                            ? values.find(leaf_of(from_.leaves, i.opcode, i.a))
                            : values.end();
     if (value != values.end()) {
-      return {.opcode = Opcode::constant, .a = position_of(value->second, to_.constants)};
+      return {.opcode = Opcode::constant, .a = intern_constant(value->second, to_.constants)};
     }
-    if (list_of(places_, i.opcode) != nullptr) i.a = leaf_of(places_, i.opcode, i.a);
+    if (leaf_list(places_, i.opcode) != nullptr) i.a = leaf_of(places_, i.opcode, i.a);
     return i;
   }
 
   const Program& from_;
   const LeafValues<std::uint32_t>& places_;
   Program& to_;
-  Instructions& instructions_;
+  InstructionBuilder& instructions_;
 };
 
 }  // namespace
 
 JointProgram::JointProgram(const Program& before, const Program& after, const Renames& renames)
     : before_(before), after_(after) {
-  new_places_ = add(after.leaves);
-  old_places_ = add(with_renames(before.leaves, renames));
+  new_places_ = add_leaves(after.leaves);
+  old_places_ = add_leaves(with_renames(before.leaves, renames));
 }
 
-auto JointProgram::add(const LeafNames& names) -> LeafPlaces {
+auto JointProgram::add_leaves(const LeafNames& names) -> LeafIndices {
   LeafNames& joint = joint_.leaves;
   joint.uses_time = joint.uses_time || names.uses_time;
-  LeafPlaces places;
+  LeafIndices places;
   const std::size_t known_before = joint.parameters.size();
 #define ELGEN_LEAVES(kind, member, ...)                                                \
   for (const std::string& name : names.member) {                                       \
@@ -94,16 +94,16 @@ auto JointProgram::add(const LeafNames& names) -> LeafPlaces {
   for (std::uint32_t i = 0; i < names.parameters.size(); ++i) {
     Assumption& assumption = joint.assumptions[places.parameters[i]];
     const Assumption one = assumption_of(names, i);
-    assumption = places.parameters[i] < known_before ? weaker(assumption, one) : one;
+    assumption = places.parameters[i] < known_before ? weaker_assumption(assumption, one) : one;
   }
   return places;
 }
 
 JointFunction JointProgram::join(const Function& before, const Function& after,
-                                 const JointValues& values) {
+                                 const JointParameterValues& values) {
   JointFunction joint;
   joint.function.name = after.name;
-  Instructions instructions(joint.function);
+  InstructionBuilder instructions(joint.function);
   joint.before = FunctionCopier(before_, old_places_, joint_, instructions)(before, values.before);
   joint.after = FunctionCopier(after_, new_places_, joint_, instructions)(after, values.after);
   return joint;
@@ -118,15 +118,15 @@ using Labels = std::vector<std::string>;
 Labels labels_of(const Model& model, const Renames& renames, Extent extent,
                  std::uint32_t user = 0) {
   Labels labels;
-  for (const Line& line : lines_along(model, extent, user)) {
+  for (const FieldLine& line : extent_lines(model, extent, user)) {
     labels.push_back(line.is_numbered ? std::to_string(line.number + 1)
-                                      : renamed(line.text(), renames));
+                                      : apply_renames(line.text(), renames));
   }
   return labels;
 }
 
 /// Numbers as labels of fields that the output table lacks, such as the diagonal of M.
-Labels numbers(std::uint32_t count) {
+Labels number_labels(std::uint32_t count) {
   Labels labels;
   for (std::uint32_t i = 1; i <= count; ++i) labels.push_back(std::to_string(i));
   return labels;
@@ -140,7 +140,7 @@ struct EntryKey {
   friend auto operator<=>(const EntryKey&, const EntryKey&) = default;
 };
 
-struct Labelled {
+struct LabelledEntry {
   EntryKey key = {};
   std::string place = {};
   std::string unit = {};
@@ -148,18 +148,18 @@ struct Labelled {
 
 /// True if both versions eliminate in the same order, on which the pivots of M and of A M^-1 A^T
 /// depend.
-bool same_order(const Model& before, const Model& after, const Renames& renames) {
+bool has_same_pivot_order(const Model& before, const Model& after, const Renames& renames) {
   return labels_of(before, renames, Extent::pivots) == labels_of(after, {}, Extent::pivots);
 }
 
-std::vector<Labelled> labelled(const Model& model, const Function& function,
-                               const Renames& renames) {
-  std::vector<Labelled> all;
+std::vector<LabelledEntry> label_entries(const Model& model, const Function& function,
+                                         const Renames& renames) {
+  std::vector<LabelledEntry> all;
   for (const Field& field : function.fields) {
     const FieldRow& row = field_row(function.kind, field.name);
     const bool is_named = field.name == row.name;
     const auto labels = [&](Extent extent, std::uint32_t count) {
-      return is_named ? labels_of(model, renames, extent, function.user) : numbers(count);
+      return is_named ? labels_of(model, renames, extent, function.user) : number_labels(count);
     };
     const Labels rows = labels(row.rows, field.rows);
     const Labels columns = labels(row.columns, field.columns);
@@ -177,14 +177,14 @@ std::vector<Labelled> labelled(const Model& model, const Function& function,
 
 }  // namespace
 
-std::vector<MatchedEntry> matched_entries(const Model& old_model, const Function& before,
-                                          const Model& new_model, const Function& after,
-                                          const Renames& renames) {
-  const std::vector<Labelled> olds = labelled(old_model, before, renames);
-  const std::vector<Labelled> news = labelled(new_model, after, {});
+std::vector<MatchedEntry> match_entries(const Model& old_model, const Function& before,
+                                        const Model& new_model, const Function& after,
+                                        const Renames& renames) {
+  const std::vector<LabelledEntry> olds = label_entries(old_model, before, renames);
+  const std::vector<LabelledEntry> news = label_entries(new_model, after, {});
   const bool has_pivots =
-      !output_row(after.kind).gives_pivots || same_order(old_model, new_model, renames);
-  const auto is_compared = [has_pivots](const Labelled& entry) {
+      !output_row(after.kind).gives_pivots || has_same_pivot_order(old_model, new_model, renames);
+  const auto is_compared = [has_pivots](const LabelledEntry& entry) {
     return has_pivots || entry.key.field != "relative_pivots";
   };
   std::map<EntryKey, std::size_t> known;

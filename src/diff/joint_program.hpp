@@ -16,7 +16,7 @@
 namespace elgen {
 
 /// Numbers that replace parameters, by version.
-struct JointValues {
+struct JointParameterValues {
   ParameterValues before = {};
   ParameterValues after = {};
 };
@@ -36,21 +36,21 @@ class JointProgram {
 
   /// Joins two functions, one of each program. Entries are in the order of their fields.
   [[nodiscard]] JointFunction join(const Function& before, const Function& after,
-                                   const JointValues& values = {});
+                                   const JointParameterValues& values = {});
 
   /// The leaves of both versions, and the constants of all functions joined so far.
   [[nodiscard]] const Program& program() const { return joint_; }
 
  private:
   /// For each leaf of a version, its index among the leaves of both versions.
-  using LeafPlaces = LeafValues<std::uint32_t>;
-  LeafPlaces add(const LeafNames& names);
+  using LeafIndices = LeafValues<std::uint32_t>;
+  LeafIndices add_leaves(const LeafNames& names);
 
   const Program& before_;
   const Program& after_;
   Program joint_ = {};
-  LeafPlaces old_places_ = {};
-  LeafPlaces new_places_ = {};
+  LeafIndices old_places_ = {};
+  LeafIndices new_places_ = {};
 };
 
 /// A pair of matching entries, by their indices over all fields. An added or removed entry has only
@@ -64,10 +64,9 @@ struct MatchedEntry {
 
 /// Matches the entries of two functions, in the order of `after`, then the removed entries. If one
 /// function is empty, all entries of the other function are added or removed.
-[[nodiscard]] std::vector<MatchedEntry> matched_entries(const Model& old_model,
-                                                        const Function& before,
-                                                        const Model& new_model,
-                                                        const Function& after,
-                                                        const Renames& renames);
+[[nodiscard]] std::vector<MatchedEntry> match_entries(const Model& old_model,
+                                                      const Function& before,
+                                                      const Model& new_model, const Function& after,
+                                                      const Renames& renames);
 
 }  // namespace elgen

@@ -7,7 +7,7 @@
 namespace elgen {
 namespace {
 
-void rename(std::string& name, const Renames& renames) { name = renamed(name, renames); }
+void rename(std::string& name, const Renames& renames) { name = apply_renames(name, renames); }
 
 void rename(ExpressionSyntax& expression, const Renames& renames) {
   if (expression.kind == SyntaxKind::name) rename(expression.text, renames);
@@ -17,7 +17,7 @@ void rename(ExpressionSyntax& expression, const Renames& renames) {
 void rename(ValueSyntax& value, const std::string& table, const Renames& renames);
 
 /// True if the table has a row with this key.
-bool has_row(std::string_view table, std::string_view key) {
+bool has_key_row(std::string_view table, std::string_view key) {
   return std::ranges::any_of(
       key_table(), [&](const KeyRow& row) { return row.entry == table && row.key == key; });
 }
@@ -25,7 +25,7 @@ bool has_row(std::string_view table, std::string_view key) {
 void rename(std::vector<KeySyntax>& keys, const std::string& table, const Renames& renames) {
   const bool has_names = has_names_for_keys(table);
   for (KeySyntax& key : keys) {
-    const bool is_name = has_names && !has_row(table, key.key);
+    const bool is_name = has_names && !has_key_row(table, key.key);
     if (is_name) rename(key.key, renames);
     rename(key.value, table + "." + (is_name ? "*" : key.key), renames);
   }
@@ -45,24 +45,24 @@ void rename(ValueSyntax& value, const std::string& table, const Renames& renames
 
 }  // namespace
 
-std::string renamed(const std::string& name, const Renames& renames) {
+std::string apply_renames(const std::string& name, const Renames& renames) {
   const std::size_t inner = name.find('(') + 1;
   if (inner > 0 && name.back() == ')') {  // dot(x), as in ranges and states
     const std::string argument = name.substr(inner, name.size() - 1 - inner);
-    return name.substr(0, inner) + renamed(argument, renames) + ")";
+    return name.substr(0, inner) + apply_renames(argument, renames) + ")";
   }
   const std::string_view armature = "armature.";
   if (name.starts_with(armature)) {  // an inertial parameter of an armature
-    return std::string(armature) + renamed(name.substr(armature.size()), renames);
+    return std::string(armature) + apply_renames(name.substr(armature.size()), renames);
   }
   const std::size_t dot = std::min(name.find('.'), name.size());
-  if (dot < name.size()) return renamed(name.substr(0, dot), renames) + name.substr(dot);
+  if (dot < name.size()) return apply_renames(name.substr(0, dot), renames) + name.substr(dot);
   const std::size_t stem = std::min(name.find('['), name.size());
   const auto found = renames.find(name.substr(0, stem));
   return found == renames.end() ? name : found->second + name.substr(stem);
 }
 
-bool has_names_for_keys(std::string_view table) { return has_row(table, "*"); }
+bool has_names_for_keys(std::string_view table) { return has_key_row(table, "*"); }
 
 std::string_view table_prefix(const FileSyntax& file) {
   const bool names_model = !file.entries.empty() && file.entries.front().name.empty() &&
@@ -70,7 +70,7 @@ std::string_view table_prefix(const FileSyntax& file) {
   return names_model ? "scene." : "";
 }
 
-FileSyntax renamed(FileSyntax file, const Renames& renames) {
+FileSyntax apply_renames(FileSyntax file, const Renames& renames) {
   const std::string prefix(table_prefix(file));
   for (EntrySyntax& entry : file.entries) rename(entry.keys, prefix + entry.name, renames);
   return file;

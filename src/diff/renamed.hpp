@@ -7,11 +7,11 @@ namespace elgen {
 
 /// The name in the newer version. An element gets the new name of its array: "l[2]"; an inertial
 /// parameter gets the new name of its owner: "hand.m".
-[[nodiscard]] std::string renamed(const std::string& name, const Renames& renames);
+[[nodiscard]] std::string apply_renames(const std::string& name, const Renames& renames);
 
 /// Renames all names: in expressions, in keys that declare or refer to names, and in tables whose
 /// keys are names. Texts and spans of other values do not change.
-[[nodiscard]] FileSyntax renamed(FileSyntax file, const Renames& renames);
+[[nodiscard]] FileSyntax apply_renames(FileSyntax file, const Renames& renames);
 
 /// The prefix of a file's tables in the key table: "scene." for scenes, "" for models.
 [[nodiscard]] std::string_view table_prefix(const FileSyntax& file);

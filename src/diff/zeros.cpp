@@ -22,52 +22,54 @@ constexpr std::uint64_t seed_of_zeros = 16;
 /// for 4 scales and 2 rules of signs.
 constexpr std::size_t most_tries = 8 * zero_sample_count;
 
-/// The observation of an entry at one point; `nothing`: no value, or rounding hides the value.
-enum class Seen : std::uint8_t { nothing, zero, other };
+/// The observation of an entry at one point; `inconclusive`: no value, or rounding hides the value.
+enum class Observation : std::uint8_t { inconclusive, zero, nonzero };
 
-class PointDrawer {
+class PointObserver {
  public:
-  explicit PointDrawer(const Program& program) : program_(program) {}
+  explicit PointObserver(const Program& program) : program_(program) {}
 
   /// Observes all entries of the function at the next point. The instructions in `variables` are
   /// random, not computed.
-  std::vector<Seen> operator()(const Function& function, const std::vector<bool>& variables) {
-    const std::vector<Running<Real>> values = values_at(next_point(), function, variables);
+  std::vector<Observation> operator()(const Function& function,
+                                      const std::vector<bool>& variables) {
+    const std::vector<RunningValue<Real>> values = values_at(next_point(), function, variables);
     // With random variables a missing value proves nothing, because a variable may have a value
     // that the computation never gives.
     const bool is_computed = std::ranges::count(variables, true) == 0;
-    std::vector<Seen> seen;
+    std::vector<Observation> seen;
     for (const std::uint32_t entry : entries_of(function)) {
       const bool is_lone =
           is_computed && !is_limited_[entry] && is_one_sided(function.instructions[entry], values);
-      seen.push_back(is_lone ? Seen::other : observation(function, entry, values));
+      seen.push_back(is_lone ? Observation::nonzero : observe_entry(function, entry, values));
     }
     return seen;
   }
 
   /// Observes all entries at `point`. A missing value proves nothing, because one of two terms may
   /// be 0/0 at a given point.
-  std::vector<Seen> at(const LeafValues<Running<Real>>& point, const Function& function,
-                       const std::vector<bool>& variables) {
-    const std::vector<Running<Real>> values = values_at(point, function, variables);
-    std::vector<Seen> seen;
+  std::vector<Observation> observe_at(const LeafValues<RunningValue<Real>>& point,
+                                      const Function& function,
+                                      const std::vector<bool>& variables) {
+    const std::vector<RunningValue<Real>> values = values_at(point, function, variables);
+    std::vector<Observation> seen;
     for (const std::uint32_t entry : entries_of(function)) {
-      seen.push_back(observation(function, entry, values));
+      seen.push_back(observe_entry(function, entry, values));
     }
     return seen;
   }
 
  private:
-  std::vector<Running<Real>> values_at(const LeafValues<Running<Real>>& point,
-                                       const Function& function,
-                                       const std::vector<bool>& variables) {
+  std::vector<RunningValue<Real>> values_at(const LeafValues<RunningValue<Real>>& point,
+                                            const Function& function,
+                                            const std::vector<bool>& variables) {
     const RunningErrorRules<Real> rules{point};
-    std::vector<Running<Real>> values;
+    std::vector<RunningValue<Real>> values;
     is_limited_.clear();
     for (std::size_t i = 0; i < function.instructions.size(); ++i) {
       is_limited_.push_back(!variables[i] && is_limited(function.instructions[i], values));
       values.push_back(variables[i]
-                           ? scaled(draw_.number())
+                           ? scaled_leaf(draw_.number())
                            : fold_instruction(rules, program_, function.instructions[i], values));
     }
     return values;
@@ -75,17 +77,17 @@ class PointDrawer {
 
   /// True if the value of `i`, or of an operand, was replaced by a limit, such as exp(-2^21) by 0.
   [[nodiscard]] bool is_limited(const Instruction& i,
-                                const std::vector<Running<Real>>& values) const {
+                                const std::vector<RunningValue<Real>>& values) const {
     const std::size_t operands = operand_count(i);
     if (operands == 0) return false;
     const std::uint32_t last = operands > 1 ? i.b : i.a;
     if (is_limited_[i.a] || is_limited_[last]) return true;
     return i.opcode == Opcode::call &&
-           takes_limit(i.function, values[i.a].value, values[last].value);
+           is_replaced_by_limit(i.function, values[i.a].value, values[last].value);
   }
 
-  [[nodiscard]] Running<Real> scaled(const cln::cl_RA& number) const {
-    return running_leaf(number * scale(), rounding<double>());
+  [[nodiscard]] RunningValue<Real> scaled_leaf(const cln::cl_RA& number) const {
+    return running_leaf(number * scale(), rounding_constants<double>());
   }
 
   /// Cycles through scales, to find differences that appear only at large or small values.
@@ -96,36 +98,39 @@ class PointDrawer {
 
   /// The next random point. At every second point parameters without an assumption are positive,
   /// because most masses and lengths must be positive.
-  LeafValues<Running<Real>> next_point() {
-    const Positive positive = points_ % 2 == 0 ? Positive::parameters : Positive::assumed;
-    LeafValues<Running<Real>> point = map_leaves([this](const cln::cl_RA& x) { return scaled(x); },
-                                                 draw_.point(program_.leaves, positive));
+  LeafValues<RunningValue<Real>> next_point() {
+    const PositiveParameters positive =
+        points_ % 2 == 0 ? PositiveParameters::parameters : PositiveParameters::assumed;
+    LeafValues<RunningValue<Real>> point =
+        map_leaves([this](const cln::cl_RA& x) { return scaled_leaf(x); },
+                   draw_.point(program_.leaves, positive));
     ++points_;
     return point;
   }
 
   /// True if only one of both terms has a value: at x < 0, log(x^2) has a value but 2 log(x) has
   /// none.
-  static bool is_one_sided(const Instruction& i, const std::vector<Running<Real>>& values) {
+  static bool is_one_sided(const Instruction& i, const std::vector<RunningValue<Real>>& values) {
     return operand_count(i) > 1 && values[i.a].value.is_defined() != values[i.b].value.is_defined();
   }
 
-  /// `nothing` if a limit was taken, if the value is undefined, or if rounding in 64 digits may
-  /// hide a value that is large in comparison with the terms. Terms count as at least 1e-5.
-  [[nodiscard]] Seen observation(const Function& function, std::uint32_t entry,
-                                 const std::vector<Running<Real>>& values) const {
+  /// `inconclusive` if a limit was taken, if the value is undefined, or if rounding in 64 digits
+  /// may hide a value that is large in comparison with the terms. Terms count as at least 1e-5.
+  [[nodiscard]] Observation observe_entry(const Function& function, std::uint32_t entry,
+                                          const std::vector<RunningValue<Real>>& values) const {
     static const Real share(power_of_ten(-45));
     static const Real hidden(power_of_ten(-25));
     const Instruction& i = function.instructions[entry];
-    const Running<Real>& x = values[entry];
-    if (is_limited_[entry]) return Seen::nothing;
-    if (!x.value.is_defined() || !x.error.is_defined()) return Seen::nothing;
+    const RunningValue<Real>& x = values[entry];
+    if (is_limited_[entry]) return Observation::inconclusive;
+    if (!x.value.is_defined() || !x.error.is_defined()) return Observation::inconclusive;
     const Real noise = abs(x.error) * share;
-    if (abs(x.value).value() > noise.value()) return Seen::other;
+    if (abs(x.value).value() > noise.value()) return Observation::nonzero;
     Real terms(power_of_ten(-5));
     if (operand_count(i) > 0) terms = max(terms, abs(values[i.a].value));
     if (operand_count(i) > 1) terms = max(terms, abs(values[i.b].value));
-    return noise.value() <= (terms * hidden).value() ? Seen::zero : Seen::nothing;
+    return noise.value() <= (terms * hidden).value() ? Observation::zero
+                                                     : Observation::inconclusive;
   }
 
   const Program& program_;
@@ -135,10 +140,10 @@ class PointDrawer {
 };
 
 /// The indices of the entries that may vanish.
-std::vector<std::size_t> candidates(const std::vector<Seen>& seen) {
+std::vector<std::size_t> zero_candidates(const std::vector<Observation>& seen) {
   std::vector<std::size_t> left;
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i] != Seen::other) left.push_back(i);
+    if (seen[i] != Observation::nonzero) left.push_back(i);
   }
   return left;
 }
@@ -151,29 +156,31 @@ Function select_entries(const Function& function, const std::vector<std::size_t>
 }
 
 /// A difference beyond this budget is sampled, which is cheaper.
-constexpr PresentBudget zeros_budget{
+constexpr ClosedFormBudget zeros_budget{
     .products_per_function = 10'000, .products = 40'000, .terms = 1'000};
 
 /// The state's doubles as exact numbers.
-LeafValues<Running<Real>> exact_point(const Arguments<double>& state) {
-  return map_leaves([](double x) { return running_leaf(exact_value(x), rounding<double>()); },
-                    state);
+LeafValues<RunningValue<Real>> exact_point(const Arguments<double>& state) {
+  return map_leaves(
+      [](double x) { return running_leaf(exact_value(x), rounding_constants<double>()); }, state);
 }
 
-/// For each entry: `other` if it is not 0 at some point; `zero` if it is 0 at `zero_sample_count`
-/// points or more; otherwise `nothing`. The points are the states, then random points.
-std::vector<Seen> observe_points(const Function& function, const std::vector<bool>& variables,
-                                 const std::vector<Arguments<double>>& states, PointDrawer& draw) {
+/// For each entry: `nonzero` if it is not 0 at some point; `zero` if it is 0 at `zero_sample_count`
+/// points or more; otherwise `inconclusive`. The points are the states, then random points.
+std::vector<Observation> observe_points(const Function& function,
+                                        const std::vector<bool>& variables,
+                                        const std::vector<Arguments<double>>& states,
+                                        PointObserver& draw) {
   std::vector<std::size_t> zeros(entry_count(function));
   std::vector<bool> may_vanish(zeros.size(), true);
   const std::size_t enough = states.size() + zero_sample_count;
   for (std::size_t tried = 0; tried < states.size() + most_tries; ++tried) {
-    const std::vector<Seen> seen = tried < states.size()
-                                       ? draw.at(exact_point(states[tried]), function, variables)
-                                       : draw(function, variables);
+    const std::vector<Observation> seen =
+        tried < states.size() ? draw.observe_at(exact_point(states[tried]), function, variables)
+                              : draw(function, variables);
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      zeros[i] += seen[i] == Seen::zero ? 1 : 0;
-      if (seen[i] == Seen::other) may_vanish[i] = false;
+      zeros[i] += seen[i] == Observation::zero ? 1 : 0;
+      if (seen[i] == Observation::nonzero) may_vanish[i] = false;
     }
     bool is_decided = true;
     for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -181,52 +188,54 @@ std::vector<Seen> observe_points(const Function& function, const std::vector<boo
     }
     if (is_decided) break;
   }
-  std::vector<Seen> result;
+  std::vector<Observation> result;
   for (std::size_t i = 0; i < zeros.size(); ++i) {
-    const Seen unless_other = zeros[i] < zero_sample_count ? Seen::nothing : Seen::zero;
-    result.push_back(may_vanish[i] ? unless_other : Seen::other);
+    const Observation unless_other =
+        zeros[i] < zero_sample_count ? Observation::inconclusive : Observation::zero;
+    result.push_back(may_vanish[i] ? unless_other : Observation::nonzero);
   }
   return result;
 }
 
 /// The verdicts on all entries, by sampling.
-std::vector<Zero> sample_verdicts(const Program& program, const Function& function,
-                                  const std::vector<Arguments<double>>& states, PointDrawer& draw) {
-  const std::vector<bool> variables = unknowns(program, function);
+std::vector<ZeroVerdict> sample_verdicts(const Program& program, const Function& function,
+                                         const std::vector<Arguments<double>>& states,
+                                         PointObserver& draw) {
+  const std::vector<bool> variables = mark_unknown_values(program, function);
   const std::vector<bool> none(variables.size(), false);
-  const std::vector<Seen> seen = observe_points(function, variables, {}, draw);
-  const bool needs_no_second_pass =
-      std::ranges::count(variables, true) == 0 && std::ranges::count(seen, Seen::nothing) == 0;
-  const std::vector<Seen> as_computed =
+  const std::vector<Observation> seen = observe_points(function, variables, {}, draw);
+  const bool needs_no_second_pass = std::ranges::count(variables, true) == 0 &&
+                                    std::ranges::count(seen, Observation::inconclusive) == 0;
+  const std::vector<Observation> as_computed =
       needs_no_second_pass ? seen : observe_points(function, none, states, draw);
-  std::vector<Zero> result;
+  std::vector<ZeroVerdict> result;
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const bool differs = as_computed[i] == Seen::other;
-    result.push_back(seen[i] == Seen::zero ? Zero::sampled
-                     : differs             ? Zero::no
-                                           : Zero::not_decided);
+    const bool differs = as_computed[i] == Observation::nonzero;
+    result.push_back(seen[i] == Observation::zero ? ZeroVerdict::sampled
+                     : differs                    ? ZeroVerdict::nonzero
+                                                  : ZeroVerdict::undecided);
   }
   return result;
 }
 
 }  // namespace
 
-std::vector<Zero> zeros(const Program& program, const Function& function,
-                        const std::vector<Arguments<double>>& states) {
-  PointDrawer draw(program);
-  std::vector<Zero> result(entry_count(function), Zero::no);
+std::vector<ZeroVerdict> decide_zeros(const Program& program, const Function& function,
+                                      const std::vector<Arguments<double>>& states) {
+  PointObserver draw(program);
+  std::vector<ZeroVerdict> result(entry_count(function), ZeroVerdict::nonzero);
   const std::vector<bool> none(function.instructions.size(), false);
-  const std::vector<std::size_t> left = candidates(draw(function, none));
+  const std::vector<std::size_t> left = zero_candidates(draw(function, none));
   if (left.empty()) return result;
   const std::vector<ZeroProof> proofs =
       prove_zeros(program, select_entries(function, left), zeros_budget);
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < left.size(); ++i) {
-    if (proofs[i] == ZeroProof::zero) result[left[i]] = Zero::proved;
-    if (proofs[i] == ZeroProof::open) open.push_back(left[i]);
+    if (proofs[i] == ZeroProof::zero) result[left[i]] = ZeroVerdict::proved;
+    if (proofs[i] == ZeroProof::undecided) open.push_back(left[i]);
   }
   if (open.empty()) return result;
-  const std::vector<Zero> verdicts =
+  const std::vector<ZeroVerdict> verdicts =
       sample_verdicts(program, select_entries(function, open), states, draw);
   for (std::size_t i = 0; i < open.size(); ++i) result[open[i]] = verdicts[i];
   return result;
@@ -234,7 +243,8 @@ std::vector<Zero> zeros(const Program& program, const Function& function,
 
 bool vanishes_at(const Program& program, const Function& function, const Arguments<double>& state) {
   const std::vector<bool> none(function.instructions.size(), false);
-  return PointDrawer(program).at(exact_point(state), function, none).front() == Seen::zero;
+  return PointObserver(program).observe_at(exact_point(state), function, none).front() ==
+         Observation::zero;
 }
 
 }  // namespace elgen

@@ -7,19 +7,20 @@
 namespace elgen {
 
 /// An entry vanishes at a point if |x| <= 1e-45 E in 64 digits, E the running error of x.
-enum class Zero : std::uint8_t {
-  no,
-  not_decided,  ///< no computed value differs from 0, but neither `sampled` nor `proved` applies
-  sampled,      ///< vanishes at `zero_sample_count` points; functions that are not analytic
-                ///< (program/network/analytic.hpp) are random variables there
-  proved,       ///< the closed form is the empty sum
+enum class ZeroVerdict : std::uint8_t {
+  nonzero,
+  undecided,  ///< no computed value differs from 0, but neither `sampled` nor `proved` applies
+  sampled,    ///< vanishes at `zero_sample_count` points; functions that are not analytic
+              ///< (program/network/analytic.hpp) are random variables there
+  proved,     ///< the closed form is the empty sum
 };
 
 /// The verdict on each entry, in the order of the fields. Cost: one evaluation in 64 digits.
 /// Entries that vanish there are proved, or evaluated at `zero_sample_count` more points. Entries
 /// that are not analytic are evaluated again at `states` and at `zero_sample_count` further points.
-[[nodiscard]] std::vector<Zero> zeros(const Program& program, const Function& function,
-                                      const std::vector<Arguments<double>>& states = {});
+[[nodiscard]] std::vector<ZeroVerdict> decide_zeros(
+    const Program& program, const Function& function,
+    const std::vector<Arguments<double>>& states = {});
 
 /// True if the function's only entry vanishes at a state in 64 digits, even if doubles give another
 /// value.

@@ -10,20 +10,21 @@ namespace elgen {
 namespace {
 
 /// The function that writes a kind of file, and the check for names that its language reserves.
-struct Writer {
-  std::string (*text)(const EmissionInput& input);
+struct ArtifactWriter {
+  std::string (*write)(const EmissionInput& input);
   /// Null if every name is allowed.
   Diagnostics (*check_names)(const Model& model, const Scene& scene, const Program& program);
 };
 
-constexpr PerArtifact<Writer> writers{.cpp = {&cpp_header, &cpp_check_names},
-                                      .eigen = {&eigen_header, &eigen_check_names},
-                                      .batch = {&batch_header, &batch_check_names},
-                                      .wide = {&wide_header, &wide_check_names},
-                                      .c99 = {&c99_header, &c99_check_names},
-                                      .source = {&source_module, &source_check_names},
-                                      .sidecar = {&sidecar, nullptr},
-                                      .page = {&markdown, nullptr}};
+constexpr ArtifactTable<ArtifactWriter> artifact_writers{
+    .cpp = {&cpp_header, &cpp_check_names},
+    .eigen = {&eigen_header, &eigen_check_names},
+    .batch = {&batch_header, &batch_check_names},
+    .wide = {&wide_header, &wide_check_names},
+    .c99 = {&c99_header, &c99_check_names},
+    .source = {&source_module, &source_check_names},
+    .sidecar = {&sidecar_text, nullptr},
+    .page = {&markdown_page_text, nullptr}};
 
 }  // namespace
 
@@ -36,11 +37,11 @@ Result<std::string> emitted_script(const Model& model, const Scene& scene, const
 }
 
 Result<EmittedFiles> emit(const Model& model, const Scene& scene, const Program& program,
-                          const Book& book) {
-  const std::vector<Artifact> wanted = artifacts_of(scene);
+                          const PagePrograms& book) {
+  const std::vector<Artifact> wanted = requested_artifacts(scene);
   Diagnostics diagnostics;
   for (const Artifact& artifact : wanted) {
-    const auto check_names = writers[artifact.id].check_names;
+    const auto check_names = artifact_writers[artifact.id].check_names;
     if (check_names == nullptr) continue;
     const Diagnostics names = check_names(model, scene, program);
     diagnostics.insert(diagnostics.end(), names.begin(), names.end());
@@ -50,7 +51,7 @@ Result<EmittedFiles> emit(const Model& model, const Scene& scene, const Program&
   if (has_errors(diagnostics)) return diagnostics;
   const EmissionInput input = emission_input(model, scene, program, book);
   EmittedFiles emitted;
-  for (const auto& [id, path] : wanted) emitted.files[path] = writers[id].text(input);
+  for (const auto& [id, path] : wanted) emitted.files[path] = artifact_writers[id].write(input);
   return emitted;
 }
 

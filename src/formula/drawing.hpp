@@ -17,47 +17,48 @@
 namespace elgen {
 
 /// The number of terminal columns of UTF-8 text. Combining accents take no column.
-[[nodiscard]] std::size_t columns_of(std::string_view text);
+[[nodiscard]] std::size_t terminal_width(std::string_view text);
 
 /// Lines of equal width. `base` is the index of the base line; blocks in a row have level base
 /// lines.
-struct Block {
+struct TextBlock {
   std::vector<std::string> lines = {""};
   std::size_t base = 0;
 
-  [[nodiscard]] std::size_t width() const { return columns_of(lines.front()); }
-  [[nodiscard]] std::size_t below() const { return lines.size() - base - 1; }
+  [[nodiscard]] std::size_t width() const { return terminal_width(lines.front()); }
+  [[nodiscard]] std::size_t lines_below() const { return lines.size() - base - 1; }
 };
 
 /// Places two blocks side by side, with their base lines level.
-[[nodiscard]] Block join_blocks(const Block& left, const Block& right);
+[[nodiscard]] TextBlock join_blocks(const TextBlock& left, const TextBlock& right);
 
 /// Centres two blocks above and below a rule, which is the base line.
-[[nodiscard]] Block stacked(const Block& above, const Block& below, const std::string& rule);
+[[nodiscard]] TextBlock stack_blocks(const TextBlock& above, const TextBlock& below,
+                                     const std::string& rule);
 
 /// Draws a bracket as high as the block.
-[[nodiscard]] Block bracket_drawing(std::string_view bracket, const Block& inside,
-                                    Alphabet alphabet);
+[[nodiscard]] TextBlock draw_bracket(std::string_view bracket, const TextBlock& inside,
+                                     Alphabet alphabet);
 
 enum class Alignment : unsigned char { centre, left };
 
 /// Draws row-major cells without brackets. The cells of a row have level base lines.
-[[nodiscard]] Block grid(const std::vector<Block>& cells, std::size_t columns,
-                         Alignment alignment = Alignment::centre);
+[[nodiscard]] TextBlock draw_grid(const std::vector<TextBlock>& cells, std::size_t columns,
+                                  Alignment alignment = Alignment::centre);
 
 /// The lines without trailing blanks, each after `indent`.
-[[nodiscard]] std::string text_of(const Block& block, std::string_view indent);
+[[nodiscard]] std::string text_of(const TextBlock& block, std::string_view indent);
 
-enum class Fractions : std::uint8_t { stacked, in_line };
+enum class FractionStyle : std::uint8_t { stacked, in_line };
 
-[[nodiscard]] Block drawing(const Glyphs& glyphs, Alphabet alphabet,
-                            Fractions fractions = Fractions::stacked);
+[[nodiscard]] TextBlock draw_glyphs(const Glyphs& glyphs, Alphabet alphabet,
+                                    FractionStyle fractions = FractionStyle::stacked);
 
 /// "²" from "2"; "^(1/2)" from "1/2", which has no small characters.
 [[nodiscard]] std::string small_exponent(const std::string& exponent);
 
 /// Draws square brackets around a grid.
-[[nodiscard]] Block matrix_drawing(const std::vector<Block>& entries, std::size_t columns,
-                                   Alphabet alphabet);
+[[nodiscard]] TextBlock draw_matrix(const std::vector<TextBlock>& entries, std::size_t columns,
+                                    Alphabet alphabet);
 
 }  // namespace elgen

@@ -9,18 +9,18 @@
 namespace elgen {
 namespace {
 
-Formula with_parts(FormulaKind kind, Formulas parts) { return {kind, std::move(parts)}; }
+Formula make_formula(FormulaKind kind, Formulas parts) { return {kind, std::move(parts)}; }
 
 template <class... Parts>
-Formula with(FormulaKind kind, Parts... parts) {
+Formula make_node(FormulaKind kind, Parts... parts) {
   Formula formula{kind};
   (formula.parts.push_back(std::move(parts)), ...);
   return formula;
 }
 
-Formula single_or(FormulaKind kind, Formulas parts) {
+Formula unwrap_single(FormulaKind kind, Formulas parts) {
   if (parts.size() == 1) return std::move(parts.front());
-  return with_parts(kind, std::move(parts));
+  return make_formula(kind, std::move(parts));
 }
 
 /// Appends a part. Nested rows are flattened, and adjacent words are joined.
@@ -37,9 +37,9 @@ void append_part(Formulas& row, Formula part) {
 }
 
 /// x; for a negative number, the negative of a positive number, which a sum subtracts.
-Formula as_term(Formula x) {
+Formula extract_sign(Formula x) {
   const bool is_below = x.kind == FormulaKind::number && cln::minusp(x.number);
-  if (is_below) return negative(number_formula(-x.number));
+  if (is_below) return negative_of(number_formula(-x.number));
   return x;
 }
 
@@ -54,7 +54,7 @@ Formula number_formula(const cln::cl_RA& value) {
 }
 
 Formula digits_formula(std::string digits) {
-  if (digits.starts_with('-')) return negative(digits_formula(digits.substr(1)));
+  if (digits.starts_with('-')) return negative_of(digits_formula(digits.substr(1)));
   return {FormulaKind::number, {}, std::move(digits)};
 }
 
@@ -69,65 +69,69 @@ Formula symbol_formula(std::string name, Glyphs glyphs, bool is_long) {
 
 Formula latex_formula(std::string_view latex) {
   Glyphs glyphs = read_latex(latex);
-  const Block drawn = drawing(glyphs, Alphabet::ascii, Fractions::in_line);
+  const TextBlock drawn = draw_glyphs(glyphs, Alphabet::ascii, FractionStyle::in_line);
   return symbol_formula(drawn.lines[drawn.base], std::move(glyphs));
 }
 
 Formula pi_formula() { return symbol_formula("pi", read_latex("\\pi")); }
 
-Formula negative(Formula x) { return with(FormulaKind::negative, std::move(x)); }
+Formula negative_of(Formula x) { return make_node(FormulaKind::negative, std::move(x)); }
 
 Formula sum_of(Formulas terms) {
-  for (std::size_t i = 1; i < terms.size(); ++i) terms[i] = as_term(std::move(terms[i]));
-  return single_or(FormulaKind::sum, std::move(terms));
+  for (std::size_t i = 1; i < terms.size(); ++i) terms[i] = extract_sign(std::move(terms[i]));
+  return unwrap_single(FormulaKind::sum, std::move(terms));
 }
 
 Formula with_term(Formula sum, Formula term) {
   if (sum.kind != FormulaKind::sum) return sum_of({std::move(sum), std::move(term)});
-  sum.parts.push_back(as_term(std::move(term)));
+  sum.parts.push_back(extract_sign(std::move(term)));
   return sum;
 }
 
-Formula product_of(Formulas factors) { return single_or(FormulaKind::product, std::move(factors)); }
+Formula product_of(Formulas factors) {
+  return unwrap_single(FormulaKind::product, std::move(factors));
+}
 
 Formula quotient_of(Formula above, Formula below) {
-  return with(FormulaKind::quotient, std::move(above), std::move(below));
+  return make_node(FormulaKind::quotient, std::move(above), std::move(below));
 }
 
 Formula power_of(Formula base, Formula exponent) {
-  return with(FormulaKind::power, std::move(base), std::move(exponent));
+  return make_node(FormulaKind::power, std::move(base), std::move(exponent));
 }
 
-Formula root_of(Formula radicand) { return with(FormulaKind::root, std::move(radicand)); }
+Formula root_of(Formula radicand) { return make_node(FormulaKind::root, std::move(radicand)); }
 
 Formula call_of(FunctionId function, Formulas arguments) {
-  Formula formula = with_parts(FormulaKind::call, std::move(arguments));
+  Formula formula = make_formula(FormulaKind::call, std::move(arguments));
   formula.function = function;
   return formula;
 }
 
-Formula plus_minus(Formula x) { return with(FormulaKind::either, std::move(x)); }
+Formula plus_minus(Formula x) { return make_node(FormulaKind::plus_minus, std::move(x)); }
 
-Formula bars(Formula x) { return with(FormulaKind::bars, std::move(x)); }
+Formula absolute_value_of(Formula x) {
+  return make_node(FormulaKind::absolute_value, std::move(x));
+}
 
-Formula group(Formula x) { return with(FormulaKind::group, std::move(x)); }
+Formula group(Formula x) { return make_node(FormulaKind::group, std::move(x)); }
 
 Formula relation(Formula left, Formula right, std::string sign) {
-  Formula formula = with(FormulaKind::relation, std::move(left), std::move(right));
+  Formula formula = make_node(FormulaKind::relation, std::move(left), std::move(right));
   formula.text = std::move(sign);
   return formula;
 }
 
-Formula list_of(Formulas items) { return single_or(FormulaKind::list, std::move(items)); }
+Formula list_of(Formulas items) { return unwrap_single(FormulaKind::list, std::move(items)); }
 
-Formula tuple_of(Formulas items) { return with_parts(FormulaKind::tuple, std::move(items)); }
+Formula tuple_of(Formulas items) { return make_formula(FormulaKind::tuple, std::move(items)); }
 
 Formula prose(std::string words) { return {FormulaKind::prose, {}, std::move(words)}; }
 
 Formula row_of(Formulas parts) {
   Formulas row;
   for (Formula& part : parts) append_part(row, std::move(part));
-  return single_or(FormulaKind::row, std::move(row));
+  return unwrap_single(FormulaKind::row, std::move(row));
 }
 
 Formula enumeration(Formulas items) {

@@ -25,9 +25,9 @@ struct TypesetRow {
 
 TypesetRow typeset_formula(const Formula& formula);
 
-Glyphs digits(const std::string& text) { return row_with({GlyphKind::number, text}); }
+Glyphs digit_row(const std::string& text) { return make_row({GlyphKind::number, text}); }
 
-Glyphs integer(const cln::cl_I& value) { return digits(integer_text(value)); }
+Glyphs integer_row(const cln::cl_I& value) { return digit_row(integer_text(value)); }
 
 bool is_tall(const Glyphs& glyphs) {
   return glyphs.kind == GlyphKind::fraction || glyphs.kind == GlyphKind::root ||
@@ -39,29 +39,29 @@ bool has_exponent(const Glyphs& glyphs) {
   return has || std::ranges::any_of(glyphs.parts, has_exponent);
 }
 
-Glyphs in_brackets(Glyphs content) {
+Glyphs add_brackets(Glyphs content) {
   const bool grows = is_tall(content);
-  return enclosed(std::move(content), "(", ")", grows);
+  return enclose(std::move(content), "(", ")", grows);
 }
 
-Glyphs bind_at_least(TypesetRow formula, Binding least) {
-  return formula.binding < least ? in_brackets(std::move(formula.row)) : std::move(formula.row);
+Glyphs bracket_if_weaker(TypesetRow formula, Binding least) {
+  return formula.binding < least ? add_brackets(std::move(formula.row)) : std::move(formula.row);
 }
 
-TypesetRow with_minus(TypesetRow operand) {
+TypesetRow negate_row(TypesetRow operand) {
   Glyphs row;
   append_sign(row, "-", false);
-  append(row, bind_at_least(std::move(operand), Binding::product), false);
+  append(row, bracket_if_weaker(std::move(operand), Binding::product), false);
   return {std::move(row), Binding::negation};
 }
 
-TypesetRow stacked(Glyphs above, Glyphs below) {
+TypesetRow typeset_fraction(Glyphs above, Glyphs below) {
   return {fraction_row(std::move(above), std::move(below)), Binding::power};
 }
 
 /// True if a number is written as 9.81: its fraction would be too long (unlike 1/2 and 2/5), and
 /// its denominator has the factor 5 of a decimal number.
-bool is_decimal(const cln::cl_RA& value) {
+bool is_written_decimal(const cln::cl_RA& value) {
   constexpr int longest = 16;
   const cln::cl_I denominator = cln::denominator(value);
   const bool is_short = cln::numerator(value) <= longest && denominator <= longest;
@@ -70,22 +70,22 @@ bool is_decimal(const cln::cl_RA& value) {
 }
 
 TypesetRow typeset_number(const cln::cl_RA& value) {
-  if (cln::minusp(value)) return with_minus(typeset_number(-value));
+  if (cln::minusp(value)) return negate_row(typeset_number(-value));
   const cln::cl_I denominator = cln::denominator(value);
-  if (denominator == 1) return {integer(cln::numerator(value))};
-  if (is_decimal(value)) return {digits(exact_text(value))};
-  return stacked(integer(cln::numerator(value)), integer(denominator));
+  if (denominator == 1) return {integer_row(cln::numerator(value))};
+  if (is_written_decimal(value)) return {digit_row(exact_text(value))};
+  return typeset_fraction(integer_row(cln::numerator(value)), integer_row(denominator));
 }
 
 /// Sets 1.5e-07 as 1.5 10^-7.
 TypesetRow typeset_digits(const std::string& text) {
   const std::size_t e = text.find('e');
-  Glyphs row = digits(text.substr(0, e));
+  Glyphs row = digit_row(text.substr(0, e));
   if (e == std::string::npos) return {std::move(row)};
   append_sign(row, "⋅", true);
-  append(row, digits("10"), true);
+  append(row, digit_row("10"), true);
   const int exponent = std::stoi(text.substr(e + 1));
-  Glyphs above = digits(std::to_string(std::abs(exponent)));
+  Glyphs above = digit_row(std::to_string(std::abs(exponent)));
   if (exponent < 0) above.parts.insert(above.parts.begin(), {GlyphKind::sign, "-"});
   add_script(row, 2, std::move(above));
   return {std::move(row), Binding::product};
@@ -95,7 +95,8 @@ TypesetRow typeset_digits(const std::string& text) {
 void append_term(Glyphs& row, const Formula& term) {
   const bool is_negative = term.kind == FormulaKind::negative;
   append_sign(row, is_negative ? "-" : "+", true);
-  append(row, bind_at_least(typeset_formula(is_negative ? term.parts[0] : term), Binding::product),
+  append(row,
+         bracket_if_weaker(typeset_formula(is_negative ? term.parts[0] : term), Binding::product),
          true);
 }
 
@@ -127,10 +128,10 @@ TypesetRow multiply_rows(std::vector<TypesetRow> factors) {
   bool last_is_word = begins_with_word(factors.front().row);
   const bool is_open = !factors.front().is_call && has_open_argument(factors.front().row);
   Glyphs row =
-      bind_at_least(std::move(factors.front()), is_open ? Binding::power : Binding::negation);
+      bracket_if_weaker(std::move(factors.front()), is_open ? Binding::power : Binding::negation);
   for (std::size_t i = 1; i < factors.size(); ++i) {
     const bool is_word = begins_with_word(factors[i].row);
-    Glyphs next = bind_at_least(std::move(factors[i]), Binding::power);
+    Glyphs next = bracket_if_weaker(std::move(factors[i]), Binding::power);
     const Glyphs& head = base_of(next.parts.front());
     if (last_is_word || begins_with_word(next) || head.kind == GlyphKind::number) {
       append_sign(row, "⋅", true);
@@ -152,16 +153,16 @@ bool is_reciprocal(const Formula& factor) {
 TypesetRow typeset_power(const Formula& base, TypesetRow exponent) {
   TypesetRow below = typeset_formula(base);
   if (below.is_call && below.row.parts.front().kind != GlyphKind::scripts) {
-    Glyphs head = row_with(std::move(below.row.parts.front()));
+    Glyphs head = make_row(std::move(below.row.parts.front()));
     add_script(head, 2, std::move(exponent.row));
     below.row.parts.front() = std::move(head.parts.front());
     return {std::move(below.row), Binding::power, true};
   }
   const bool is_grouped = below.binding == Binding::atom && has_exponent(below.row);
   const bool is_long = base.kind == FormulaKind::symbol && base.symbol->is_long;
-  Glyphs row =
-      is_long ? in_brackets(std::move(below.row)) : bind_at_least(std::move(below), Binding::atom);
-  if (is_grouped) row = row_with(std::move(row));
+  Glyphs row = is_long ? add_brackets(std::move(below.row))
+                       : bracket_if_weaker(std::move(below), Binding::atom);
+  if (is_grouped) row = make_row(std::move(row));
   add_script(row, 2, std::move(exponent.row));
   return {std::move(row), Binding::power};
 }
@@ -179,10 +180,10 @@ TypesetRow typeset_product(const Formulas& factors) {
   for (const Formula& factor : factors) {
     (is_reciprocal(factor) ? below : above).push_back(typeset_factor(factor));
   }
-  if (above.empty()) above.push_back({digits("1")});
+  if (above.empty()) above.push_back({digit_row("1")});
   TypesetRow numerator = multiply_rows(std::move(above));
   if (below.empty()) return numerator;
-  return stacked(std::move(numerator.row), multiply_rows(std::move(below)).row);
+  return typeset_fraction(std::move(numerator.row), multiply_rows(std::move(below)).row);
 }
 
 /// Sets a quotient. If the first factor of the numerator is a fraction, it precedes the quotient:
@@ -193,11 +194,11 @@ TypesetRow typeset_quotient(const Formula& formula) {
   const bool has_fraction = above.kind == FormulaKind::product &&
                             above.parts[0].kind == FormulaKind::number &&
                             cln::denominator(above.parts[0].number) != 1;
-  if (!has_fraction) return stacked(typeset_formula(above).row, std::move(below.row));
+  if (!has_fraction) return typeset_fraction(typeset_formula(above).row, std::move(below.row));
   TypesetRow rest = typeset_product({above.parts.begin() + 1, above.parts.end()});
   std::vector<TypesetRow> factors;
   factors.push_back(typeset_formula(above.parts[0]));
-  factors.push_back(stacked(std::move(rest.row), std::move(below.row)));
+  factors.push_back(typeset_fraction(std::move(rest.row), std::move(below.row)));
   return multiply_rows(std::move(factors));
 }
 
@@ -213,22 +214,22 @@ Glyphs list_row(const Formulas& items) {
 }
 
 TypesetRow typeset_root(Glyphs radicand) {
-  return {row_with({GlyphKind::root, "", {std::move(radicand)}}), Binding::power};
+  return {make_row({GlyphKind::root, "", {std::move(radicand)}}), Binding::power};
 }
 
-TypesetRow function_of(Glyphs head, Glyphs argument, bool is_apart) {
+TypesetRow join_call(Glyphs head, Glyphs argument, bool is_apart) {
   append(head, std::move(argument), is_apart);
   return {std::move(head), Binding::power, true};
 }
 
 /// The textbook forms of log1p(x), expm1(x) and hypot(x, y): log(1 + x), e^x - 1, and the root of a
 /// sum of squares.
-std::optional<Formula> written_out(const Formula& call) {
+std::optional<Formula> expand_call(const Formula& call) {
   const Formula& x = call.parts.front();
   const Formula one = number_formula(1);
   if (call.function == FunctionId::log1p) return call_of(FunctionId::log, {sum_of({one, x})});
   if (call.function == FunctionId::expm1) {
-    return sum_of({call_of(FunctionId::exp, {x}), negative(one)});
+    return sum_of({call_of(FunctionId::exp, {x}), negative_of(one)});
   }
   if (call.function != FunctionId::hypot) return std::nullopt;
   const Formula two = number_formula(2);
@@ -236,14 +237,14 @@ std::optional<Formula> written_out(const Formula& call) {
 }
 
 TypesetRow typeset_call(const Formula& formula) {
-  if (const std::optional<Formula> other = written_out(formula)) return typeset_formula(*other);
+  if (const std::optional<Formula> other = expand_call(formula)) return typeset_formula(*other);
   const FunctionId function = formula.function;
-  if (function == FunctionId::abs) return {enclosed(list_row(formula.parts), "|", "|", true)};
+  if (function == FunctionId::abs) return {enclose(list_row(formula.parts), "|", "|", true)};
   if (function == FunctionId::stumpff) {
     const std::string_view own = stumpff_name(formula.parts.back().number);
     if (!own.empty()) {
-      return function_of(row_with({GlyphKind::word, std::string(own)}),
-                         in_brackets(typeset_formula(formula.parts.front()).row), false);
+      return join_call(make_row({GlyphKind::word, std::string(own)}),
+                       add_brackets(typeset_formula(formula.parts.front()).row), false);
     }
   }
   Glyphs head = read_latex(function_row(function).latex);
@@ -252,10 +253,10 @@ TypesetRow typeset_call(const Formula& formula) {
   const bool is_fraction = first.row.parts.front().kind == GlyphKind::fraction;
   const bool stands_free = function != FunctionId::sign && formula.parts.size() == 1 &&
                            (is_alone || (is_fraction && first.binding == Binding::power));
-  if (stands_free) return function_of(std::move(head), std::move(first.row), true);
+  if (stands_free) return join_call(std::move(head), std::move(first.row), true);
   Glyphs arguments = std::move(first.row);  // typeset once, as calls may be nested deeply
   if (formula.parts.size() > 1) append_item(arguments, formula.parts[1]);
-  return function_of(std::move(head), in_brackets(std::move(arguments)), false);
+  return join_call(std::move(head), add_brackets(std::move(arguments)), false);
 }
 
 /// Sets a row. Words next to formulas get blanks at their ends.
@@ -283,8 +284,8 @@ TypesetRow typeset_relation(const Formula& formula) {
 }
 
 TypesetRow typeset_either(TypesetRow x) {
-  Glyphs row = row_with({GlyphKind::letter, "±"});
-  append(row, bind_at_least(std::move(x), Binding::product), true);
+  Glyphs row = make_row({GlyphKind::letter, "±"});
+  append(row, bracket_if_weaker(std::move(x), Binding::product), true);
   return {std::move(row), Binding::negation};
 }
 
@@ -296,8 +297,8 @@ TypesetRow typeset_formula(const Formula& formula) {
     case FormulaKind::symbol:
       return {formula.symbol->glyphs};
     case FormulaKind::negative:
-      return with_minus(typeset_formula(parts[0]));
-    case FormulaKind::either:
+      return negate_row(typeset_formula(parts[0]));
+    case FormulaKind::plus_minus:
       return typeset_either(typeset_formula(parts[0]));
     case FormulaKind::sum:
       return typeset_sum(formula);
@@ -312,18 +313,18 @@ TypesetRow typeset_formula(const Formula& formula) {
       return typeset_root(typeset_formula(parts[0]).row);
     case FormulaKind::call:
       return typeset_call(formula);
-    case FormulaKind::bars:
-      return {enclosed(typeset_formula(parts[0]).row, "|", "|", true)};
+    case FormulaKind::absolute_value:
+      return {enclose(typeset_formula(parts[0]).row, "|", "|", true)};
     case FormulaKind::group:
-      return {bind_at_least(typeset_formula(parts[0]), Binding::power), Binding::power};
+      return {bracket_if_weaker(typeset_formula(parts[0]), Binding::power), Binding::power};
     case FormulaKind::relation:
       return typeset_relation(formula);
     case FormulaKind::list:
       return {list_row(parts), Binding::sum};
     case FormulaKind::tuple:
-      return {enclosed(list_row(parts), "(", ")", false)};
+      return {enclose(list_row(parts), "(", ")", false)};
     case FormulaKind::prose:
-      return {row_with({GlyphKind::prose, formula.text}), Binding::sum};
+      return {make_row({GlyphKind::prose, formula.text}), Binding::sum};
     case FormulaKind::row:
       return typeset_row(formula);
   }

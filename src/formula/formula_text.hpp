@@ -36,26 +36,27 @@ struct Summand {
 };
 
 /// The operators of a language for products and quotients.
-struct Spelling {
+struct OperatorSpelling {
   std::string_view times;  ///< between factors
   std::string_view over;
 };
 
-inline constexpr Spelling model_spelling{"*", "/"};
-inline constexpr Spelling code_spelling{" * ", " / "};  ///< C and C++
+inline constexpr OperatorSpelling model_spelling{"*", "/"};
+inline constexpr OperatorSpelling code_spelling{" * ", " / "};  ///< C and C++
 
 /// Adds brackets if the formula binds less tightly than `least`.
-[[nodiscard]] FormulaText bind_at_least(const FormulaText& formula, Binding least);
+[[nodiscard]] FormulaText bracket_if_weaker(const FormulaText& formula, Binding least);
 
-[[nodiscard]] FormulaText negated(const FormulaText& operand);
+[[nodiscard]] FormulaText negation_text(const FormulaText& operand);
 [[nodiscard]] FormulaText sum_text(const std::vector<Summand>& terms);
-[[nodiscard]] FormulaText product_text(const Spelling& spelling,
+[[nodiscard]] FormulaText product_text(const OperatorSpelling& spelling,
                                        const std::vector<FormulaText>& factors);
-[[nodiscard]] FormulaText quotient(const Spelling& spelling, const FormulaText& above,
-                                   const FormulaText& below);
+[[nodiscard]] FormulaText quotient_text(const OperatorSpelling& spelling, const FormulaText& above,
+                                        const FormulaText& below);
 /// The power as written in the model language.
-[[nodiscard]] FormulaText power(const FormulaText& base, const FormulaText& exponent);
+[[nodiscard]] FormulaText power_text(const FormulaText& base, const FormulaText& exponent);
 /// The call "f(x, y)" of a function.
-[[nodiscard]] FormulaText called(std::string_view name, const std::vector<FormulaText>& arguments);
+[[nodiscard]] FormulaText named_call_text(std::string_view name,
+                                          const std::vector<FormulaText>& arguments);
 
 }  // namespace elgen

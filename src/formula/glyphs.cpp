@@ -16,7 +16,7 @@ bool is_growing(const Glyphs& piece) {
   return kind == GlyphKind::left || kind == GlyphKind::right;
 }
 
-void add_formula(std::vector<GlyphPiece>& all, Glyphs row, bool is_last) {
+void add_formula_piece(std::vector<GlyphPiece>& all, Glyphs row, bool is_last) {
   const bool ends_with_comma = !is_last && !row.parts.empty() && row.parts.back().text == ",";
   if (ends_with_comma) row.parts.pop_back();
   if (!row.parts.empty()) {
@@ -40,7 +40,7 @@ struct Segment {
   double width = 0;
 };
 
-std::vector<Segment> segments(const Glyphs& row, double (*measured)(const Glyphs&)) {
+std::vector<Segment> split_segments(const Glyphs& row, double (*measured)(const Glyphs&)) {
   std::vector<Segment> all(1);
   int brackets = 0;
   int growing = 0;
@@ -50,7 +50,7 @@ std::vector<Segment> segments(const Glyphs& row, double (*measured)(const Glyphs
     const bool separates = is_term_sign(part) && part.has_space_before && is_behind;
     if (i > 0 && separates) all.push_back({{}, brackets, growing});
     const GlyphKind kind = base_of(part).kind;
-    if (kind == GlyphKind::left || kind == GlyphKind::right) growing += bracket_step(part);
+    if (kind == GlyphKind::left || kind == GlyphKind::right) growing += bracket_depth_change(part);
     const std::string& text = base_of(part).text;
     brackets += text == "(" ? 1 : text == ")" ? -1 : 0;
     all.back().row.parts.push_back(part);
@@ -82,20 +82,20 @@ std::size_t next_break(const std::vector<Segment>& all, std::size_t first, doubl
 
 }  // namespace
 
-std::string without_outer_blanks(std::string text) {
+std::string trim_blanks(std::string text) {
   text.erase(0, text.find_first_not_of(' '));
   text.erase(text.find_last_not_of(' ') + 1);
   return text;
 }
 
-Glyphs row_with(Glyphs piece) { return {GlyphKind::row, "", {std::move(piece)}}; }
+Glyphs make_row(Glyphs piece) { return {GlyphKind::row, "", {std::move(piece)}}; }
 
 Glyphs fraction_row(Glyphs above, Glyphs below) {
-  return row_with({GlyphKind::fraction, "", {std::move(above), std::move(below)}});
+  return make_row({GlyphKind::fraction, "", {std::move(above), std::move(below)}});
 }
 
-Glyphs enclosed(Glyphs content, std::string_view open, std::string_view close, bool grows) {
-  Glyphs row = row_with({grows ? GlyphKind::left : GlyphKind::bracket, std::string(open)});
+Glyphs enclose(Glyphs content, std::string_view open, std::string_view close, bool grows) {
+  Glyphs row = make_row({grows ? GlyphKind::left : GlyphKind::bracket, std::string(open)});
   append(row, std::move(content), grows);
   append(row, {grows ? GlyphKind::right : GlyphKind::bracket, std::string(close)}, grows);
   return row;
@@ -117,12 +117,12 @@ void add_script(Glyphs& row, std::size_t place, Glyphs script) {
     base.parts.resize(3);
     base.parts[0] = std::move(bare);
   }
-  if (script.kind != GlyphKind::row) script = row_with(std::move(script));
+  if (script.kind != GlyphKind::row) script = make_row(std::move(script));
   base.parts[place] = std::move(script);
 }
 
 void append(Glyphs& row, Glyphs pieces, bool is_apart) {
-  if (pieces.kind != GlyphKind::row) pieces = row_with(std::move(pieces));
+  if (pieces.kind != GlyphKind::row) pieces = make_row(std::move(pieces));
   if (!pieces.parts.empty()) pieces.parts.front().has_space_before = is_apart && !row.parts.empty();
   for (Glyphs& piece : pieces.parts) row.parts.push_back(std::move(piece));
 }
@@ -136,7 +136,7 @@ bool is_term_sign(const Glyphs& piece) {
   return text == "+" || text == "-" || text == "±" || text == "∓";
 }
 
-int bracket_step(const Glyphs& piece) {
+int bracket_depth_change(const Glyphs& piece) {
   const Glyphs& base = base_of(piece);
   if (base.kind == GlyphKind::left) return 1;
   if (base.kind == GlyphKind::right) return -1;
@@ -149,35 +149,35 @@ bool is_sum(const Glyphs& row) {
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     const bool is_first_minus = i == 0 && row.parts[i].text == "-";
     if (is_first_minus || (i > 0 && depth == 0 && is_term_sign(row.parts[i]))) return true;
-    depth += bracket_step(row.parts[i]);
+    depth += bracket_depth_change(row.parts[i]);
   }
   return false;
 }
 
-std::vector<GlyphPiece> pieces(const Glyphs& row) {
+std::vector<GlyphPiece> split_at_prose(const Glyphs& row) {
   std::vector<GlyphPiece> all;
   Glyphs formula;
   int depth = 0;
   for (const Glyphs& part : row.parts) {
-    if (is_growing(part)) depth += bracket_step(part);
+    if (is_growing(part)) depth += bracket_depth_change(part);
     if (part.kind == GlyphKind::prose && depth == 0) {
-      add_formula(all, std::exchange(formula, {}), false);
+      add_formula_piece(all, std::exchange(formula, {}), false);
       all.push_back({true, part.text, {}});
     } else {
       formula.parts.push_back(part);
     }
   }
-  add_formula(all, std::move(formula), true);
+  add_formula_piece(all, std::move(formula), true);
   return all;
 }
 
-Glyphs without_bold(Glyphs glyphs) {
+Glyphs remove_bold(Glyphs glyphs) {
   if (glyphs.kind == GlyphKind::bold) {
     const bool is_letter =
         glyphs.text.size() == 1 || static_cast<unsigned char>(glyphs.text[0]) >= 0x80;
     glyphs.kind = is_letter ? GlyphKind::letter : GlyphKind::word;
   }
-  for (Glyphs& part : glyphs.parts) part = without_bold(std::move(part));
+  for (Glyphs& part : glyphs.parts) part = remove_bold(std::move(part));
   return glyphs;
 }
 
@@ -218,7 +218,7 @@ double width(const Glyphs& glyphs) {
 }
 
 GlyphRows break_lines(const Glyphs& row, double widest, double (*measured)(const Glyphs&)) {
-  const std::vector<Segment> all = segments(row, measured);
+  const std::vector<Segment> all = split_segments(row, measured);
   GlyphRows lines;
   for (std::size_t first = 0; first < all.size();) {
     const std::size_t end = next_break(all, first, widest);

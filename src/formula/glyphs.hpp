@@ -45,13 +45,13 @@ using GlyphRows = std::vector<Glyphs>;
 /// Reads a row. Brackets need not match, because a formula may be broken inside them.
 [[nodiscard]] Glyphs read_latex(std::string_view latex);
 /// Writes LaTeX that read_latex() converts to the same glyphs.
-[[nodiscard]] std::string latex(const Glyphs& glyphs);
+[[nodiscard]] std::string to_latex(const Glyphs& glyphs);
 
 /// MathML Core: the elements of a row without the enclosing <math>.
-[[nodiscard]] std::string mathml(const Glyphs& glyphs);
+[[nodiscard]] std::string to_mathml(const Glyphs& glyphs);
 
 /// Escapes text for XML and HTML.
-[[nodiscard]] std::string xml_text(const std::string& text);
+[[nodiscard]] std::string escape_xml(const std::string& text);
 
 /// The approximate width in letters.
 [[nodiscard]] double width(const Glyphs& glyphs);
@@ -61,11 +61,11 @@ using GlyphRows = std::vector<Glyphs>;
 /// The command of a Greek letter; empty for other characters.
 [[nodiscard]] std::string_view greek_command(std::string_view letter);
 
-[[nodiscard]] Glyphs row_with(Glyphs piece);
+[[nodiscard]] Glyphs make_row(Glyphs piece);
 [[nodiscard]] Glyphs fraction_row(Glyphs above, Glyphs below);
 /// Encloses content in brackets. Growing brackets are separated from it by blanks.
-[[nodiscard]] Glyphs enclosed(Glyphs content, std::string_view open, std::string_view close,
-                              bool grows);
+[[nodiscard]] Glyphs enclose(Glyphs content, std::string_view open, std::string_view close,
+                             bool grows);
 
 /// The base of a piece with scripts; otherwise the piece itself.
 [[nodiscard]] const Glyphs& base_of(const Glyphs& piece);
@@ -77,13 +77,13 @@ using GlyphRows = std::vector<Glyphs>;
 void add_script(Glyphs& row, std::size_t place, Glyphs script);
 
 /// Appends the pieces of a row; the first piece gets `has_space_before` if `is_apart`.
-void append(Glyphs& row, Glyphs pieces, bool is_apart);
+void append(Glyphs& row, Glyphs pieces, bool has_space_before);
 void append_sign(Glyphs& row, std::string_view sign, bool is_apart);
 
 /// True for the signs +, -, +- and -+ between terms.
 [[nodiscard]] bool is_term_sign(const Glyphs& piece);
 /// 1 for an opening bracket, -1 for a closing bracket, otherwise 0.
-[[nodiscard]] int bracket_step(const Glyphs& piece);
+[[nodiscard]] int bracket_depth_change(const Glyphs& piece);
 /// True if the row begins with a minus, or if a sign separates terms outside brackets.
 [[nodiscard]] bool is_sum(const Glyphs& row);
 
@@ -94,18 +94,18 @@ struct GlyphPiece {
   Glyphs formula = {};
 };
 /// Splits a row at prose outside growing brackets. A comma before prose becomes a piece of prose.
-[[nodiscard]] std::vector<GlyphPiece> pieces(const Glyphs& row);
+[[nodiscard]] std::vector<GlyphPiece> split_at_prose(const Glyphs& row);
 
 /// Replaces bold symbols of vectors by the symbols of their components: \mathbf{g} -> g,
 /// \mathbf{bias} -> \mathrm{bias}.
-[[nodiscard]] Glyphs without_bold(Glyphs glyphs);
+[[nodiscard]] Glyphs remove_bold(Glyphs glyphs);
 
-[[nodiscard]] std::string without_outer_blanks(std::string text);
+[[nodiscard]] std::string trim_blanks(std::string text);
 
 /// Breaks a long row before its signs, inside as few brackets as possible, and completes growing
 /// brackets on both sides. Lines are at most about `widest` letters wide, if possible.
 [[nodiscard]] GlyphRows break_lines(const Glyphs& row, double widest,
-                                    double (*measured)(const Glyphs&) = &width);
+                                    double (*measure)(const Glyphs&) = &width);
 
 /// A name of the model language and its glyphs.
 struct Symbol {

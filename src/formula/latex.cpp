@@ -80,7 +80,7 @@ std::string letters_of(const Glyphs& glyphs) {
 }
 
 /// The largest depth of groups. The content of deeper groups is dropped.
-constexpr int deepest = 200;
+constexpr int max_group_depth = 200;
 
 bool continues_number(char c) { return is_digit(c) || c == '.'; }
 bool continues_character(char c) { return !starts_code_point(c); }
@@ -89,18 +89,18 @@ class LatexReader {
  public:
   explicit LatexReader(std::string_view text) : text_(text) {}
 
-  Glyphs row(char end, int depth = 0) {
+  Glyphs read_row(char end, int depth = 0) {
     Glyphs result;
     bool is_apart = false;
     while (at_ < text_.size() && text_[at_] != end) {
       const char c = text_[at_];
       if (c == '_' || c == '^') {
         ++at_;
-        add_script(result, c == '_' ? 1 : 2, argument(depth));
+        add_script(result, c == '_' ? 1 : 2, read_argument(depth));
       } else if (c == ' ' || c == '}') {
         is_apart = text_[at_++] == ' ' || is_apart;
       } else {
-        result.parts.push_back(piece(depth));
+        result.parts.push_back(read_piece(depth));
         result.parts.back().has_space_before = std::exchange(is_apart, false);
       }
     }
@@ -109,26 +109,26 @@ class LatexReader {
   }
 
  private:
-  Glyphs argument(int depth) {
+  Glyphs read_argument(int depth) {
     while (at_ < text_.size() && text_[at_] == ' ') ++at_;
-    return piece(depth);
+    return read_piece(depth);
   }
 
-  Glyphs piece(int depth) {
-    if (depth == deepest) at_ = text_.size();
+  Glyphs read_piece(int depth) {
+    if (depth == max_group_depth) at_ = text_.size();
     if (at_ == text_.size()) return {};
     const char c = text_[at_];
-    if (c == '\\') return command(depth + 1);
+    if (c == '\\') return read_command(depth + 1);
     if (is_digit(c)) return {GlyphKind::number, read_while(continues_number)};
     if (c == '<' && text_.find('>', at_) != std::string_view::npos) {
-      std::string name = enclosed_text('>');
+      std::string name = read_enclosed_text('>');
       const std::string_view greek = greek_letter(name);
       return {GlyphKind::bold, greek.empty() ? std::move(name) : std::string(greek)};
     }
     const bool is_ascii = static_cast<unsigned char>(c) < 0x80;
     if (is_letter(c) || !is_ascii) return {GlyphKind::letter, read_while(continues_character)};
     ++at_;
-    if (c == '{') return row('}', depth + 1);
+    if (c == '{') return read_row('}', depth + 1);
     if (c == '\'') return {GlyphKind::letter, "′"};
     const bool is_bracket = std::string_view("()[]|").find(c) != std::string_view::npos;
     return {is_bracket ? GlyphKind::bracket : GlyphKind::sign, std::string(1, c)};
@@ -142,32 +142,32 @@ class LatexReader {
   }
 
   /// Reads an opening bracket and the text after it, up to the next `end`. Returns this text.
-  std::string enclosed_text(char end) {
+  std::string read_enclosed_text(char end) {
     const std::string text = read_while([end](char c) { return c != end; });
     at_ = std::min(at_ + 1, text_.size());
     return text.substr(1);
   }
 
-  Glyphs command(int depth) {
+  Glyphs read_command(int depth) {
     std::string name = read_while(is_letter).substr(1);
     if (name.empty() && at_ < text_.size()) name = read_while(continues_character);
     const auto row = std::ranges::find(command_table, name, &CommandRow::command);
-    if (row != command_table.end()) return with_arguments(*row, depth);
+    if (row != command_table.end()) return read_arguments(*row, depth);
     const std::string_view greek = greek_letter(name);
     if (!greek.empty()) return {GlyphKind::letter, std::string(greek)};
     return {is_function_command(name) ? GlyphKind::function : GlyphKind::command, std::move(name)};
   }
 
   /// Reads the arguments. Moves parts: copies on each level would cost the square of the depth.
-  Glyphs with_arguments(const CommandRow& row, int depth) {
+  Glyphs read_arguments(const CommandRow& row, int depth) {
     Glyphs glyphs{row.kind, std::string(row.letter)};
-    for (std::size_t i = 0; i < row.parts; ++i) glyphs.parts.push_back(argument(depth));
+    for (std::size_t i = 0; i < row.parts; ++i) glyphs.parts.push_back(read_argument(depth));
     if (row.parts > 0 || !row.letter.empty()) return glyphs;
     const bool grows = row.kind == GlyphKind::left || row.kind == GlyphKind::right;
     const bool is_group = !grows && at_ < text_.size() && text_[at_] == '{';
-    glyphs.text = row.kind == GlyphKind::bold ? letters_of(argument(depth))
-                  : is_group                  ? enclosed_text('}')
-                                              : argument(depth).text;
+    glyphs.text = row.kind == GlyphKind::bold ? letters_of(read_argument(depth))
+                  : is_group                  ? read_enclosed_text('}')
+                                              : read_argument(depth).text;
     if (grows && glyphs.text == ".") glyphs.text.clear();
     return glyphs;
   }
@@ -176,7 +176,7 @@ class LatexReader {
   std::size_t at_ = 0;
 };
 
-std::string group(const Glyphs& glyphs) { return fmt::format("{{{}}}", latex(glyphs)); }
+std::string group_latex(const Glyphs& glyphs) { return fmt::format("{{{}}}", to_latex(glyphs)); }
 
 /// True if the text ends with a command, which a following letter would extend.
 bool ends_with_command(std::string_view text) {
@@ -185,7 +185,7 @@ bool ends_with_command(std::string_view text) {
 }
 
 /// \theta, \partial, \quad; the character itself if it has no command.
-std::string letter(const Glyphs& glyphs) {
+std::string letter_latex(const Glyphs& glyphs) {
   if (glyphs.text == "′") return "'";
   const std::string_view greek = greek_command(glyphs.text);
   if (!greek.empty()) return fmt::format("\\{}", greek);
@@ -197,17 +197,17 @@ std::string letter(const Glyphs& glyphs) {
   return glyphs.text;
 }
 
-std::string bracket(const std::string& text) { return text.empty() ? "." : text; }
+std::string bracket_latex(const std::string& text) { return text.empty() ? "." : text; }
 
 std::string piece_latex(const Glyphs& glyphs) {
   const std::string& text = glyphs.text;
   switch (glyphs.kind) {
     case GlyphKind::row:
-      return group(glyphs);
+      return group_latex(glyphs);
     case GlyphKind::letter:
     case GlyphKind::sign:
     case GlyphKind::space:
-      return letter(glyphs);
+      return letter_latex(glyphs);
     case GlyphKind::command:
       return "\\" + text;
     case GlyphKind::word:
@@ -225,19 +225,19 @@ std::string piece_latex(const Glyphs& glyphs) {
     case GlyphKind::bracket:
       return text;
     case GlyphKind::left:
-      return "\\left" + bracket(text);
+      return "\\left" + bracket_latex(text);
     case GlyphKind::right:
-      return "\\right" + bracket(text);
+      return "\\right" + bracket_latex(text);
     case GlyphKind::fraction:
-      return "\\frac" + group(glyphs.parts[0]) + group(glyphs.parts[1]);
+      return "\\frac" + group_latex(glyphs.parts[0]) + group_latex(glyphs.parts[1]);
     case GlyphKind::root:
-      return "\\sqrt" + group(glyphs.parts[0]);
+      return "\\sqrt" + group_latex(glyphs.parts[0]);
     case GlyphKind::accent:
-      return (text == "¨" ? "\\ddot" : "\\dot") + group(glyphs.parts[0]);
+      return (text == "¨" ? "\\ddot" : "\\dot") + group_latex(glyphs.parts[0]);
     case GlyphKind::scripts: {
       std::string all = piece_latex(glyphs.parts[0]);
-      if (is_present(glyphs.parts[1])) all += "_" + group(glyphs.parts[1]);
-      if (is_present(glyphs.parts[2])) all += "^" + group(glyphs.parts[2]);
+      if (is_present(glyphs.parts[1])) all += "_" + group_latex(glyphs.parts[1]);
+      if (is_present(glyphs.parts[2])) all += "^" + group_latex(glyphs.parts[2]);
       return all;
     }
   }
@@ -256,9 +256,9 @@ std::string_view greek_command(std::string_view letter) {
   return row == greek_table.end() ? std::string_view() : row->command;
 }
 
-Glyphs read_latex(std::string_view latex) { return LatexReader(latex).row('\0'); }
+Glyphs read_latex(std::string_view latex) { return LatexReader(latex).read_row('\0'); }
 
-std::string latex(const Glyphs& glyphs) {
+std::string to_latex(const Glyphs& glyphs) {
   if (glyphs.kind != GlyphKind::row) return piece_latex(glyphs);
   std::string text;
   for (const Glyphs& part : glyphs.parts) {

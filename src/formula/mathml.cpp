@@ -12,15 +12,15 @@ namespace elgen {
 namespace {
 
 /// Wraps a row in a single element.
-std::string element(const Glyphs& glyphs) {
+std::string wrap_element(const Glyphs& glyphs) {
   const bool is_single = glyphs.kind != GlyphKind::row || glyphs.parts.size() == 1;
-  return is_single ? mathml(glyphs) : fmt::format("<mrow>{}</mrow>", mathml(glyphs));
+  return is_single ? to_mathml(glyphs) : fmt::format("<mrow>{}</mrow>", to_mathml(glyphs));
 }
 
-std::string scripts(const Glyphs& glyphs) {
-  const std::string base = element(glyphs.parts[0]);
-  const std::string below = element(glyphs.parts[1]);
-  const std::string above = element(glyphs.parts[2]);
+std::string scripts_mathml(const Glyphs& glyphs) {
+  const std::string base = wrap_element(glyphs.parts[0]);
+  const std::string below = wrap_element(glyphs.parts[1]);
+  const std::string above = wrap_element(glyphs.parts[2]);
   if (glyphs.parts[0].text == "∑") return fmt::format("<munder>{}{}</munder>", base, below);
   if (!is_present(glyphs.parts[2])) return fmt::format("<msub>{}{}</msub>", base, below);
   if (!is_present(glyphs.parts[1])) return fmt::format("<msup>{}{}</msup>", base, above);
@@ -42,7 +42,7 @@ bool is_opening(const Glyphs& glyphs) {
 }
 
 /// Writes a row. A function has space before it, and before an argument without brackets.
-std::string row(const Glyphs& glyphs) {
+std::string row_mathml(const Glyphs& glyphs) {
   constexpr const char* thin = R"(<mspace width="0.17em"/>)";
   std::string text;
   for (std::size_t i = 0; i < glyphs.parts.size(); ++i) {
@@ -50,7 +50,7 @@ std::string row(const Glyphs& glyphs) {
     const bool follows =
         i > 0 && glyphs.parts[i - 1].kind != GlyphKind::sign && !is_opening(glyphs.parts[i - 1]);
     if (is_function(part) && follows) text += thin;
-    text += mathml(part);
+    text += to_mathml(part);
     if (!is_function(part) || i + 1 == glyphs.parts.size()) continue;
     text += "<mo>&#x2061;</mo>";
     if (!is_bracket(glyphs.parts[i + 1])) text += thin;
@@ -59,7 +59,7 @@ std::string row(const Glyphs& glyphs) {
 }
 
 /// Replaces blanks at both ends by no-break spaces, because browsers drop other blanks.
-std::string with_fixed_blanks(std::string text) {
+std::string fix_outer_blanks(std::string text) {
   constexpr std::string_view blank = "&#xA0;";
   if (text.ends_with(' ')) text.replace(text.size() - 1, 1, blank);
   if (text.starts_with(' ')) text.replace(0, 1, blank);
@@ -77,7 +77,7 @@ constexpr std::array bold_table{BoldLetters{U'A', U'Z', 0x1D400}, BoldLetters{U'
                                 BoldLetters{0x391, 0x3A9, 0x1D6A8},
                                 BoldLetters{0x3B1, 0x3C9, 0x1D6C2}};
 
-std::string bold(const std::string& text) {
+std::string bold_letters(const std::string& text) {
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
     const CodePoint point = code_point_at(text, at);
@@ -91,12 +91,12 @@ std::string bold(const std::string& text) {
   return result;
 }
 
-std::string sign(const std::string& text) {
-  return fmt::format("<mo>{}</mo>", text == "-" ? "−" : text == "<=" ? "≤" : xml_text(text));
+std::string sign_mathml(const std::string& text) {
+  return fmt::format("<mo>{}</mo>", text == "-" ? "−" : text == "<=" ? "≤" : escape_xml(text));
 }
 
 /// Writes a bracket. A bar looks equal on both sides, so its attribute `form` states the side.
-std::string fence(const Glyphs& glyphs) {
+std::string bracket_mathml(const Glyphs& glyphs) {
   if (glyphs.text.empty()) return "";
   const char* const form = glyphs.text != "|"               ? ""
                            : glyphs.kind == GlyphKind::left ? R"( form="prefix")"
@@ -106,46 +106,47 @@ std::string fence(const Glyphs& glyphs) {
 
 }  // namespace
 
-std::string xml_text(const std::string& text) {
-  return escaped(text, {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}});
+std::string escape_xml(const std::string& text) {
+  return escape_markup(text, {{'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}});
 }
 
-std::string mathml(const Glyphs& glyphs) {
+std::string to_mathml(const Glyphs& glyphs) {
   switch (glyphs.kind) {
     case GlyphKind::row:
-      return row(glyphs);
+      return row_mathml(glyphs);
     case GlyphKind::letter:
       return fmt::format("<mi>{}</mi>", glyphs.text);
     case GlyphKind::word:
     case GlyphKind::command:
     case GlyphKind::function: {
       const char* upright = glyphs.text.size() == 1 ? R"( mathvariant="normal")" : "";
-      return fmt::format("<mi{}>{}</mi>", upright, xml_text(glyphs.text));
+      return fmt::format("<mi{}>{}</mi>", upright, escape_xml(glyphs.text));
     }
     case GlyphKind::bold:
-      return fmt::format("<mi>{}</mi>", bold(glyphs.text));
+      return fmt::format("<mi>{}</mi>", bold_letters(glyphs.text));
     case GlyphKind::prose:
-      return fmt::format("<mtext>{}</mtext>", with_fixed_blanks(xml_text(glyphs.text)));
+      return fmt::format("<mtext>{}</mtext>", fix_outer_blanks(escape_xml(glyphs.text)));
     case GlyphKind::number:
       return fmt::format("<mn>{}</mn>", glyphs.text);
     case GlyphKind::sign:
-      return sign(glyphs.text);
+      return sign_mathml(glyphs.text);
     case GlyphKind::bracket:
       return fmt::format(R"(<mo stretchy="false">{}</mo>)", glyphs.text);
     case GlyphKind::left:
     case GlyphKind::right:
-      return fence(glyphs);
+      return bracket_mathml(glyphs);
     case GlyphKind::space:
       return fmt::format(R"(<mspace width="{}em"/>)", glyphs.text);
     case GlyphKind::fraction:
-      return fmt::format("<mfrac>{}{}</mfrac>", element(glyphs.parts[0]), element(glyphs.parts[1]));
+      return fmt::format("<mfrac>{}{}</mfrac>", wrap_element(glyphs.parts[0]),
+                         wrap_element(glyphs.parts[1]));
     case GlyphKind::root:
-      return fmt::format("<msqrt>{}</msqrt>", mathml(glyphs.parts[0]));
+      return fmt::format("<msqrt>{}</msqrt>", to_mathml(glyphs.parts[0]));
     case GlyphKind::accent:
-      return fmt::format(R"(<mover accent="true">{}<mo>{}</mo></mover>)", element(glyphs.parts[0]),
-                         glyphs.text);
+      return fmt::format(R"(<mover accent="true">{}<mo>{}</mo></mover>)",
+                         wrap_element(glyphs.parts[0]), glyphs.text);
     case GlyphKind::scripts:
-      return scripts(glyphs);
+      return scripts_mathml(glyphs);
   }
   return "";
 }

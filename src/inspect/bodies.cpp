@@ -20,30 +20,30 @@ namespace {
 
 using cln::cl_R;
 
-std::optional<std::vector<cl_R>> values_of(const Inspected& subject, const Body& body) {
+std::optional<std::vector<cl_R>> inertia_values(const InspectedModel& subject, const Body& body) {
   const State state = nominal_state(subject.model, subject.scene);
   std::vector<cl_R> values;
   for (const ExpressionId id : body.inertia) {
-    const auto value = oracle_expression(subject.model, id, state);
+    const auto value = oracle_expression_value(subject.model, id, state);
     if (!value) return std::nullopt;
     values.push_back(*value);
   }
   return values;
 }
 
-bool is_possible(const std::vector<cl_R>& inertia) {
+bool is_possible_inertia(const std::vector<cl_R>& inertia) {
   if (inertia.size() < 6) return inertia[0] >= 0;
   return is_physical_inertia(
       {inertia[0], inertia[1], inertia[2], inertia[3], inertia[4], inertia[5]});
 }
 
-std::string listed(const std::vector<cl_R>& values) {
+std::string comma_list(const std::vector<cl_R>& values) {
   std::string text;
-  for (const cl_R& value : values) text += (text.empty() ? "" : ", ") + as_typed(value);
+  for (const cl_R& value : values) text += (text.empty() ? "" : ", ") + exact_number_text(value);
   return text;
 }
 
-Model model_of_lagrangian(const Model& model, ExpressionId lagrangian) {
+Model with_lagrangian(const Model& model, ExpressionId lagrangian) {
   Model bare;
   bare.expressions = model.expressions;
   bare.definitions = model.definitions;
@@ -65,14 +65,14 @@ bool vanishes(const cl_R& x, const cl_R& scale) {
 }
 
 /// True if the Euler-Lagrange expression is not zero at a sampled state.
-bool has_curl(const Inspected& subject, ExpressionId spin) {
-  const Model bare = model_of_lagrangian(subject.model, spin);
-  for (unsigned seed = 0; seed < zero_samples; ++seed) {
-    const State state = sampled_state(subject, seed);
-    const std::vector<cl_R> direction = sampled_state(subject, seed + zero_samples).v;
+bool has_curl(const InspectedModel& subject, ExpressionId spin) {
+  const Model bare = with_lagrangian(subject.model, spin);
+  for (unsigned seed = 0; seed < zero_sample_count; ++seed) {
+    const State state = sample_state(subject, seed);
+    const std::vector<cl_R> direction = sample_state(subject, seed + zero_sample_count).v;
     const auto curl =
         oracle_contraction(bare, {.kind = OutputKind::inverse_dynamics}, state, {direction});
-    const auto value = oracle_expression(bare, spin, state);
+    const auto value = oracle_expression_value(bare, spin, state);
     if (curl && value && !vanishes(*curl, *value)) return true;
   }
   return false;
@@ -80,22 +80,22 @@ bool has_curl(const Inspected& subject, ExpressionId spin) {
 
 }  // namespace
 
-Diagnostics inspect_inertias(const Inspected& subject) {
+Diagnostics inspect_inertias(const InspectedModel& subject) {
   Diagnostics diagnostics;
   for (const Body& body : subject.model.bodies) {
     if (body.inertia.empty()) continue;
-    const auto inertia = values_of(subject, body);
-    if (!inertia || is_possible(*inertia)) continue;
+    const auto inertia = inertia_values(subject, body);
+    if (!inertia || is_possible_inertia(*inertia)) continue;
     diagnostics.push_back(
         {Code::E508, body.span,
-         fmt::format("inertia {} of `{}` belongs to no body", listed(*inertia), body.name),
+         fmt::format("inertia {} of `{}` belongs to no body", comma_list(*inertia), body.name),
          body.inertia.size() < 6 ? "it is negative"
                                  : "a principal inertia exceeds the sum of the other two"});
   }
   return diagnostics;
 }
 
-Diagnostics inspect_spins(const Inspected& subject) {
+Diagnostics inspect_spins(const InspectedModel& subject) {
   if (subject.model.velocities.size() > most_coordinates_sampled) return {};
   Diagnostics diagnostics;
   for (const Body& body : subject.model.bodies) {

@@ -30,12 +30,12 @@ constexpr unsigned pose_draws = 8;
 bool is_rounding_error(const cl_R& x) { return cln::abs(x) < power_of_ten(-50); }
 
 /// For each equation: true if its row of A is 0 at every sampled state at which A has a value.
-std::vector<bool> equations_without_effect(const Inspected& subject) {
+std::vector<bool> mark_ineffective_equations(const InspectedModel& subject) {
   const std::size_t n = subject.model.velocities.size();
   std::vector<bool> marks(subject.model.constraints.size(), true);
   for (unsigned seed = 0; seed < pose_draws; ++seed) {
     const OracleValues a = oracle_values(subject.model, {.kind = OutputKind::constraint_jacobian},
-                                         sampled_state(subject, seed));
+                                         sample_state(subject, seed));
     for (std::size_t k = 0; a && k < a->size(); ++k) {
       if (!is_rounding_error((*a)[k])) marks[k / n] = false;
     }
@@ -43,13 +43,13 @@ std::vector<bool> equations_without_effect(const Inspected& subject) {
   return marks;
 }
 
-Diagnostics errors_without_effect(const Inspected& subject) {
+Diagnostics ineffective_equation_errors(const InspectedModel& subject) {
   Diagnostics errors;
-  const std::vector<bool> marks = equations_without_effect(subject);
+  const std::vector<bool> marks = mark_ineffective_equations(subject);
   for (std::size_t k = 0; k < marks.size(); ++k) {
     const Constraint& constraint = subject.model.constraints[k];
     const auto value =
-        oracle_expression(subject.model, constraint.value, sampled_state(subject, 0));
+        oracle_expression_value(subject.model, constraint.value, sample_state(subject, 0));
     if (!marks[k] || !value) continue;
     const std::string hint = equation_hint(subject.model.constraints, marks, constraint);
     errors.push_back({Code::E536, constraint.equation_span,
@@ -73,13 +73,13 @@ bool converges_slowly(const Model& model, const Assembly& at) {
 }
 
 /// The state at the start of the model, with random values of open functions.
-State full_start(const Inspected& subject) {
+State start_with_open_values(const InspectedModel& subject) {
   State state = start_state(subject.model, subject.scene);
-  state.f = sampled_state(subject, 0).f;
+  state.f = sample_state(subject, 0).f;
   return state;
 }
 
-Diagnostic assembly_error(const Inspected& subject, const std::optional<Assembly>& at) {
+Diagnostic assembly_error(const InspectedModel& subject, const std::optional<Assembly>& at) {
   const Model& model = subject.model;
   if (at && converges_slowly(model, *at)) {
     return {
@@ -88,7 +88,7 @@ Diagnostic assembly_error(const Inspected& subject, const std::optional<Assembly
         "are not determined",
         "give another `start`, or an equation whose gradient does not vanish there"};
   }
-  const std::string quotient = at ? "" : quotient_hint(model, full_start(subject));
+  const std::string quotient = at ? "" : quotient_hint(model, start_with_open_values(subject));
   const std::string left = at ? residual_text(model, *at) : "undefined";
   return {Code::E538, model.constraints.front().span,
           fmt::format("no {} near the start meet the constraints: the residual is {}",
@@ -99,12 +99,12 @@ Diagnostic assembly_error(const Inspected& subject, const std::optional<Assembly
 /// Poses found from random states. Every second draw has the parameters of the start; the other
 /// draws have random parameters. After every second draw, the distance of later states from the
 /// start is halved.
-std::vector<State> other_poses(const Inspected& subject, const State& start) {
+std::vector<State> other_poses(const InspectedModel& subject, const State& start) {
   constexpr unsigned turns = 3;  // seeds that are multiples of 3 draw lengths up to 1
   std::vector<State> poses;
   cl_R share = 1;
   for (unsigned draw = 0; draw < pose_draws && poses.size() < other_pose_count; ++draw) {
-    State state = sampled_state(subject, turns * draw);
+    State state = sample_state(subject, turns * draw);
     for (std::size_t i = 0; i < state.q.size(); ++i) {
       state.q[i] = start.q[i] + (state.q[i] - start.q[i]) * share;
     }
@@ -112,14 +112,14 @@ std::vector<State> other_poses(const Inspected& subject, const State& start) {
       state.parameters = start.parameters;
       share = share / 2;
     }
-    if (auto pose = oracle_assembled(subject.model, std::move(state))) {
+    if (auto pose = oracle_assembled_state(subject.model, std::move(state))) {
       poses.push_back(std::move(*pose));
     }
   }
   return poses;
 }
 
-using Combinations = std::vector<Vector>;
+using Combinations = std::vector<RealVector>;
 
 /// A basis of the null space of A^T: the linear combinations of equations that vanish at a pose.
 /// The last equation of each combination is in no other combination. Empty if A has no value.
@@ -128,35 +128,35 @@ Combinations zero_combinations(const Model& model, const State& pose) {
   if (!a) return {};
   const std::size_t n = model.velocities.size();
   const std::size_t m = model.constraints.size();
-  Vector columns(a->size());
-  Vector lengths;
+  RealVector columns(a->size());
+  RealVector lengths;
   for (std::size_t k = 0; k < m; ++k) {
     cl_R largest = 0;
     for (std::size_t j = 0; j < n; ++j) largest = cln::max(largest, cln::abs((*a)[k * n + j]));
     lengths.push_back(is_rounding_error(largest) ? cl_R(1) : largest);
     for (std::size_t j = 0; j < n; ++j) columns[j * m + k] = (*a)[k * n + j] / lengths[k];
   }
-  Combinations all = null_space(columns, Vector(n, cl_R(1)));
-  for (Vector& factors : all) {
+  Combinations all = null_space(columns, RealVector(n, cl_R(1)));
+  for (RealVector& factors : all) {
     for (std::size_t k = 0; k < m; ++k) factors[k] = factors[k] / lengths[k];
   }
   return all;
 }
 
-std::size_t last_of(const Vector& factors) {
+std::size_t last_nonzero_index(const RealVector& factors) {
   std::size_t last = factors.size() - 1;
-  while (last > 0 && readable(factors[last]) == "0") --last;
+  while (last > 0 && readable_number(factors[last]) == "0") --last;
   return last;
 }
 
 /// For a vanishing combination: the sum of other equations that equals the last equation, as
 /// "2*rod - loop_x".
-std::string sum_of_others(const Model& model, const Vector& factors) {
-  const std::size_t last = last_of(factors);
+std::string equivalent_sum_text(const Model& model, const RealVector& factors) {
+  const std::size_t last = last_nonzero_index(factors);
   std::string text;
   for (std::size_t k = 0; k < last; ++k) {
     const cl_R factor = -factors[k] / factors[last];
-    const std::string size = readable(cln::abs(factor));
+    const std::string size = readable_number(cln::abs(factor));
     if (size == "0") continue;
     if (!text.empty()) text += factor > 0 ? " + " : " - ";
     if (text.empty() && factor < 0) text = "-";
@@ -172,10 +172,10 @@ Diagnostics redundancy_errors(const Model& model, const std::vector<Combinations
       std::ranges::min_element(at_poses, {}, [](const Combinations& all) { return all.size(); });
   Diagnostics errors;
   for (std::size_t i = 0; i < fewest->size(); ++i) {
-    const Constraint& constraint = model.constraints[last_of((*fewest)[i])];
-    const std::string sum = sum_of_others(model, (*fewest)[i]);
+    const Constraint& constraint = model.constraints[last_nonzero_index((*fewest)[i])];
+    const std::string sum = equivalent_sum_text(model, (*fewest)[i]);
     const bool is_fixed = std::ranges::all_of(at_poses, [&](const Combinations& all) {
-      return all.size() != fewest->size() || sum_of_others(model, all[i]) == sum;
+      return all.size() != fewest->size() || equivalent_sum_text(model, all[i]) == sum;
     });
     errors.push_back({Code::E537, constraint.span,
                       fmt::format("`{}` follows from other constraints: its row of A is {}{}",
@@ -185,7 +185,7 @@ Diagnostics redundancy_errors(const Model& model, const std::vector<Combinations
   return errors;
 }
 
-Diagnostics redundant_equations(const Inspected& subject, const State& start) {
+Diagnostics redundant_equation_errors(const InspectedModel& subject, const State& start) {
   std::vector<Combinations> at_poses{zero_combinations(subject.model, start)};
   if (at_poses.front().empty()) return {};
   for (const State& pose : other_poses(subject, start)) {
@@ -195,35 +195,37 @@ Diagnostics redundant_equations(const Inspected& subject, const State& start) {
   return redundancy_errors(subject.model, at_poses);
 }
 
-/// The first output of the scene whose row has this WhenSingular; null if there is none.
-const OutputRequest* output_with(const Scene& scene, WhenSingular fault) {
+/// The first output of the scene whose row has this SingularFault; null if there is none.
+const OutputRequest* find_output_by_fault(const Scene& scene, SingularFault fault) {
   const auto found = std::ranges::find(scene.outputs, fault, [](const OutputRequest& output) {
-    return output_row(output.kind).when_singular;
+    return output_row(output.kind).singular_fault;
   });
   return found == scene.outputs.end() ? nullptr : &*found;
 }
 
 /// E603 if the scene requests constrained inverse dynamics, but the inputs are determined at no
 /// pose.
-Diagnostics undetermined_inputs(const Inspected& subject, const State& start) {
-  const OutputRequest* const wanted = output_with(subject.scene, WhenSingular::redundant_inputs);
+Diagnostics undetermined_input_errors(const InspectedModel& subject, const State& start) {
+  const OutputRequest* const wanted =
+      find_output_by_fault(subject.scene, SingularFault::redundant_inputs);
   if (wanted == nullptr) return {};
   const auto has_value = [&](const State& pose) {
     return oracle_values(subject.model, *wanted, pose).has_value();
   };
   if (has_value(start) || std::ranges::any_of(other_poses(subject, start), has_value)) return {};
-  return {redundant_inputs(*wanted)};
+  return {redundant_inputs_error(*wanted)};
 }
 
 /// E603 if the scene requests `completed`, but the columns of A of the dependent velocities have
 /// full rank at no pose: "rank 1 of 2".
-Diagnostics undetermined_rest(const Inspected& subject, const State& start) {
-  const OutputRequest* const wanted = output_with(subject.scene, WhenSingular::undetermined_rest);
+Diagnostics undetermined_velocity_errors(const InspectedModel& subject, const State& start) {
+  const OutputRequest* const wanted =
+      find_output_by_fault(subject.scene, SingularFault::undetermined_rest);
   if (wanted == nullptr) return {};
   const Model& model = subject.model;
   const std::size_t n = model.velocities.size();
   const auto rank_at = [&](const State& pose) {
-    Vector columns;
+    RealVector columns;
     const OracleValues a = oracle_values(model, {.kind = OutputKind::constraint_jacobian}, pose);
     for (std::size_t k = 0; a && k < a->size(); ++k) {
       const auto velocity = static_cast<std::uint32_t>(k % n);
@@ -235,7 +237,7 @@ Diagnostics undetermined_rest(const Inspected& subject, const State& start) {
   std::size_t rank = rank_at(start);
   for (const State& pose : other_poses(subject, start)) rank = std::max(rank, rank_at(pose));
   if (rank == model.constraints.size()) return {};
-  Diagnostic error = undetermined_rest(*wanted);
+  Diagnostic error = undetermined_velocities_error(*wanted);
   error.message += fmt::format(": the others have columns of rank {} of {} in A", rank,
                                model.constraints.size());
   return {error};
@@ -262,16 +264,16 @@ std::string residual_text(const Model& model, const Assembly& at) {
   return text;
 }
 
-Diagnostics inspect_constraints(const Inspected& subject) {
+Diagnostics inspect_constraints(const InspectedModel& subject) {
   const Model& model = subject.model;
   if (model.constraints.empty() || model.velocities.size() > most_coordinates_sampled) return {};
-  Diagnostics errors = errors_without_effect(subject);
+  Diagnostics errors = ineffective_equation_errors(subject);
   if (!errors.empty()) return errors;
-  const std::optional<Assembly> start = oracle_assembly(model, full_start(subject));
+  const std::optional<Assembly> start = oracle_assembly(model, start_with_open_values(subject));
   if (!start || !start->has_rates) return {assembly_error(subject, start)};
-  errors = redundant_equations(subject, start->state);
-  if (errors.empty()) errors = undetermined_inputs(subject, start->state);
-  return errors.empty() ? undetermined_rest(subject, start->state) : errors;
+  errors = redundant_equation_errors(subject, start->state);
+  if (errors.empty()) errors = undetermined_input_errors(subject, start->state);
+  return errors.empty() ? undetermined_velocity_errors(subject, start->state) : errors;
 }
 
 }  // namespace elgen

@@ -12,11 +12,11 @@ namespace elgen {
 Diagnostics inspect(const Model& model, const Scene& scene) {
   Model exact = model;
   exact.approximation.reset();
-  const Inspected subject{exact, scene};
+  const InspectedModel subject{exact, scene};
   Diagnostics all;
   const auto add = [&](Diagnostics found) { all.insert(all.end(), found.begin(), found.end()); };
-  add(inspect_unused(subject));
-  add(inspect_left_out(subject));
+  add(inspect_unused_names(subject));
+  add(inspect_omissions(subject));
   add(inspect_constants(subject));
   // If a constant has no value, the model has no values at sampled states. If a power is too large,
   // the evaluation takes too long.
@@ -32,13 +32,13 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   add(inspect_potential(subject));
   add(inspect_weights(subject));
   add(inspect_kinetic_energies(subject));
-  add(inspect_smoothed(subject));
+  add(inspect_smoothed_friction(subject));
   if (!has_errors(all)) add(inspect_equilibria(subject));
-  if (!has_errors(all)) add(inspect_equilibrium({model, scene}));
+  if (!has_errors(all)) add(inspect_expansion_point({model, scene}));
   // If all entries of a repetition have the same mistake, it is reported once.
   Report unique;
   for (Diagnostic& diagnostic : all) unique.add(std::move(diagnostic));
-  return unique.sorted();
+  return unique.sorted_diagnostics();
 }
 
 }  // namespace elgen

@@ -31,7 +31,8 @@ void add_unused_parameters(const Model& model, Diagnostics& found) {
   for (const ParameterArray& array : model.parameter_arrays) {
     const auto first = marks.begin() + array.first;
     if (std::find(first, first + array.count, true) != first + array.count) continue;
-    if (std::ranges::count(model.variant.cyclic, array.first, &Cyclic::parameter) > 0) continue;
+    if (std::ranges::count(model.reduction.cyclic, array.first, &CyclicCoordinate::parameter) > 0)
+      continue;
     found.push_back(
         {Code::E522, array.span, fmt::format("parameter `{}` is used nowhere", array.name)});
   }
@@ -41,7 +42,7 @@ void add_unused_inputs(const Model& model, Diagnostics& found) {
   const auto marks = used_leaves(model, Opcode::input);
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Input& input = model.inputs[i];
-    if (input.on || marks[i]) continue;
+    if (input.velocity || marks[i]) continue;
     found.push_back({Code::E522, input.span, fmt::format("input `{}` acts on nothing", input.name),
                      "give it `on`, or name it in a force"});
   }
@@ -52,10 +53,10 @@ std::string quoted_names(const OmittedOutputs& left_out) {
   return fmt::format("`{}`", fmt::join(left_out.outputs, "`, `"));
 }
 
-Diagnostic note(const OmittedOutputs& left_out) {
+Diagnostic omission_note(const OmittedOutputs& left_out) {
   if (left_out.reason == OmissionReason::too_many_entries) {
     return {Code::E619, left_out.span,
-            fmt::format("not emitted because of more than {} entries: {}", entries_in_full,
+            fmt::format("not emitted because of more than {} entries: {}", max_entries_in_full,
                         quoted_names(left_out)),
             "name the output in a scene or in `--outputs`"};
   }
@@ -65,8 +66,8 @@ Diagnostic note(const OmittedOutputs& left_out) {
 }
 
 /// The place of the first tanh in a force whose argument contains rates; none if there is none.
-std::optional<Span> smoothed_friction(const Model& model) {
-  for (const ExpressionId id : reachable_from(model, roots_if(model, is_force))) {
+std::optional<Span> find_smoothed_friction(const Model& model) {
+  for (const ExpressionId id : reachable_expressions(model, filter_roots(model, is_force_value))) {
     const Expression& node = model.expressions[id];
     const bool is_tanh = node.kind == ExpressionKind::function && node.function == FunctionId::tanh;
     if (is_tanh && contains_leaf(model, id, Opcode::velocity)) return node.span;
@@ -76,25 +77,26 @@ std::optional<Span> smoothed_friction(const Model& model) {
 
 }  // namespace
 
-Diagnostics inspect_unused(const Inspected& subject) {
-  const Model& model = whole_model(subject.model);
+Diagnostics inspect_unused_names(const InspectedModel& subject) {
+  const Model& model = unreduced_model(subject.model);
   Diagnostics found;
   add_unused_parameters(model, found);
   add_unused_inputs(model, found);
   return found;
 }
 
-Diagnostics inspect_left_out(const Inspected& subject) {
+Diagnostics inspect_omissions(const InspectedModel& subject) {
   Diagnostics notes;
-  for (const OmittedOutputs& left_out : subject.scene.left_out) notes.push_back(note(left_out));
-  const Model& whole = whole_model(subject.model);
-  const RemainingPositions inputs = remaining_variables(whole).inputs;
+  for (const OmittedOutputs& left_out : subject.scene.omitted_outputs)
+    notes.push_back(omission_note(left_out));
+  const Model& whole = unreduced_model(subject.model);
+  const RemainingIndices inputs = remaining_variables(whole).inputs;
   for (std::size_t i = 0; i < whole.inputs.size();) {
     // The components of a wrench are one entry, so they get one note.
     std::vector<std::string> names;
     const Span& span = whole.inputs[i].span;
     for (; i < whole.inputs.size() && whole.inputs[i].span.begin == span.begin; ++i) {
-      if (!inputs[i]) names.push_back(in_backticks(whole.inputs[i].name));
+      if (!inputs[i]) names.push_back(quote_text(whole.inputs[i].name));
     }
     if (names.empty()) continue;
     notes.push_back({Code::E616, span,
@@ -106,12 +108,12 @@ Diagnostics inspect_left_out(const Inspected& subject) {
   return notes;
 }
 
-Diagnostics inspect_smoothed(const Inspected& subject) {
+Diagnostics inspect_smoothed_friction(const InspectedModel& subject) {
   const Model& model = subject.model;
   const std::vector<OutputRequest>& outputs = subject.scene.outputs;
   const auto output = std::ranges::find(outputs, OutputKind::linearization, &OutputRequest::kind);
   const bool is_named = output != outputs.end() && output->span.source != nullptr;
-  const auto friction = is_named ? smoothed_friction(model) : std::nullopt;
+  const auto friction = is_named ? find_smoothed_friction(model) : std::nullopt;
   if (!friction) return {};
   return {{Code::E627, *friction,
            fmt::format("`{}` contains this friction as a damper near rest", output->name),

@@ -8,27 +8,27 @@ namespace elgen {
 
 using cln::cl_R;
 
-const cl_R& rounding_share() {
+const cl_R& rounding_tolerance() {
   static const cl_R share = power_of_ten(-80);
   return share;
 }
 
-Vector row_scales(const Vector& matrix, std::size_t n) {
-  Vector scales(matrix.size() / n, cl_R(0));
+RealVector row_scales(const RealVector& matrix, std::size_t n) {
+  RealVector scales(matrix.size() / n, cl_R(0));
   cl_R largest = 0;
   for (std::size_t k = 0; k < matrix.size(); ++k) {
     scales[k / n] = cln::max(scales[k / n], cln::abs(matrix[k]));
     largest = cln::max(largest, scales[k / n]);
   }
   for (cl_R& scale : scales) {
-    if (scale < rounding_share() * largest) scale = 0;
+    if (scale < rounding_tolerance() * largest) scale = 0;
   }
   return scales;
 }
 
-std::vector<Vector> null_space(const Vector& matrix, const Vector& row_scales) {
+std::vector<RealVector> null_space(const RealVector& matrix, const RealVector& row_scales) {
   const std::size_t columns = matrix.size() / row_scales.size();
-  Vector scaled(matrix.size(), cl_R(0));
+  RealVector scaled(matrix.size(), cl_R(0));
   for (std::size_t k = 0; k < matrix.size(); ++k) {
     const cl_R& scale = row_scales[k / columns];
     if (!cln::zerop(scale)) scaled[k] = matrix[k] / scale;

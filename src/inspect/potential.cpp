@@ -33,15 +33,15 @@ namespace elgen {
 namespace {
 
 using cln::cl_R;
-using Direction = std::array<cl_R, 3>;
-using Parameters = std::set<std::uint32_t>;
+using UpVector = std::array<cl_R, 3>;
+using ParameterSet = std::set<std::uint32_t>;
 
 /// The points whose coordinates an expression contains, directly or through names.
 std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
   std::vector<std::uint32_t> points;
-  for (const ExpressionId id : reachable_from(model, {root})) {
+  for (const ExpressionId id : reachable_expressions(model, {root})) {
     const Expression& e = model.expressions[id];
-    if (is_name(e, NamedKind::point)) points.push_back(e.index);
+    if (refers_to_entry(e, NamedKind::point)) points.push_back(e.index);
   }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -49,15 +49,16 @@ std::vector<std::uint32_t> points_in(const Model& model, ExpressionId root) {
 }
 
 /// The upward direction: opposite to [gravity] or, without [gravity], the last axis of the point.
-std::optional<Direction> up_direction(const Inspected& subject, const Point& point) {
-  Direction up{0, 0, 0};
+std::optional<UpVector> up_direction(const InspectedModel& subject, const Point& point) {
+  UpVector up{0, 0, 0};
   if (!subject.model.gravity) {
     up[point.dimension - 1] = 1;
     return up;
   }
   const State state = nominal_state(subject.model, subject.scene);
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto component = oracle_expression(subject.model, (*subject.model.gravity)[c], state);
+    const auto component =
+        oracle_expression_value(subject.model, (*subject.model.gravity)[c], state);
     if (!component) return std::nullopt;
     up[c] = -*component;
   }
@@ -69,38 +70,39 @@ ExpressionId append_node(Model& model, Expression expression) {
   return static_cast<ExpressionId>(model.expressions.size() - 1);
 }
 
-ExpressionId node(Model& model, ExpressionKind kind, std::vector<ExpressionId> operands) {
+ExpressionId append_operation(Model& model, ExpressionKind kind,
+                              std::vector<ExpressionId> operands) {
   return append_node(model, {.kind = kind, .operands = std::move(operands)});
 }
 
-ExpressionId number(Model& model, const cl_R& value) {
+ExpressionId append_number(Model& model, const cl_R& value) {
   return append_node(model, {.number = cln::rational(value)});
 }
 
 /// A copy of the model with one more coordinate, which moves the point along `up`.
-Model with_lift_coordinate(const Model& model, std::uint32_t point, const Direction& up) {
+Model with_lift_coordinate(const Model& model, std::uint32_t point, const UpVector& up) {
   Model result = model;
   const std::uint32_t coordinate = append_coordinate(result, {});
   const ExpressionId lift = append_node(
       result, {.kind = ExpressionKind::leaf, .leaf = Opcode::coordinate, .index = coordinate});
   for (std::size_t c = 0; c < 3; ++c) {
     if (cln::zerop(up[c])) continue;
-    const ExpressionId scale = number(result, up[c]);
-    const ExpressionId shift = node(result, ExpressionKind::multiply, {scale, lift});
-    ExpressionId& at = result.points[point].at[c];
-    at = node(result, ExpressionKind::add, {at, shift});
+    const ExpressionId scale = append_number(result, up[c]);
+    const ExpressionId shift = append_operation(result, ExpressionKind::multiply, {scale, lift});
+    ExpressionId& at = result.points[point].position[c];
+    at = append_operation(result, ExpressionKind::add, {at, shift});
   }
   return result;
 }
 
 /// dV/d(lift) at a state; none if it has no value.
-std::optional<cl_R> slope(const Model& liftable, ExpressionId potential, State state) {
+std::optional<cl_R> lift_slope(const Model& liftable, ExpressionId potential, State state) {
   state.v.assign(liftable.velocities.size(), cl_R(0));
   state.a = state.v;
   state.q.emplace_back(0);
-  const auto at_rest = oracle_rate(liftable, potential, state);
+  const auto at_rest = oracle_expression_rate(liftable, potential, state);
   state.v.back() = 1;
-  const auto rising = oracle_rate(liftable, potential, state);
+  const auto rising = oracle_expression_rate(liftable, potential, state);
   if (!at_rest || !rising) return std::nullopt;
   return *rising - *at_rest;
 }
@@ -112,11 +114,11 @@ bool has_mass(const Model& model, std::uint32_t point) {
   return std::find(moving.begin(), moving.end(), point) != moving.end();
 }
 
-bool falls_steadily(const Inspected& subject, std::uint32_t point, const Direction& up) {
+bool has_falling_potential(const InspectedModel& subject, std::uint32_t point, const UpVector& up) {
   const Model lifted = with_lift_coordinate(subject.model, point, up);
   std::optional<cl_R> first;
-  for (unsigned seed = 0; seed < zero_samples; ++seed) {
-    const auto here = slope(lifted, *subject.model.energies.V, sampled_state(subject, seed));
+  for (unsigned seed = 0; seed < zero_sample_count; ++seed) {
+    const auto here = lift_slope(lifted, *subject.model.energies.V, sample_state(subject, seed));
     if (!here || *here >= 0) return false;
     if (!first) first = here;
     // The slope of a weight is constant to 50 digits; the slope of a spring is not.
@@ -133,13 +135,13 @@ std::uint32_t dimension_of(const Model& model) {
 
 /// E512 if gravity pulls along the positive last axis ("y" or "z"), which points upwards in most
 /// models.
-Diagnostics gravity_along_last_axis(const Inspected& subject) {
+Diagnostics upward_gravity_errors(const InspectedModel& subject) {
   const Model& model = subject.model;
   const std::uint32_t dimension = dimension_of(model);
   if (!model.gravity || dimension == 0) return {};
   const std::uint32_t last = dimension - 1;
   const State state = nominal_state(model, subject.scene);
-  const auto component = oracle_expression(model, (*model.gravity)[last], state);
+  const auto component = oracle_expression_value(model, (*model.gravity)[last], state);
   if (!component || *component <= 0) return {};
   return {{Code::E512, model.expressions[(*model.gravity)[last]].span,
            fmt::format("gravity pulls along +{}", last == 1 ? "y" : "z"),
@@ -148,9 +150,9 @@ Diagnostics gravity_along_last_axis(const Inspected& subject) {
 
 // Energies that masses already add.
 
-Parameters weight_parameters(const Model& model, const std::vector<ExpressionId>& roots) {
-  Parameters found;
-  for (const ExpressionId id : reachable_from(model, roots)) {
+ParameterSet parameters_in(const Model& model, const std::vector<ExpressionId>& roots) {
+  ParameterSet found;
+  for (const ExpressionId id : reachable_expressions(model, roots)) {
     const Expression& node = model.expressions[id];
     if (is_leaf(node, Opcode::parameter)) found.insert(node.index);
   }
@@ -158,16 +160,16 @@ Parameters weight_parameters(const Model& model, const std::vector<ExpressionId>
 }
 
 /// A mass and its position, whose weight is -m gravity.p.
-struct Weight {
+struct PlacedMass {
   std::string name;
   ExpressionId mass = 0;
   std::array<ExpressionId, 3> at = {};
 };
 
-std::vector<Weight> weights_of(const Model& model) {
-  std::vector<Weight> weights;
+std::vector<PlacedMass> placed_masses(const Model& model) {
+  std::vector<PlacedMass> weights;
   for (const Point& point : model.points) {
-    if (point.mass) weights.push_back({point.name, *point.mass, point.at});
+    if (point.mass) weights.push_back({point.name, *point.mass, point.position});
   }
   for (const Body& body : model.bodies) {
     if (body.mass) weights.push_back({body.name, *body.mass, body.com});
@@ -176,23 +178,24 @@ std::vector<Weight> weights_of(const Model& model) {
 }
 
 /// -m gravity.p; none if it has no value.
-std::optional<cl_R> energy_of(const Model& model, const Weight& weight, const State& state) {
-  const auto mass = oracle_expression(model, weight.mass, state);
+std::optional<cl_R> weight_energy(const Model& model, const PlacedMass& weight,
+                                  const State& state) {
+  const auto mass = oracle_expression_value(model, weight.mass, state);
   if (!mass) return std::nullopt;
   cl_R energy = 0;
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto pull = oracle_expression(model, (*model.gravity)[c], state);
-    const auto place = oracle_expression(model, weight.at[c], state);
+    const auto pull = oracle_expression_value(model, (*model.gravity)[c], state);
+    const auto place = oracle_expression_value(model, weight.at[c], state);
     if (!pull || !place) return std::nullopt;
     energy = energy - *mass * *pull * *place;
   }
   return energy;
 }
 
-using Energy = std::function<std::optional<cl_R>(const State&)>;
+using StateEnergy = std::function<std::optional<cl_R>(const State&)>;
 
 /// The part of an energy that depends on all `sets`: it is 0 if the parameters of any set are 0.
-std::optional<cl_R> dependent_part(const Energy& energy, const std::vector<Parameters>& sets,
+std::optional<cl_R> dependent_part(const StateEnergy& energy, const std::vector<ParameterSet>& sets,
                                    std::size_t count, const State& state) {
   if (count == 0) return energy(state);
   State without = state;
@@ -204,13 +207,13 @@ std::optional<cl_R> dependent_part(const Energy& energy, const std::vector<Param
 
 /// The dependent part of an energy at the sampled states, minus its value at the first state,
 /// because a constant in an energy has no effect.
-std::vector<cl_R> differences(const Inspected& subject, const Energy& energy,
-                              const std::vector<Parameters>& sets) {
+std::vector<cl_R> dependent_differences(const InspectedModel& subject, const StateEnergy& energy,
+                                        const std::vector<ParameterSet>& sets) {
   std::vector<cl_R> values;
-  State state = sampled_state(subject, 0);
+  State state = sample_state(subject, 0);
   const std::vector<cl_R> parameters = state.parameters;
-  for (unsigned seed = 0; seed <= zero_samples; ++seed) {
-    state = sampled_state(subject, seed);
+  for (unsigned seed = 0; seed <= zero_sample_count; ++seed) {
+    state = sample_state(subject, seed);
     state.parameters = parameters;
     const auto value = dependent_part(energy, sets, sets.size(), state);
     if (!value) return {};
@@ -221,7 +224,7 @@ std::vector<cl_R> differences(const Inspected& subject, const Energy& energy,
   return values;
 }
 
-bool are_equal(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
+bool are_equal_and_nonzero(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
   if (a.empty() || b.empty()) return false;
   bool is_zero = true;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -233,7 +236,7 @@ bool are_equal(const std::vector<cl_R>& a, const std::vector<cl_R>& b) {
 
 /// The sum of of_entry(entry) over all entries; none if it has no value for some entry.
 template <class Entry, class Of>
-Energy sum_of(const std::vector<Entry>& entries, const Of& of_entry) {
+StateEnergy sum_of_energies(const std::vector<Entry>& entries, const Of& of_entry) {
   return [&entries, of_entry](const State& state) -> std::optional<cl_R> {
     cl_R sum = 0;
     for (const Entry& entry : entries) {
@@ -245,38 +248,40 @@ Energy sum_of(const std::vector<Entry>& entries, const Of& of_entry) {
   };
 }
 
-Energy energy_of_expression(const Model& model, ExpressionId expression) {
+StateEnergy energy_of_expression(const Model& model, ExpressionId expression) {
   return [&model, expression](const State& state) {
-    return oracle_expression(model, expression, state);
+    return oracle_expression_value(model, expression, state);
   };
 }
 
 /// True if the parts of V and W that depend on the parameters of gravity and of this mass are equal
 /// up to a constant.
-bool is_counted_twice(const Inspected& subject, const std::vector<Weight>& weights,
-                      const Weight& weight) {
+bool is_counted_twice(const InspectedModel& subject, const std::vector<PlacedMass>& weights,
+                      const PlacedMass& weight) {
   const Model& model = subject.model;
   const auto& gravity = *model.gravity;
-  std::vector<Parameters> sets;
-  for (const Parameters& set : {weight_parameters(model, {weight.mass}),
-                                weight_parameters(model, {gravity.begin(), gravity.end()})}) {
+  std::vector<ParameterSet> sets;
+  for (const ParameterSet& set : {parameters_in(model, {weight.mass}),
+                                  parameters_in(model, {gravity.begin(), gravity.end()})}) {
     if (!set.empty()) sets.push_back(set);
   }
-  const Energy written = energy_of_expression(model, *model.energies.V);
-  const Energy given = sum_of(weights, [&model](const Weight& each, const State& state) {
-    return energy_of(model, each, state);
-  });
-  return are_equal(differences(subject, written, sets), differences(subject, given, sets));
+  const StateEnergy written = energy_of_expression(model, *model.energies.V);
+  const StateEnergy given =
+      sum_of_energies(weights, [&model](const PlacedMass& each, const State& state) {
+        return weight_energy(model, each, state);
+      });
+  return are_equal_and_nonzero(dependent_differences(subject, written, sets),
+                               dependent_differences(subject, given, sets));
 }
 
 /// 1/2 m v^2, 0 without a mass; none if it has no value.
 std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, const State& state) {
   if (!point.mass) return cl_R(0);
-  const auto mass = oracle_expression(model, *point.mass, state);
+  const auto mass = oracle_expression_value(model, *point.mass, state);
   if (!mass) return std::nullopt;
   cl_R square = 0;
   for (std::size_t c = 0; c < point.dimension; ++c) {
-    const auto rate = oracle_rate(model, point.at[c], state);
+    const auto rate = oracle_expression_rate(model, point.position[c], state);
     if (!rate) return std::nullopt;
     square = square + *rate * *rate;
   }
@@ -285,29 +290,31 @@ std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, co
 
 /// True if the parts of T and K that depend on the parameters of this mass are equal up to a
 /// constant.
-bool is_counted_twice(const Inspected& subject, const Point& point) {
+bool is_counted_twice(const InspectedModel& subject, const Point& point) {
   const Model& model = subject.model;
-  const Parameters mass = weight_parameters(model, {*point.mass});
+  const ParameterSet mass = parameters_in(model, {*point.mass});
   if (mass.empty()) return false;
-  const Energy written = energy_of_expression(model, *model.energies.T);
-  const Energy given = sum_of(model.points, [&model](const Point& each, const State& state) {
-    return kinetic_energy_of(model, each, state);
-  });
-  return are_equal(differences(subject, written, {mass}), differences(subject, given, {mass}));
+  const StateEnergy written = energy_of_expression(model, *model.energies.T);
+  const StateEnergy given =
+      sum_of_energies(model.points, [&model](const Point& each, const State& state) {
+        return kinetic_energy_of(model, each, state);
+      });
+  return are_equal_and_nonzero(dependent_differences(subject, written, {mass}),
+                               dependent_differences(subject, given, {mass}));
 }
 
 }  // namespace
 
-Diagnostics inspect_potential(const Inspected& subject) {
+Diagnostics inspect_potential(const InspectedModel& subject) {
   const Model& model = subject.model;
-  Diagnostics diagnostics = gravity_along_last_axis(subject);
+  Diagnostics diagnostics = upward_gravity_errors(subject);
   if (!model.energies.V || model.velocities.size() > most_coordinates_sampled) {
     return diagnostics;
   }
   for (const std::uint32_t index : points_in(model, *model.energies.V)) {
     const Point& point = model.points[index];
     const auto up = has_mass(model, index) ? up_direction(subject, point) : std::nullopt;
-    if (!up || !falls_steadily(subject, index, *up)) continue;
+    if (!up || !has_falling_potential(subject, index, *up)) continue;
     diagnostics.push_back({Code::E512, model.expressions[*model.energies.V].span,
                            fmt::format("V falls as `{}` rises", point.name),
                            "a weight is `m*g*height`: sign mistake?"});
@@ -315,7 +322,7 @@ Diagnostics inspect_potential(const Inspected& subject) {
   return diagnostics;
 }
 
-Diagnostics inspect_kinetic_energies(const Inspected& subject) {
+Diagnostics inspect_kinetic_energies(const InspectedModel& subject) {
   const Model& model = subject.model;
   if (!model.energies.T || model.velocities.size() > most_coordinates_sampled) return {};
   for (const Point& point : model.points) {
@@ -328,12 +335,12 @@ Diagnostics inspect_kinetic_energies(const Inspected& subject) {
   return {};
 }
 
-Diagnostics inspect_weights(const Inspected& subject) {
+Diagnostics inspect_weights(const InspectedModel& subject) {
   const Model& model = subject.model;
   if (!model.gravity || !model.energies.V) return {};
   if (model.velocities.size() > most_coordinates_sampled) return {};
-  const std::vector<Weight> weights = weights_of(model);
-  for (const Weight& weight : weights) {
+  const std::vector<PlacedMass> weights = placed_masses(model);
+  for (const PlacedMass& weight : weights) {
     if (!is_counted_twice(subject, weights, weight)) continue;
     return {
         {Code::E526, model.expressions[*model.energies.V].span,

@@ -15,7 +15,7 @@ constexpr int largest_denominator = 999;  // fractions with larger denominators 
 
 }  // namespace
 
-std::string readable(const cl_R& x) {
+std::string readable_number(const cl_R& x) {
   // Smaller numbers are rounding errors of 60-digit terms of magnitude 1 that have cancelled.
   if (cln::abs(x) < power_of_ten(-40)) return "0";
   // 1e-9 is four digits more than are printed. Any number has a fraction with such a denominator
@@ -25,10 +25,10 @@ std::string readable(const cl_R& x) {
   return fmt::format("{:.5g}", cln::double_approx(x));
 }
 
-std::string as_typed(const cl_R& x) {
+std::string exact_number_text(const cl_R& x) {
   constexpr std::size_t longest = 30;
   const std::string exact = is_rational(x) ? exact_text(x) : std::string();
-  return exact.empty() || exact.size() > longest ? readable(x) : exact;
+  return exact.empty() || exact.size() > longest ? readable_number(x) : exact;
 }
 
 }  // namespace elgen

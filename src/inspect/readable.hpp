@@ -9,9 +9,9 @@ namespace elgen {
 
 /// The simplest fraction within 1e-9 of x if its denominator has at most three digits; otherwise
 /// five significant digits. "0" below 1e-40.
-[[nodiscard]] std::string readable(const cln::cl_R& x);
+[[nodiscard]] std::string readable_number(const cln::cl_R& x);
 
 /// The exact number as text: "16616.493" or "1/3". If the text is too long: readable(x).
-[[nodiscard]] std::string as_typed(const cln::cl_R& x);
+[[nodiscard]] std::string exact_number_text(const cln::cl_R& x);
 
 }  // namespace elgen

@@ -17,21 +17,21 @@ using cln::cl_R;
 
 constexpr unsigned cyclic_samples = 8;
 
-std::vector<cl_R> unit_direction(const Model& model, const Cyclic& cyclic) {
+std::vector<cl_R> unit_direction(const Model& model, const CyclicCoordinate& cyclic) {
   std::vector<cl_R> direction(model.velocities.size(), cl_R(0));
   direction[cyclic.velocity] = 1;
   return direction;
 }
 
-std::string quoted_name(const Model& model, const Cyclic& cyclic) {
-  return in_backticks(model.coordinates[cyclic.coordinate].name);
+std::string quoted_name(const Model& model, const CyclicCoordinate& cyclic) {
+  return quote_text(model.coordinates[cyclic.coordinate].name);
 }
 
 /// True if dL/dq exceeds rounding error at a sampled state.
-bool changes_lagrangian(const Inspected& subject, const Cyclic& cyclic) {
+bool changes_lagrangian(const InspectedModel& subject, const CyclicCoordinate& cyclic) {
   const Model& model = subject.model;
   for (unsigned seed = 0; seed < cyclic_samples; ++seed) {
-    const State state = sampled_state(subject, seed);
+    const State state = sample_state(subject, seed);
     const auto slope = oracle_contraction(model, {.kind = OutputKind::position_gradient}, state,
                                           {unit_direction(model, cyclic)});
     const auto size = oracle_energy_magnitude(model, state);
@@ -42,14 +42,15 @@ bool changes_lagrangian(const Inspected& subject, const Cyclic& cyclic) {
 
 /// True if the block of M for the cyclic velocities is singular at every sample at which it has a
 /// value.
-bool are_dependent(const Inspected& subject, const std::vector<Cyclic>& cyclic) {
+bool has_dependent_momenta(const InspectedModel& subject,
+                           const std::vector<CyclicCoordinate>& cyclic) {
   const Model& model = subject.model;
   bool was_singular = false;
-  for (unsigned seed = 0; seed < zero_samples; ++seed) {
-    const State state = sampled_state(subject, seed);
+  for (unsigned seed = 0; seed < zero_sample_count; ++seed) {
+    const State state = sample_state(subject, seed);
     std::vector<cl_R> mass;
-    for (const Cyclic& row : cyclic) {
-      for (const Cyclic& column : cyclic) {
+    for (const CyclicCoordinate& row : cyclic) {
+      for (const CyclicCoordinate& column : cyclic) {
         const auto entry =
             oracle_contraction(model, {.kind = OutputKind::mass_matrix}, state,
                                {unit_direction(model, row), unit_direction(model, column)});
@@ -64,14 +65,14 @@ bool are_dependent(const Inspected& subject, const std::vector<Cyclic>& cyclic) 
   return was_singular;
 }
 
-Diagnostics cyclic_errors(const Inspected& subject, const std::vector<Cyclic>& all) {
+Diagnostics cyclic_errors(const InspectedModel& subject, const std::vector<CyclicCoordinate>& all) {
   Diagnostics errors;
-  for (const Cyclic& cyclic : all) {
+  for (const CyclicCoordinate& cyclic : all) {
     if (!changes_lagrangian(subject, cyclic)) continue;
     errors.push_back({Reason::not_cyclic, cyclic.span,
                       quoted_name(subject.model, cyclic) + " is not cyclic: L changes with it"});
   }
-  if (errors.empty() && are_dependent(subject, all)) {
+  if (errors.empty() && has_dependent_momenta(subject, all)) {
     errors.push_back({Reason::dependent_momenta, all.front().span,
                       "the momenta do not determine the rates of the removed coordinates: their "
                       "block of the mass matrix is singular"});
@@ -82,53 +83,55 @@ Diagnostics cyclic_errors(const Inspected& subject, const std::vector<Cyclic>& a
 /// The exact model that still contains the cyclic coordinates, and their indices in this model.
 struct ModelBeforeRouth {
   Model model;
-  std::vector<Cyclic> cyclic;
+  std::vector<CyclicCoordinate> cyclic;
 };
 
 ModelBeforeRouth model_before_routh(Model whole) {
   whole.approximation.reset();
-  std::vector<Cyclic> all = std::exchange(whole.variant.cyclic, {});
+  std::vector<CyclicCoordinate> all = std::exchange(whole.reduction.cyclic, {});
   const RemainingVariables left = remaining_variables(whole);
-  for (Cyclic& cyclic : all) {
+  for (CyclicCoordinate& cyclic : all) {
     cyclic.coordinate = *left.coordinates[cyclic.coordinate];
     cyclic.velocity = *left.velocities[cyclic.velocity];
   }
-  return {variant_of(std::move(whole)), std::move(all)};
+  return {eliminate_held_coordinates(std::move(whole)), std::move(all)};
 }
 
 /// The state at the start of a run.
-State starting_state(const CheckedModel& checked, const Model& moving) {
+State run_start_state(const CheckedModel& checked, const Model& moving) {
   State state = start_state(moving, checked.scene);
   state.parameters = nominal_state(checked.model, checked.scene).parameters;
   return state;
 }
 
-std::optional<cl_R> momentum_of(const Model& exact, const Cyclic& cyclic, const State& start) {
-  if (cyclic.form) return oracle_expression(exact, *cyclic.form, start);
+std::optional<cl_R> momentum_value(const Model& exact, const CyclicCoordinate& cyclic,
+                                   const State& start) {
+  if (cyclic.exact_expression)
+    return oracle_expression_value(exact, *cyclic.exact_expression, start);
   return oracle_contraction(exact, {.kind = OutputKind::momentum}, start,
                             {unit_direction(exact, cyclic)});
 }
 
 }  // namespace
 
-Diagnostics find_momenta(CheckedModel& checked) {
+Diagnostics set_routh_momenta(CheckedModel& checked) {
   if (!has_routhian(checked.model)) return {};
-  const auto [exact, all] = model_before_routh(whole_model(checked.model));
+  const auto [exact, all] = model_before_routh(unreduced_model(checked.model));
   Diagnostics errors = cyclic_errors({exact, checked.scene}, all);
   if (!errors.empty()) return errors;
-  const State start = starting_state(checked, exact);
+  const State start = run_start_state(checked, exact);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const Cyclic& cyclic = all[i];
-    std::optional<cl_R>& known = checked.model.variant.cyclic[i].momentum;
+    const CyclicCoordinate& cyclic = all[i];
+    std::optional<cl_R>& known = checked.model.reduction.cyclic[i].momentum;
     if (known) continue;
-    const std::optional<cl_R> momentum = momentum_of(exact, cyclic, start);
+    const std::optional<cl_R> momentum = momentum_value(exact, cyclic, start);
     if (!momentum) {
       errors.push_back({Reason::momentum_without_value, cyclic.span,
                         "the momentum of " + quoted_name(exact, cyclic) + " has no value" +
-                            (cyclic.form ? "" : " at the start")});
+                            (cyclic.exact_expression ? "" : " at the start")});
       continue;
     }
-    known = rounded(*momentum, 16);
+    known = round_to_digits(*momentum, 16);
     checked.model.parameters[cyclic.parameter].value = *known;
     const auto fixed = checked.scene.specialisation.fixed.find(cyclic.parameter);
     if (fixed != checked.scene.specialisation.fixed.end()) fixed->second.number = *known;
@@ -140,11 +143,11 @@ bool is_cyclic(const CheckedModel& checked, std::uint32_t coordinate) {
   Model exact = checked.model;
   exact.approximation.reset();
   const Coordinate& candidate = exact.coordinates[coordinate];
-  if (candidate.rotation || !exact.quadratic) return false;
-  Cyclic cyclic;
+  if (candidate.rotation || !exact.is_quadratic) return false;
+  CyclicCoordinate cyclic;
   cyclic.coordinate = coordinate;
   cyclic.velocity = candidate.velocity;
-  return obstacles_of(exact, checked.scene, cyclic).empty() &&
+  return find_cyclic_obstacles(exact, checked.scene, cyclic).empty() &&
          cyclic_errors({exact, checked.scene}, {cyclic}).empty();
 }
 

@@ -15,13 +15,13 @@ constexpr unsigned most_attempts = 8;
 
 /// True if an evaluation with 64 more digits gives the same matrix. With large terms, as in
 /// cosh(x)^2 - sinh(x)^2 - 1, an entry that is exactly 0 may be evaluated as pure rounding error.
-bool has_digits(const Inspected& subject, const State& state,
-                const std::vector<cln::cl_R>& matrix) {
+bool has_stable_digits(const InspectedModel& subject, const State& state,
+                       const std::vector<cln::cl_R>& matrix) {
   static const cln::cl_R share = power_of_ten(-20);
   const auto again = with_digits(
       64, [&] { return oracle_values(subject.model, {.kind = OutputKind::mass_matrix}, state); });
   if (!again) return false;
-  const cln::cl_R allowed = largest_of(matrix) * share;
+  const cln::cl_R allowed = max_magnitude(matrix) * share;
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     if (cln::abs((*again)[i] - matrix[i]) > allowed) return false;
   }
@@ -30,7 +30,7 @@ bool has_digits(const Inspected& subject, const State& state,
 
 }  // namespace
 
-State sampled_state(const Inspected& subject, unsigned seed) {
+State sample_state(const InspectedModel& subject, unsigned seed) {
   Sampler draw(seed);
   State state = nominal_state(subject.model, subject.scene);
   for (std::uint32_t i = 0; i < state.parameters.size(); ++i) {
@@ -41,11 +41,11 @@ State sampled_state(const Inspected& subject, unsigned seed) {
   return state;
 }
 
-std::optional<MassSample> sampled_mass_matrix(const Inspected& subject, unsigned seed) {
+std::optional<MassSample> sample_mass_matrix(const InspectedModel& subject, unsigned seed) {
   for (unsigned attempt = 0; attempt < most_attempts; ++attempt) {
-    State state = sampled_state(subject, seed * most_attempts + attempt);
+    State state = sample_state(subject, seed * most_attempts + attempt);
     OracleValues matrix = oracle_values(subject.model, {.kind = OutputKind::mass_matrix}, state);
-    if (matrix && has_digits(subject, state, *matrix))
+    if (matrix && has_stable_digits(subject, state, *matrix))
       return MassSample{std::move(state), std::move(*matrix)};
   }
   return std::nullopt;

@@ -13,13 +13,13 @@
 namespace elgen {
 namespace {
 
-constexpr unsigned draws = 4;
+constexpr unsigned draw_count = 4;
 
-std::size_t rank_of_jacobian(const Inspected& subject, const OutputRequest& jacobian) {
+std::size_t sampled_jacobian_rank(const InspectedModel& subject, const OutputRequest& jacobian) {
   const std::size_t n = subject.model.velocities.size();
   std::size_t rank = 0;
-  for (unsigned seed = 0; seed < draws; ++seed) {
-    const OracleValues rows = oracle_values(subject.model, jacobian, sampled_state(subject, seed));
+  for (unsigned seed = 0; seed < draw_count; ++seed) {
+    const OracleValues rows = oracle_values(subject.model, jacobian, sample_state(subject, seed));
     if (rows) rank = std::max(rank, n - null_space(*rows, row_scales(*rows, n)).size());
   }
   return rank;
@@ -27,13 +27,13 @@ std::size_t rank_of_jacobian(const Inspected& subject, const OutputRequest& jaco
 
 }  // namespace
 
-Diagnostics inspect_tasks(const Inspected& subject) {
+Diagnostics inspect_tasks(const InspectedModel& subject) {
   const Model& model = subject.model;
   Diagnostics errors;
   for (const OutputRequest& output : subject.scene.outputs) {
-    if (output_row(output.kind).when_singular != WhenSingular::dependent_task) continue;
+    if (output_row(output.kind).singular_fault != SingularFault::dependent_task) continue;
     const std::size_t rank =
-        rank_of_jacobian(subject, request_of(model, OutputKind::user_jacobian, output.user));
+        sampled_jacobian_rank(subject, make_request(model, OutputKind::user_jacobian, output.user));
     if (rank == output.rows) continue;
     errors.push_back({Reason::dependent_task, output.span,
                       fmt::format("`{}` has no value: its Jacobian has rank {} of {}", output.name,

@@ -9,7 +9,7 @@ namespace elgen {
 namespace {
 
 /// The index "[3]" in the name of a row of a repeated entry; "" if the entry is not repeated.
-std::string index_of(const Constraint& row) {
+std::string index_suffix(const Constraint& row) {
   return row.name.substr(std::min(row.name.find('['), row.name.size()));
 }
 
@@ -20,7 +20,7 @@ std::string equation_hint(const std::vector<Constraint>& rows, const std::vector
   std::vector<std::string> equations;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const bool is_part = rows[k].equation_span.begin == row.equation_span.begin &&
-                         index_of(rows[k]) == index_of(row);
+                         index_suffix(rows[k]) == index_suffix(row);
     if (!is_part || without[k] || rows[k].equality.empty()) continue;
     equations.push_back("\"" + rows[k].equality + "\"");
   }

@@ -17,6 +17,6 @@ inline constexpr std::size_t min_articulated_velocities = 10;
 /// least two other frames, because then branches of the tree cause no fill-in between them. Also
 /// true if a model with frames has at least min_articulated_velocities velocities, because the
 /// articulated-body algorithm has this order.
-[[nodiscard]] bool eliminates_last_first(const Model& model);
+[[nodiscard]] bool eliminates_backward(const Model& model);
 
 }  // namespace elgen

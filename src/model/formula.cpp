@@ -14,15 +14,16 @@ class FormulaMaker {
       : model_(model), name_(name) {}
 
   [[nodiscard]] Formula operator()(ExpressionId id) const {
-    const auto typed = model_.typed.find(id);
-    const Expression& node = typed == model_.typed.end() ? model_.expressions[id] : typed->second;
+    const auto typed = model_.original_expressions.find(id);
+    const Expression& node =
+        typed == model_.original_expressions.end() ? model_.expressions[id] : typed->second;
     switch (node.kind) {
       case ExpressionKind::number:
         return number_formula(node.number);
       case ExpressionKind::negate:
-        return negative(group(operand(node, 0)));
+        return negative_of(group(operand(node, 0)));
       case ExpressionKind::add:
-        return total(node);
+        return sum_of_terms(node);
       case ExpressionKind::multiply:
         return product_of(operands(node));
       case ExpressionKind::divide:
@@ -50,13 +51,13 @@ class FormulaMaker {
   }
 
   /// A sum. Every negative term except the first is subtracted, without brackets.
-  [[nodiscard]] Formula total(const Expression& node) const {
+  [[nodiscard]] Formula sum_of_terms(const Expression& node) const {
     Formulas terms;
     for (const ExpressionId operand : node.operands) {
       const Expression& term = model_.expressions[operand];
-      const bool is_negative =
-          !terms.empty() && term.kind == ExpressionKind::negate && !model_.typed.contains(operand);
-      terms.push_back(is_negative ? negative((*this)(term.operands[0])) : (*this)(operand));
+      const bool is_negative = !terms.empty() && term.kind == ExpressionKind::negate &&
+                               !model_.original_expressions.contains(operand);
+      terms.push_back(is_negative ? negative_of((*this)(term.operands[0])) : (*this)(operand));
     }
     return sum_of(std::move(terms));
   }
@@ -67,7 +68,7 @@ class FormulaMaker {
 
 /// The text of component k of a frame `name`: "axis(F, 2, 3)", "x(F)", "wx(F)"; "wx(F, F)" for
 /// Frame::turning.
-std::string name_of_component(const std::string& name, std::uint32_t k) {
+std::string frame_component_name(const std::string& name, std::uint32_t k) {
   const std::string axis(1, "xyz"[k % 3]);
   if (k >= frame_recursive_spin) return fmt::format("w{}({}, {})", axis, name, name);
   if (k >= frame_angular_velocity) return fmt::format("w{}({})", axis, name);
@@ -75,7 +76,7 @@ std::string name_of_component(const std::string& name, std::uint32_t k) {
   return fmt::format("axis({}, {}, {})", name, k / 3 + 1, k % 3 + 1);
 }
 
-std::string name_of_entry(const Model& model, const Expression& node) {
+std::string named_node_text(const Model& model, const Expression& node) {
   const auto component_of = [&node](const std::string& name) {
     return std::string(1, "xyz"[node.component]) + "(" + name + ")";
   };
@@ -89,17 +90,17 @@ std::string name_of_entry(const Model& model, const Expression& node) {
     case NamedKind::body:
       return component_of(model.bodies[node.index].name);
     case NamedKind::frame:
-      return name_of_component(model.frames[node.index].name, node.component);
+      return frame_component_name(model.frames[node.index].name, node.component);
   }
   return {};
 }
 
-std::string name_in_model(const Model& model, const Expression& node) {
+std::string node_text(const Model& model, const Expression& node) {
   switch (node.kind) {
     case ExpressionKind::pi:
       return "pi";
     case ExpressionKind::named:
-      return name_of_entry(model, node);
+      return named_node_text(model, node);
     case ExpressionKind::time_derivative:
       return "dot(" + to_string(model, node.operands[0]) + ")";
     default:
@@ -116,7 +117,7 @@ Formula formula_of(const Model& model, ExpressionId expression,
 
 std::string to_string(const Model& model, ExpressionId expression) {
   const auto name = [&model](ExpressionId id) {
-    return name_formula(name_in_model(model, model.expressions[id]));
+    return name_formula(node_text(model, model.expressions[id]));
   };
   return text_of(formula_of(model, expression, name));
 }

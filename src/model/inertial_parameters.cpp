@@ -12,7 +12,7 @@
 namespace elgen {
 namespace {
 
-constexpr std::array<std::string_view, components_of_body> component_names{
+constexpr std::array<std::string_view, body_component_count> component_names{
     "m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz"};
 constexpr std::array<std::uint32_t, 4> planar_components{0, 1, 2, 6};
 
@@ -21,11 +21,11 @@ std::optional<Unit> unit_of_component(std::uint32_t component) {
   return *find_unit("kg") * power(*find_unit("m"), {length, 1});
 }
 
-class PlaceList {
+class InertialEntryCollector {
  public:
-  explicit PlaceList(const Model& model) : model_(model) {}
+  explicit InertialEntryCollector(const Model& model) : model_(model) {}
 
-  std::vector<InertialPlace> build() && {
+  std::vector<InertialEntry> build() && {
     for (const bool in_frames : {true, false}) {
       for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
         if (model_.bodies[i].local.has_value() == in_frames) add_body(i);
@@ -61,14 +61,14 @@ class PlaceList {
     const bool turns = body.local || (!body.inertia.empty() && !body.spin.empty());
     const bool is_planar = !body.local && body.inertia.size() == 1;
     if (turns && is_planar) add_component(index, planar_components.back());
-    for (std::uint32_t i = first_inertia_component; turns && !is_planar && i < components_of_body;
+    for (std::uint32_t i = first_inertia_component; turns && !is_planar && i < body_component_count;
          ++i) {
       add_component(index, i);
     }
   }
 
   const Model& model_;
-  std::vector<InertialPlace> list_ = {};
+  std::vector<InertialEntry> list_ = {};
 };
 
 std::optional<Unit> unit_of_armature(const Model& model, const Coordinate& coordinate) {
@@ -78,14 +78,14 @@ std::optional<Unit> unit_of_armature(const Model& model, const Coordinate& coord
 
 /// Finds two parameters whose product an expression contains, or a parameter in which it is not
 /// affine. Each node is tested after its operands.
-class AffineSearch {
+class CouplingSearch {
  public:
-  AffineSearch(const Model& model, const std::vector<std::uint32_t>& parameters)
+  CouplingSearch(const Model& model, const std::vector<std::uint32_t>& parameters)
       : model_(model), parameters_(parameters) {}
 
-  std::optional<CoupledParameters> find(ExpressionId root) {
-    for (const ExpressionId id : reachable_from(model_, {root})) {
-      if (const auto coupled = read(id)) return coupled;
+  std::optional<CoupledParameters> find_coupling(ExpressionId root) {
+    for (const ExpressionId id : reachable_expressions(model_, {root})) {
+      if (const auto coupled = check_node(id)) return coupled;
     }
     return std::nullopt;
   }
@@ -94,19 +94,19 @@ class AffineSearch {
   using Found = std::optional<CoupledParameters>;
 
   /// Any parameter that the expression contains; null if it contains none.
-  [[nodiscard]] const std::uint32_t* parameter_in(ExpressionId id) const {
+  [[nodiscard]] const std::uint32_t* find_parameter(ExpressionId id) const {
     const auto found = first_.find(id);
     return found == first_.end() ? nullptr : &found->second;
   }
 
-  Found read(ExpressionId id) {
+  Found check_node(ExpressionId id) {
     const Expression& e = model_.expressions[id];
     if (is_leaf(e, Opcode::parameter) && std::ranges::count(parameters_, e.index) > 0) {
       first_.emplace(id, e.index);
       return std::nullopt;
     }
     for (const ExpressionId operand : references(model_, id)) {
-      const std::uint32_t* const next = parameter_in(operand);
+      const std::uint32_t* const next = find_parameter(operand);
       if (next == nullptr) continue;
       const auto [known, is_new] = first_.emplace(id, *next);
       const bool multiplies = e.kind == ExpressionKind::multiply && !is_new;
@@ -124,9 +124,9 @@ class AffineSearch {
 };
 
 /// For each parameter: true if the roots contain it, also through names.
-std::vector<bool> parameters_below(const Model& model, const std::vector<ExpressionId>& roots) {
+std::vector<bool> contained_parameters(const Model& model, const std::vector<ExpressionId>& roots) {
   std::vector<bool> found(model.parameters.size());
-  for (const ExpressionId id : reachable_from(model, roots)) {
+  for (const ExpressionId id : reachable_expressions(model, roots)) {
     const Expression& e = model.expressions[id];
     if (is_leaf(e, Opcode::parameter)) found[e.index] = true;
   }
@@ -135,9 +135,11 @@ std::vector<bool> parameters_below(const Model& model, const std::vector<Express
 
 }  // namespace
 
-std::vector<InertialPlace> inertial_places(const Model& model) { return PlaceList(model).build(); }
+std::vector<InertialEntry> inertial_entries(const Model& model) {
+  return InertialEntryCollector(model).build();
+}
 
-InertialParameter inertial_parameter(const Model& model, const InertialPlace& place) {
+InertialParameter inertial_parameter(const Model& model, const InertialEntry& place) {
   switch (place.owner) {
     case InertialOwner::body: {
       const std::string component(component_names[place.component]);
@@ -159,7 +161,7 @@ InertialParameter inertial_parameter(const Model& model, const InertialPlace& pl
 
 std::vector<InertialParameter> inertial_parameters(const Model& model) {
   std::vector<InertialParameter> list;
-  for (const InertialPlace& place : inertial_places(model)) {
+  for (const InertialEntry& place : inertial_entries(model)) {
     list.push_back(inertial_parameter(model, place));
   }
   return list;
@@ -167,7 +169,7 @@ std::vector<InertialParameter> inertial_parameters(const Model& model) {
 
 std::optional<CoupledParameters> find_coupled_parameters(
     const Model& model, ExpressionId expression, const std::vector<std::uint32_t>& parameters) {
-  return AffineSearch(model, parameters).find(expression);
+  return CouplingSearch(model, parameters).find_coupling(expression);
 }
 
 std::vector<std::uint32_t> friction_parameters(const Model& model) {
@@ -176,8 +178,8 @@ std::vector<std::uint32_t> friction_parameters(const Model& model) {
   const ExpressionId dissipation = roots.front();
   std::vector<ExpressionId> others = equation_roots(model);
   std::erase(others, dissipation);
-  const std::vector<bool> elsewhere = parameters_below(model, others);
-  const std::vector<bool> in_dissipation = parameters_below(model, {dissipation});
+  const std::vector<bool> elsewhere = contained_parameters(model, others);
+  const std::vector<bool> in_dissipation = contained_parameters(model, {dissipation});
   std::vector<std::uint32_t> parameters;
   for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
     if (in_dissipation[i] && !elsewhere[i]) parameters.push_back(i);

@@ -40,11 +40,13 @@ LeafNames leaf_names(const Model& model) {
   const auto name = [](Opcode, const auto& entry) { return entry.name; };
   const auto single = [](Opcode kind) { return kind == Opcode::time ? "t" : ""; };
   // The outputs that a page adds may contain t although the equations of the model do not.
-  const auto takes_time = [](const UserOutput& o) { return o.takes.has_any(Opcode::time); };
-  LeafNames leaves{leaves_of<std::string>(model, name, single),
+  const auto takes_time = [](const UserOutput& o) {
+    return o.argument_kinds.has_any(Opcode::time);
+  };
+  LeafNames leaves{make_leaf_values<std::string>(model, name, single),
                    model.uses_time || std::ranges::any_of(model.outputs, takes_time)};
   const auto clear_used = [](const LeafRow& row, std::vector<std::string>& list) {
-    if (row.passed == Passed::if_used) list.clear();
+    if (row.argument_rule == ArgumentRule::if_used) list.clear();
   };
   for_each_list(clear_used, leaves);
   for (const Parameter& p : model.parameters) leaves.assumptions.push_back(p.assumption);
@@ -53,7 +55,7 @@ LeafNames leaf_names(const Model& model) {
 
 void name_optional_leaves(LeafSet takes, LeafNames& leaves) {
   const auto is_named = [takes](const LeafRow& row) {
-    return row.passed == Passed::if_used && takes.has_any(row.id);
+    return row.argument_rule == ArgumentRule::if_used && takes.has_any(row.id);
   };
   const auto name_list = [&](const LeafRow& row, std::vector<std::string>& list) {
     if (is_named(row)) list = leaves.v;
@@ -90,7 +92,8 @@ std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number
 std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number) {
   const LeafRow& row = leaf_row(kind);
   const auto name_in = [number](const auto& entries) { return entries[number].name; };
-  const std::string name = apply_to_owner(model, row.of, name_in).value_or(std::string(row.symbol));
+  const std::string name =
+      apply_to_owner(model, row.owner, name_in).value_or(std::string(row.symbol));
   return fmt::format(fmt::runtime(row.text), name);
 }
 
@@ -105,7 +108,7 @@ std::string identifier_of(std::string_view name) {
 
 std::size_t leaf_count(const Model& model, Opcode kind) {
   const auto size_of = [](const auto& entries) { return entries.size(); };
-  return apply_to_owner(model, leaf_row(kind).of, size_of).value_or(1);
+  return apply_to_owner(model, leaf_row(kind).owner, size_of).value_or(1);
 }
 
 std::optional<Unit> declared_unit(const Model& model, Opcode kind, std::uint32_t number) {
@@ -113,11 +116,11 @@ std::optional<Unit> declared_unit(const Model& model, Opcode kind, std::uint32_t
     if constexpr (requires { entries[number].unit; }) return entries[number].unit;
     return std::nullopt;
   };
-  return apply_to_owner(model, leaf_row(kind).of, unit_in).value_or(std::nullopt);
+  return apply_to_owner(model, leaf_row(kind).owner, unit_in).value_or(std::nullopt);
 }
 
 std::optional<Interval> declared_range(const Model& model, Opcode kind, std::uint32_t number) {
-  switch (leaf_row(kind).of) {
+  switch (leaf_row(kind).owner) {
     case LeafOwner::parameters:
       return model.parameter_arrays[model.parameters[number].array].range;
     case LeafOwner::coordinates:

@@ -58,57 +58,59 @@ std::uint32_t append_rotation(Model& model, Rotation rotation) {
 namespace {
 
 bool is_locked(const Model& whole, std::uint32_t velocity) {
-  return std::ranges::any_of(whole.variant.locks,
-                             [&](const Lock& lock) { return lock.has_velocity(velocity); });
+  return std::ranges::any_of(whole.reduction.locks, [&](const LockedCoordinate& lock) {
+    return lock.has_velocity(velocity);
+  });
 }
 
 /// The velocities on which a force does work: none, only locked velocities, or also others.
-enum class WorkReach : std::uint8_t { nothing, locks, others };
+enum class WorkTarget : std::uint8_t { nothing, locks, others };
 
-WorkReach reach_of(const Model& whole, const Force& force) {
-  if (force.on) return is_locked(whole, *force.on) ? WorkReach::locks : WorkReach::others;
-  WorkReach reach = WorkReach::nothing;
-  for (const ExpressionId id : reachable_from(whole, work_expressions(whole, force))) {
+WorkTarget work_target(const Model& whole, const Force& force) {
+  if (force.velocity)
+    return is_locked(whole, *force.velocity) ? WorkTarget::locks : WorkTarget::others;
+  WorkTarget reach = WorkTarget::nothing;
+  for (const ExpressionId id : reachable_expressions(whole, work_expressions(whole, force))) {
     const Expression& node = whole.expressions[id];
     const bool is_place = is_leaf(node, Opcode::coordinate);
     if (!is_place && !is_leaf(node, Opcode::velocity)) continue;
     const std::uint32_t velocity = is_place ? whole.coordinates[node.index].velocity : node.index;
-    if (!is_locked(whole, velocity)) return WorkReach::others;
-    reach = WorkReach::locks;
+    if (!is_locked(whole, velocity)) return WorkTarget::others;
+    reach = WorkTarget::locks;
   }
   return reach;
 }
 
-RemainingPositions remaining_inputs(const Model& whole) {
-  RemainingPositions left(whole.inputs.size());
-  if (whole.variant.locks.empty()) return left;
-  std::vector<WorkReach> reaches(whole.inputs.size(), WorkReach::nothing);
-  const auto note = [&](WorkReach reach, const std::vector<ExpressionId>& roots) {
-    for (const ExpressionId id : reachable_from(whole, roots)) {
+RemainingIndices remaining_inputs(const Model& whole) {
+  RemainingIndices left(whole.inputs.size());
+  if (whole.reduction.locks.empty()) return left;
+  std::vector<WorkTarget> reaches(whole.inputs.size(), WorkTarget::nothing);
+  const auto note = [&](WorkTarget reach, const std::vector<ExpressionId>& roots) {
+    for (const ExpressionId id : reachable_expressions(whole, roots)) {
       const Expression& node = whole.expressions[id];
       if (!is_leaf(node, Opcode::input)) continue;
       reaches[node.index] = std::max(reaches[node.index], reach);
     }
   };
-  for (const Force& force : whole.forces) note(reach_of(whole, force), force.value);
+  for (const Force& force : whole.forces) note(work_target(whole, force), force.value);
   for (const UserOutput& output : whole.outputs) {
-    if (output.is_wanted) note(WorkReach::others, output.values);
+    if (output.is_requested) note(WorkTarget::others, output.values);
   }
   for (std::uint32_t i = 0; i < whole.inputs.size(); ++i) {
-    const std::optional<std::uint32_t>& on = whole.inputs[i].on;
+    const std::optional<std::uint32_t>& on = whole.inputs[i].velocity;
     if (on)
       reaches[i] =
-          std::max(reaches[i], is_locked(whole, *on) ? WorkReach::locks : WorkReach::others);
+          std::max(reaches[i], is_locked(whole, *on) ? WorkTarget::locks : WorkTarget::others);
   }
-  const std::vector<WorkReach> alone = reaches;
+  const std::vector<WorkTarget> alone = reaches;
   for (std::uint32_t i = 0; i < whole.inputs.size(); ++i) {
     // An input that does no work is removed if its wrench has an input that acts only on locks.
-    for (std::uint32_t k = 0; k < whole.inputs.size() && alone[i] == WorkReach::nothing; ++k) {
+    for (std::uint32_t k = 0; k < whole.inputs.size() && alone[i] == WorkTarget::nothing; ++k) {
       const bool is_of_wrench =
           whole.inputs[i].is_external && whole.inputs[k].span.begin == whole.inputs[i].span.begin;
-      if (is_of_wrench && alone[k] == WorkReach::locks) reaches[i] = WorkReach::locks;
+      if (is_of_wrench && alone[k] == WorkTarget::locks) reaches[i] = WorkTarget::locks;
     }
-    if (reaches[i] == WorkReach::locks) left.remove(i, 1);
+    if (reaches[i] == WorkTarget::locks) left.remove(i, 1);
   }
   return left;
 }
@@ -116,14 +118,14 @@ RemainingPositions remaining_inputs(const Model& whole) {
 }  // namespace
 
 RemainingVariables remaining_variables(const Model& whole) {
-  RemainingVariables left{RemainingPositions(whole.coordinates.size()),
-                          RemainingPositions(whole.velocities.size()), remaining_inputs(whole)};
-  for (const Held& held : whole.variant.locks) left.remove(held);
-  for (const Held& held : whole.variant.cyclic) left.remove(held);
+  RemainingVariables left{RemainingIndices(whole.coordinates.size()),
+                          RemainingIndices(whole.velocities.size()), remaining_inputs(whole)};
+  for (const HeldCoordinate& held : whole.reduction.locks) left.remove(held);
+  for (const HeldCoordinate& held : whole.reduction.cyclic) left.remove(held);
   return left;
 }
 
-bool eliminates_last_first(const Model& model) {
+bool eliminates_backward(const Model& model) {
   if (!model.frames.empty() && model.velocities.size() >= min_articulated_velocities) return true;
   std::vector<bool> carries(model.frames.size(), false);
   for (const Frame& frame : model.frames) {
@@ -134,21 +136,21 @@ bool eliminates_last_first(const Model& model) {
   return false;
 }
 
-std::optional<std::uint32_t> open_value(const Model& model, std::uint32_t function,
-                                        std::vector<std::uint32_t> by) {
+std::optional<std::uint32_t> find_open_value(const Model& model, std::uint32_t function,
+                                             std::vector<std::uint32_t> by) {
   std::ranges::sort(by);
   for (std::uint32_t i = 0; i < model.open_values.size(); ++i) {
     const OpenValue& value = model.open_values[i];
-    if (value.function == function && value.by == by) return i;
+    if (value.function == function && value.derivative_arguments == by) return i;
   }
   return std::nullopt;
 }
 
-std::optional<std::uint32_t> derivative_of(const Model& model, std::uint32_t value,
-                                           std::uint32_t argument) {
-  std::vector<std::uint32_t> by = model.open_values[value].by;
+std::optional<std::uint32_t> find_open_derivative(const Model& model, std::uint32_t value,
+                                                  std::uint32_t argument) {
+  std::vector<std::uint32_t> by = model.open_values[value].derivative_arguments;
   by.push_back(argument);
-  return open_value(model, model.open_values[value].function, std::move(by));
+  return find_open_value(model, model.open_values[value].function, std::move(by));
 }
 
 }  // namespace elgen

@@ -11,7 +11,7 @@
 namespace elgen {
 
 /// An entry of a field of an output; row and column are counted from 0.
-struct EntryPlace {
+struct FieldEntry {
   OutputKind kind = {};
   std::string_view field = {};  ///< "relative_pivots"; "" for outputs of one field
   std::size_t row = 0;
@@ -24,13 +24,13 @@ struct EntryPlace {
 ///     C_ij   J s/(u_i u_j)       momenta  J s/u_i     accelerations   u_i/s^2
 ///
 /// None for user outputs, and if a unit is undeclared or unknown.
-[[nodiscard]] std::optional<Unit> unit_of_entry(const Model& model, const EntryPlace& place);
+[[nodiscard]] std::optional<Unit> unit_of_entry(const Model& model, const FieldEntry& place);
 
 /// unit_of_entry() as text, with N*m for torques; "" if the unit is unknown.
-[[nodiscard]] std::string unit_text_of_entry(const Model& model, const EntryPlace& place);
+[[nodiscard]] std::string unit_text_of_entry(const Model& model, const FieldEntry& place);
 
 /// The unit of a velocity as text, "rad/s" for an angle; "" if the unit is unknown.
-[[nodiscard]] std::string velocity_unit(const Model& model, const Velocity& velocity);
+[[nodiscard]] std::string velocity_unit_text(const Model& model, const Velocity& velocity);
 
 /// True if a velocity has a unit. Energies are then shown in J and lengths in m.
 [[nodiscard]] bool has_units(const Model& model);

@@ -17,13 +17,13 @@ struct PathNode {
   std::size_t next = 0;
 };
 
-struct Found {
+struct SearchResult {
   std::vector<ExpressionId> order = {};  ///< each expression after its references
   std::vector<ExpressionId> cycle = {};  ///< the first cycle, which ends the search; empty: none
 };
 
 /// The part of `path` that starts at `first`. The last expression of the path refers to `first`.
-std::vector<ExpressionId> cycle_of(const std::vector<PathNode>& path, ExpressionId first) {
+std::vector<ExpressionId> extract_cycle(const std::vector<PathNode>& path, ExpressionId first) {
   std::vector<ExpressionId> cycle;
   auto entered = std::ranges::find(path, first, &PathNode::expression);
   for (; entered != path.end(); ++entered) cycle.push_back(entered->expression);
@@ -33,9 +33,9 @@ std::vector<ExpressionId> cycle_of(const std::vector<PathNode>& path, Expression
 /// Depth-first search from the roots. It does not recurse, because chains of names may have
 /// thousands of links.
 template <class References>
-Found search(const Model& model, const std::vector<ExpressionId>& roots,
-             const References& references) {
-  Found found;
+SearchResult search_depth_first(const Model& model, const std::vector<ExpressionId>& roots,
+                                const References& references) {
+  SearchResult found;
   std::vector<SearchState> states(model.expressions.size(), SearchState::unseen);
   std::vector<PathNode> path;
   const auto enter = [&](ExpressionId id) {
@@ -55,7 +55,7 @@ Found search(const Model& model, const std::vector<ExpressionId>& roots,
       }
       const ExpressionId next = top.references[top.next++];
       if (states[next] == SearchState::open) {
-        found.cycle = cycle_of(path, next);
+        found.cycle = extract_cycle(path, next);
         return found;
       }
       enter(next);
@@ -69,18 +69,19 @@ ExpressionId component_of_frame(const Frame& frame, std::uint32_t component) {
   if (component < frame_angular_velocity) return frame.origin[component - frame_origin];
   if (component < frame_recursive_spin)
     return frame.angular_velocity[component - frame_angular_velocity];
-  return frame.turning[component - frame_recursive_spin];
+  return frame.recursive_spin[component - frame_recursive_spin];
 }
 
 /// Like references(), but a component of a point, or of the pose of a frame, refers to all
 /// components.
-std::vector<ExpressionId> references_by_name(const Model& model, ExpressionId expression) {
+std::vector<ExpressionId> references_by_entry(const Model& model, ExpressionId expression) {
   const Expression& e = model.expressions[expression];
-  if (is_name(e, NamedKind::point)) {
-    const Vector3& at = model.points[e.index].at;
+  if (refers_to_entry(e, NamedKind::point)) {
+    const Vector3& at = model.points[e.index].position;
     return {at.begin(), at.end()};
   }
-  const bool is_of_pose = is_name(e, NamedKind::frame) && e.component < frame_angular_velocity;
+  const bool is_of_pose =
+      refers_to_entry(e, NamedKind::frame) && e.component < frame_angular_velocity;
   if (!is_of_pose) return references(model, expression);
   const Frame& frame = model.frames[e.index];
   std::vector<ExpressionId> all(frame.rotation.begin(), frame.rotation.end());
@@ -88,22 +89,22 @@ std::vector<ExpressionId> references_by_name(const Model& model, ExpressionId ex
   return all;
 }
 
-std::vector<ExpressionId> all_of(const Model& model) {
+std::vector<ExpressionId> all_expressions(const Model& model) {
   std::vector<ExpressionId> all(model.expressions.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
 
-bool is_of_name(const Root& root) {
+bool is_named_root(const Root& root) {
   return root.entity.kind == EntityKind::definition || root.entity.kind == EntityKind::prescribed;
 }
 
-bool is_of_output(const Root& root) { return root.entity.kind == EntityKind::output; }
+bool is_output_root(const Root& root) { return root.entity.kind == EntityKind::output; }
 
 /// Lists the expressions of every entry. A new key with an expression needs a line here.
-class RootList {
+class RootCollector {
  public:
-  explicit RootList(const Model& model) : model_(model) {}
+  explicit RootCollector(const Model& model) : model_(model) {}
 
   std::vector<Root> build() && {
     using R = RootRole;
@@ -115,7 +116,7 @@ class RootList {
       add(R::spin, frame.spin);
     });
     for_each(EntityKind::point, model_.points, [this](const Point& point) {
-      add(R::place, point.at);
+      add(R::place, point.position);
       add(R::mass, point.mass);
     });
     for_each(EntityKind::body, model_.bodies, [this](const Body& body) {
@@ -185,7 +186,7 @@ std::optional<ExpressionId> value_of_name(const Model& model, const Expression& 
     case NamedKind::definition:
       return model.definitions[index].value;
     case NamedKind::point:
-      return model.points[index].at[expression.component];
+      return model.points[index].position[expression.component];
     case NamedKind::body:
       return model.bodies[index].com[expression.component];
     case NamedKind::frame:
@@ -200,20 +201,21 @@ std::vector<ExpressionId> references(const Model& model, ExpressionId expression
   return value ? std::vector{*value} : e.operands;
 }
 
-std::vector<Root> roots_of(const Model& model) { return RootList(model).build(); }
+std::vector<Root> roots_of(const Model& model) { return RootCollector(model).build(); }
 
 std::vector<ExpressionId> equation_roots(const Model& model) {
-  return roots_if(model, [](const Root& root) { return !is_of_name(root) && !is_of_output(root); });
+  return filter_roots(
+      model, [](const Root& root) { return !is_named_root(root) && !is_output_root(root); });
 }
 
 std::vector<ExpressionId> output_roots(const Model& model, std::uint32_t output) {
-  return roots_if(model, [output](const Root& root) {
-    return is_of_output(root) && root.entity.index == output;
+  return filter_roots(model, [output](const Root& root) {
+    return is_output_root(root) && root.entity.index == output;
   });
 }
 
-std::vector<ExpressionId> all_roots(const Model& model) {
-  return roots_if(model, [](const Root& root) { return !is_of_name(root); });
+std::vector<ExpressionId> equation_and_output_roots(const Model& model) {
+  return filter_roots(model, [](const Root& root) { return !is_named_root(root); });
 }
 
 std::vector<ExpressionId> work_expressions(const Model& model, const Force& force) {
@@ -221,30 +223,30 @@ std::vector<ExpressionId> work_expressions(const Model& model, const Force& forc
   const auto add = [&moved](const Vector3& components) {
     moved.insert(moved.end(), components.begin(), components.end());
   };
-  for (const auto& point : {force.at, force.from}) {
-    if (point) add(model.points[*point].at);
+  for (const auto& point : {force.point, force.reaction_point}) {
+    if (point) add(model.points[*point].position);
   }
-  for (const auto& frame : {force.frame, force.from_frame}) {
+  for (const auto& frame : {force.frame, force.reaction_frame}) {
     if (frame) add(model.frames[*frame].spin);
   }
   return moved;
 }
 
-std::vector<ExpressionId> reachable_from(const Model& model,
-                                         const std::vector<ExpressionId>& roots) {
-  return search(model, roots, references).order;
+std::vector<ExpressionId> reachable_expressions(const Model& model,
+                                                const std::vector<ExpressionId>& roots) {
+  return search_depth_first(model, roots, references).order;
 }
 
 bool contains_leaf(const Model& model, ExpressionId expression, LeafSet kinds) {
-  return std::ranges::any_of(reachable_from(model, {expression}), [&](ExpressionId id) {
+  return std::ranges::any_of(reachable_expressions(model, {expression}), [&](ExpressionId id) {
     const Expression& e = model.expressions[id];
     return e.kind == ExpressionKind::leaf && kinds.has_any(e.leaf);
   });
 }
 
 bool contains_variable(const Model& model, const std::vector<ExpressionId>& roots,
-                       const Held& variable) {
-  const std::vector<ExpressionId> all = reachable_from(model, roots);
+                       const HeldCoordinate& variable) {
+  const std::vector<ExpressionId> all = reachable_expressions(model, roots);
   return std::ranges::any_of(all, [&](ExpressionId id) {
     const Expression& node = model.expressions[id];
     const bool is_rate = is_leaf(node, Opcode::velocity) || is_leaf(node, Opcode::acceleration);
@@ -254,11 +256,11 @@ bool contains_variable(const Model& model, const std::vector<ExpressionId>& root
 }
 
 std::vector<ExpressionId> topological_order(const Model& model) {
-  return reachable_from(model, all_of(model));
+  return reachable_expressions(model, all_expressions(model));
 }
 
 std::vector<ExpressionId> find_cycle(const Model& model) {
-  return search(model, all_of(model), references_by_name).cycle;
+  return search_depth_first(model, all_expressions(model), references_by_entry).cycle;
 }
 
 }  // namespace elgen

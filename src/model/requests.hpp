@@ -22,17 +22,17 @@ namespace elgen {
 
 /// The outputs of the built-in scene `full`, in table order: all outputs of the model, except large
 /// outputs and outputs that a scene must name.
-[[nodiscard]] std::vector<OutputRequest> full_requests(const Model& model);
+[[nodiscard]] std::vector<OutputRequest> full_scene_requests(const Model& model);
 
-/// The outputs that full_requests() omits although a reader may expect them, by reason.
-[[nodiscard]] std::vector<OmittedOutputs> omitted_from_full(const Model& model);
+/// The outputs that full_scene_requests() omits although a reader may expect them, by reason.
+[[nodiscard]] std::vector<OmittedOutputs> outputs_omitted_by_full(const Model& model);
 
 /// The first `abs`, `sign`, `min` or `max` in a force on a coordinate that is not locked; null if
 /// there is none. Only forces may have kinks.
 [[nodiscard]] const Expression* find_kink(const Model& model);
 
 /// A row or column of a field: its name, unit, and leaf or entry.
-struct Line {
+struct FieldLine {
   /// "theta", "hand.m"; "tip[2]" for an [[output]] of several values; "x", "y", "z" (rows) and "x",
   /// "y", "z", "p" (columns) of a pose; "wx" to "vz" of a twist; "" for a single number.
   std::string name = {};
@@ -50,31 +50,31 @@ struct Line {
 };
 
 /// The lines along an extent, in order, with distinct texts. `user` is the index of an [[output]].
-[[nodiscard]] std::vector<Line> lines_along(const Model& model, Extent extent,
-                                            std::uint32_t user = 0);
+[[nodiscard]] std::vector<FieldLine> extent_lines(const Model& model, Extent extent,
+                                                  std::uint32_t user = 0);
 
 /// The line with index `at`; none if `at` is beyond the last line.
-[[nodiscard]] std::optional<Line> line_at(const Model& model, Extent extent, std::size_t at,
-                                          std::uint32_t user = 0);
+[[nodiscard]] std::optional<FieldLine> line_at(const Model& model, Extent extent, std::size_t at,
+                                               std::uint32_t user = 0);
 
 /// The names of the lines along an extent that have no leaf: held and cyclic coordinates, inertial
 /// parameters. Values of an [[output]] are excluded.
 [[nodiscard]] std::vector<std::string> names_without_leaf(const Model& model, Extent extent);
 
-/// The number of lines along an extent. Cheaper than lines_along(), because no names are built.
-[[nodiscard]] std::uint32_t extent_of(const Model& model, Extent extent, std::uint32_t user = 0);
+/// The number of lines along an extent. Cheaper than extent_lines(), because no names are built.
+[[nodiscard]] std::uint32_t extent_size(const Model& model, Extent extent, std::uint32_t user = 0);
 
 /// The number of the first entry of field number `field`, that is, the number of entries of all
 /// earlier fields. If `field` is the number of fields, the number of all entries.
-[[nodiscard]] std::uint32_t first_entry_of(const Model& model, const OutputRequest& output,
-                                           std::size_t field);
+[[nodiscard]] std::uint32_t first_entry_index(const Model& model, const OutputRequest& output,
+                                              std::size_t field);
 
 /// False for the residual of an explicit step, which does not exist; true for all other fields.
 [[nodiscard]] bool has_field(const OutputRequest& output, const FieldRow& field);
 
 /// The request for an output of this kind, with the shape of its first field. `user` is the index
 /// of the [[output]].
-[[nodiscard]] OutputRequest request_of(const Model& model, OutputKind kind, std::uint32_t user);
+[[nodiscard]] OutputRequest make_request(const Model& model, OutputKind kind, std::uint32_t user);
 
 /// True if the model can provide the output.
 [[nodiscard]] bool is_available(const Model& model, const OutputRequest& request);

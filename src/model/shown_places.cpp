@@ -12,29 +12,29 @@ namespace elgen {
 namespace {
 
 /// The index of a place in `places`; none if it is missing.
-std::optional<std::uint32_t> number_of(const std::vector<ShownPlace>& places, PlaceKind kind,
-                                       std::uint32_t index) {
+std::optional<std::uint32_t> find_place_index(const std::vector<ShownPlace>& places, PlaceKind kind,
+                                              std::uint32_t index) {
   const auto found = std::ranges::find_if(
       places, [&](const ShownPlace& place) { return place.kind == kind && place.index == index; });
   if (found == places.end()) return std::nullopt;
   return static_cast<std::uint32_t>(found - places.begin());
 }
 
-struct NamedPlace {
+struct PlaceReference {
   PlaceKind kind = PlaceKind::point;
   std::uint32_t index = 0;
 };
 
 /// The place that has the node as a component; none if the node is not a component of a place.
-std::optional<NamedPlace> place_of(const Expression& node) {
+std::optional<PlaceReference> referenced_place(const Expression& node) {
   if (node.kind != ExpressionKind::named) return std::nullopt;
   switch (node.named) {
     case NamedKind::point:
-      return NamedPlace{PlaceKind::point, node.index};
+      return PlaceReference{PlaceKind::point, node.index};
     case NamedKind::body:
-      return NamedPlace{PlaceKind::body, node.index};
+      return PlaceReference{PlaceKind::body, node.index};
     case NamedKind::frame:
-      return NamedPlace{PlaceKind::frame, node.index};
+      return PlaceReference{PlaceKind::frame, node.index};
     case NamedKind::prescribed:
     case NamedKind::definition:
       break;
@@ -44,8 +44,8 @@ std::optional<NamedPlace> place_of(const Expression& node) {
 
 /// The places whose components the expressions `open` contain. The positions of these places are
 /// not searched further.
-std::set<std::uint32_t> named_places(const Model& model, const std::vector<ShownPlace>& places,
-                                     std::vector<ExpressionId> open) {
+std::set<std::uint32_t> referenced_places(const Model& model, const std::vector<ShownPlace>& places,
+                                          std::vector<ExpressionId> open) {
   std::set<std::uint32_t> named;
   std::set<ExpressionId> seen;
   while (!open.empty()) {
@@ -53,8 +53,8 @@ std::set<std::uint32_t> named_places(const Model& model, const std::vector<Shown
     open.pop_back();
     if (!seen.insert(id).second) continue;
     const Expression& node = model.expressions[id];
-    if (const std::optional<NamedPlace> place = place_of(node)) {
-      const auto number = number_of(places, place->kind, place->index);
+    if (const std::optional<PlaceReference> place = referenced_place(node)) {
+      const auto number = find_place_index(places, place->kind, place->index);
       if (number) named.insert(*number);
     } else {
       for (const ExpressionId each : references(model, id)) open.push_back(each);
@@ -64,7 +64,7 @@ std::set<std::uint32_t> named_places(const Model& model, const std::vector<Shown
 }
 
 /// The frame in which a point or body is declared; for a frame its parent; none: the world.
-std::optional<std::uint32_t> carrier_of(const Model& model, const ShownPlace& place) {
+std::optional<std::uint32_t> carrying_frame(const Model& model, const ShownPlace& place) {
   if (place.kind == PlaceKind::frame) return model.frames[place.index].parent;
   if (place.kind == PlaceKind::body) {
     const auto& local = model.bodies[place.index].local;
@@ -85,14 +85,14 @@ void add_line(std::vector<ShownLine>& lines, const ShownLine& line) {
 }
 
 /// If the place `from` is a point, adds the lines of its `joined_to`.
-void add_joints(const Model& model, const std::vector<ShownPlace>& places, std::uint32_t from,
-                std::vector<ShownLine>& lines) {
+void add_joined_lines(const Model& model, const std::vector<ShownPlace>& places, std::uint32_t from,
+                      std::vector<ShownLine>& lines) {
   if (places[from].kind != PlaceKind::point) return;
   const Point& point = model.points[places[from].index];
-  for (const JoinedPlace& joined : point.joined_to) {
+  for (const LineEnd& joined : point.line_ends) {
     ShownLine line{from, {}, point.has_springs};
-    if (joined.point) line.to = number_of(places, PlaceKind::point, *joined.point);
-    if (joined.frame) line.to = number_of(places, PlaceKind::frame, *joined.frame);
+    if (joined.point) line.to = find_place_index(places, PlaceKind::point, *joined.point);
+    if (joined.frame) line.to = find_place_index(places, PlaceKind::frame, *joined.frame);
     add_line(lines, line);
   }
 }
@@ -102,7 +102,7 @@ void add_joints(const Model& model, const std::vector<ShownPlace>& places, std::
 std::vector<ShownPlace> shown_places(const Model& model) {
   std::vector<ShownPlace> places;
   // Positions may depend on cyclic coordinates, which the model no longer has.
-  if (!model.variant.cyclic.empty()) return places;
+  if (!model.reduction.cyclic.empty()) return places;
   for (std::uint32_t i = 0; i < model.points.size(); ++i) {
     if (!model.points[i].is_named) continue;
     places.push_back({PlaceKind::point, i, model.points[i].name, model.points[i].mass});
@@ -117,7 +117,7 @@ std::vector<ShownPlace> shown_places(const Model& model) {
   return places;
 }
 
-std::vector<ExpressionId> rows_of(const Model& model, const ShownPlace& place) {
+std::vector<ExpressionId> place_coordinates(const Model& model, const ShownPlace& place) {
   if (place.kind == PlaceKind::frame) {
     const Frame& frame = model.frames[place.index];
     std::vector<ExpressionId> rows(frame.origin.begin(), frame.origin.end());
@@ -126,8 +126,8 @@ std::vector<ExpressionId> rows_of(const Model& model, const ShownPlace& place) {
     }
     return rows;
   }
-  const Vector3& at =
-      place.kind == PlaceKind::point ? model.points[place.index].at : model.bodies[place.index].com;
+  const Vector3& at = place.kind == PlaceKind::point ? model.points[place.index].position
+                                                     : model.bodies[place.index].com;
   return {at.begin(), at.end()};
 }
 
@@ -135,11 +135,12 @@ std::vector<ShownLine> shown_lines(const Model& model) {
   const std::vector<ShownPlace> places = shown_places(model);
   std::vector<ShownLine> lines;
   for (std::uint32_t i = 0; i < places.size(); ++i) {
-    add_joints(model, places, i, lines);
-    const std::optional<std::uint32_t> carrier = carrier_of(model, places[i]);
-    if (carrier) add_line(lines, {i, number_of(places, PlaceKind::frame, *carrier)});
+    add_joined_lines(model, places, i, lines);
+    const std::optional<std::uint32_t> carrier = carrying_frame(model, places[i]);
+    if (carrier) add_line(lines, {i, find_place_index(places, PlaceKind::frame, *carrier)});
     if (carrier || places[i].kind == PlaceKind::frame) continue;
-    for (const std::uint32_t to : named_places(model, places, rows_of(model, places[i]))) {
+    for (const std::uint32_t to :
+         referenced_places(model, places, place_coordinates(model, places[i]))) {
       add_line(lines, {i, to});
     }
   }
@@ -153,10 +154,10 @@ std::string_view name_of(ShownValues shown) {
 
 std::vector<ExpressionId> shown_integrals(const Model& model) {
   std::vector<ExpressionId> integrals;
-  const bool is_variant = !model.variant.locks.empty() || !model.variant.cyclic.empty();
+  const bool is_variant = !model.reduction.locks.empty() || !model.reduction.cyclic.empty();
   if (model.approximation || is_variant) return integrals;
   for (const Expectation& expectation : model.expectations) {
-    if (!expectation.is_conserved()) continue;
+    if (!expectation.claims_conservation()) continue;
     for (const ExpressionId id : expectation.entries) {
       const bool is_of_motion = contains_leaf(model, id, Opcode::momentum | Opcode::energy);
       if (!is_of_motion) integrals.push_back(id);

@@ -28,7 +28,8 @@ struct ShownPlace {
 
 /// The world coordinates of a place (three expressions); for a frame, the world coordinates of its
 /// three axes follow (nine expressions).
-[[nodiscard]] std::vector<ExpressionId> rows_of(const Model& model, const ShownPlace& place);
+[[nodiscard]] std::vector<ExpressionId> place_coordinates(const Model& model,
+                                                          const ShownPlace& place);
 
 /// A line between two places, given by their indices; to the world's origin if `to` is none.
 struct ShownLine {

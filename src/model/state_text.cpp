@@ -14,7 +14,7 @@ std::string parameters_json(const Model& model, const std::vector<cln::cl_R>& va
   std::vector<std::string> members;
   for (const ParameterArray& array : model.parameter_arrays) {
     const auto first = values.begin() + array.first;
-    const std::string numbers = decimal_texts({first, first + array.count}, digits);
+    const std::string numbers = rounded_decimal_texts({first, first + array.count}, digits);
     members.push_back(fmt::format(fmt::runtime(array.is_array ? "{}: [{}]" : "{}: {}"),
                                   Json(array.name).dump(), numbers));
   }
@@ -23,13 +23,13 @@ std::string parameters_json(const Model& model, const std::vector<cln::cl_R>& va
 
 }  // namespace
 
-std::string decimal_text(const cln::cl_R& value, int digits) {
+std::string rounded_decimal_text(const cln::cl_R& value, int digits) {
   return literal_text(rounded_decimal(value, digits));
 }
 
-std::string decimal_texts(const std::vector<cln::cl_R>& values, int digits) {
+std::string rounded_decimal_texts(const std::vector<cln::cl_R>& values, int digits) {
   std::vector<std::string> texts;
-  for (const cln::cl_R& value : values) texts.push_back(decimal_text(value, digits));
+  for (const cln::cl_R& value : values) texts.push_back(rounded_decimal_text(value, digits));
   return fmt::format("{}", fmt::join(texts, ", "));
 }
 
@@ -37,14 +37,14 @@ std::string state_json(const Model& model, const LeafValues<cln::cl_R>& state,
                        const std::vector<Opcode>& kinds, int digits) {
   std::vector<std::string> members;
   for (const Opcode kind : kinds) {
-    const std::vector<cln::cl_R>* const list = list_of(state, kind);
+    const std::vector<cln::cl_R>* const list = leaf_list(state, kind);
     std::string value;
     if (kind == Opcode::parameter) {
       value = parameters_json(model, state.parameters, digits);
     } else if (list != nullptr) {
-      value = fmt::format("[{}]", decimal_texts(*list, digits));
+      value = fmt::format("[{}]", rounded_decimal_texts(*list, digits));
     } else {
-      value = decimal_text(leaf_of(state, kind, 0), digits);
+      value = rounded_decimal_text(leaf_of(state, kind, 0), digits);
     }
     members.push_back(fmt::format("\"{}\": {}", leaf_row(kind).symbol, value));
   }

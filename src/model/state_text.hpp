@@ -13,10 +13,10 @@ namespace elgen {
 
 /// The number correctly rounded to `digits` significant digits, without trailing zeros: "9.81",
 /// "2.0", "1e-300".
-[[nodiscard]] std::string decimal_text(const cln::cl_R& value, int digits);
+[[nodiscard]] std::string rounded_decimal_text(const cln::cl_R& value, int digits);
 
 /// decimal_text() of each value, separated by ", ".
-[[nodiscard]] std::string decimal_texts(const std::vector<cln::cl_R>& values, int digits);
+[[nodiscard]] std::string rounded_decimal_texts(const std::vector<cln::cl_R>& values, int digits);
 
 /// The members of a JSON object, one per kind, named like the arguments of functions:
 ///

@@ -24,7 +24,7 @@ constexpr std::array parts_of_order_8{"13020248308889008087881763",  "5611629817
 
 struct CompositionRow {
   std::uint32_t order;
-  std::span<const char* const> parts;
+  std::span<const char* const> outer_coefficients;
 };
 constexpr std::array compositions{CompositionRow{4, parts_of_order_4},
                                   CompositionRow{8, parts_of_order_8}};
@@ -42,7 +42,7 @@ std::vector<cln::cl_RA> composition_coefficients(std::uint32_t composed_order) {
   std::vector<cln::cl_RA> parts;
   for (const CompositionRow& row : compositions) {
     if (row.order != composed_order) continue;
-    for (const char* const digits : row.parts) {
+    for (const char* const digits : row.outer_coefficients) {
       parts.push_back(cln::cl_RA(cln::cl_I(digits)) / power_of_ten(decimals));
     }
   }

@@ -14,7 +14,7 @@ namespace elgen {
 namespace {
 
 /// "theta" -> \theta, "x" -> x, "12" -> 12, "cart" -> \mathrm{cart}
-Glyphs word(std::string_view text) {
+Glyphs word_glyphs(std::string_view text) {
   const bool is_number = std::all_of(text.begin(), text.end(), is_digit);
   const std::string_view greek = greek_letter(text);
   if (is_number && !text.empty()) return {GlyphKind::number, std::string(text)};
@@ -28,13 +28,13 @@ bool is_axes(std::string_view text) {
 }
 
 /// The text as a subscript. Names of axes are italic, as in xx and 3xx.
-Glyphs script(std::string_view text) {
+Glyphs subscript_glyphs(std::string_view text) {
   const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
-  return is_axes(text.substr(digits)) ? read_latex(text) : word(text);
+  return is_axes(text.substr(digits)) ? read_latex(text) : word_glyphs(text);
 }
 
 /// Adds a subscript to the last part of a symbol.
-void add_below(Glyphs& symbol, Glyphs piece) {
+void add_subscript(Glyphs& symbol, Glyphs piece) {
   const bool has_scripts = !symbol.parts.empty() && symbol.parts.back().kind == GlyphKind::scripts;
   Glyphs below = has_scripts ? std::move(symbol.parts.back().parts[1]) : Glyphs{};
   if (!below.parts.empty()) append_sign(below, ",", false);
@@ -43,17 +43,17 @@ void add_below(Glyphs& symbol, Glyphs piece) {
 }
 
 /// The symbol of a name. Axes after a single letter become a subscript: Ixx is I_{xx}.
-Glyphs named_symbol(std::string_view name) {
+Glyphs symbol_from_letters(std::string_view name) {
   const std::size_t letters = static_cast<std::size_t>(
       std::find_if_not(name.begin(), name.end(), is_letter) - name.begin());
   const bool has_axes =
       letters > 1 && !is_axes(name.substr(0, 1)) && is_axes(name.substr(1, letters - 1));
   const std::size_t base = has_axes ? 1 : letters;
-  Glyphs symbol = row_with(word(name.substr(0, base)));
-  if (has_axes) add_below(symbol, script(name.substr(base, letters - base)));
+  Glyphs symbol = make_row(word_glyphs(name.substr(0, base)));
+  if (has_axes) add_subscript(symbol, subscript_glyphs(name.substr(base, letters - base)));
   for (std::size_t at = letters; at < name.size();) {
     const std::size_t stop = std::min(name.find('_', at), name.size());
-    if (stop > at) add_below(symbol, script(name.substr(at, stop - at)));
+    if (stop > at) add_subscript(symbol, subscript_glyphs(name.substr(at, stop - at)));
     at = stop + 1;
   }
   return symbol;
@@ -70,20 +70,20 @@ Glyphs symbol_of(const Model& model, const Coordinate& c) {
 /// several rotations.
 Glyphs spin_symbol(const Model& model, const Velocity& velocity) {
   const char axis = velocity.name[velocity.name.size() - 2];
-  Glyphs symbol = row_with(word("omega"));
+  Glyphs symbol = make_row(word_glyphs("omega"));
   if (model.rotations.size() > 1) {
     const Rotation& rotation = model.rotations[*velocity.rotation];
-    add_below(symbol, symbol_of_name(rotation.name, rotation.latex));
+    add_subscript(symbol, symbol_of_name(rotation.name, rotation.latex));
   }
-  add_below(symbol, word(std::string(1, axis)));
+  add_subscript(symbol, word_glyphs(std::string(1, axis)));
   return symbol;
 }
 
 /// The symbol of an input; \tau_2 for `tau_elbow` on the coordinate `elbow` with `latex = "q_2"`.
 Glyphs input_symbol(const Model& model, const Input& input) {
   Glyphs symbol = symbol_of_name(input.name);
-  if (!input.on || model.velocities[*input.on].rotation) return symbol;
-  const Coordinate& on = model.coordinates[model.velocities[*input.on].coordinate];
+  if (!input.velocity || model.velocities[*input.velocity].rotation) return symbol;
+  const Coordinate& on = model.coordinates[model.velocities[*input.velocity].coordinate];
   const auto end = std::find_if_not(input.name.begin(), input.name.end(), is_letter);
   const bool is_called_so = std::string(end, input.name.end()) == "_" + on.name;
   const Glyphs of_coordinate = symbol_of(model, on);
@@ -99,7 +99,7 @@ Glyphs input_symbol(const Model& model, const Input& input) {
 /// The text by which symbols are compared. It ignores the style of letters, because upright and
 /// italic letters look alike.
 std::string visible_text(const Glyphs& symbol) {
-  std::string text = latex(symbol);
+  std::string text = to_latex(symbol);
   for (std::size_t at = 0; (at = text.find("\\mathrm", at)) != std::string::npos;) {
     text.erase(at, std::string_view("\\mathrm").size());
   }
@@ -117,12 +117,12 @@ Glyphs argument_symbol(const Model& model, const LeafValues<Formula>& leaves,
                        ExpressionId argument) {
   const Expression& e = model.expressions[argument];
   if (e.kind == ExpressionKind::leaf) return glyphs_of(leaf_of(leaves, e.leaf, e.index));
-  if (!is_name(e, NamedKind::definition)) return {};
+  if (!refers_to_entry(e, NamedKind::definition)) return {};
   const NamedExpression& definition = model.definitions[e.index];
   return symbol_of_name(definition.name, definition.latex);
 }
 
-Glyphs partial(const Glyphs& of, const char* order) {
+Glyphs partial_glyphs(const Glyphs& of, const char* order) {
   Glyphs row = read_latex(fmt::format("\\partial{}", order));
   append(row, of, true);
   return row;
@@ -130,8 +130,8 @@ Glyphs partial(const Glyphs& of, const char* order) {
 
 /// The symbol of an open value. For a function of one argument V(r), V'(r). For several arguments
 /// \frac{\partial V}{\partial x}, or \partial_{1} V if an argument has no symbol.
-Glyphs open_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
-                   const std::vector<std::uint32_t>& by) {
+Glyphs open_value_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
+                         const std::vector<std::uint32_t>& by) {
   const bool have_names =
       std::ranges::none_of(arguments, [](const Glyphs& x) { return x.parts.empty(); });
   if (arguments.size() == 1 || by.empty()) {
@@ -142,25 +142,26 @@ Glyphs open_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
       if (!list.parts.empty()) append_sign(list, ",", false);
       append(list, argument, true);
     }
-    append(symbol, enclosed(std::move(list), "(", ")", false), false);
+    append(symbol, enclose(std::move(list), "(", ")", false), false);
     return symbol;
   }
   if (!have_names) {
-    Glyphs symbol = row_with({GlyphKind::letter, "∂"});
-    for (const std::uint32_t argument : by) add_below(symbol, word(std::to_string(argument + 1)));
+    Glyphs symbol = make_row({GlyphKind::letter, "∂"});
+    for (const std::uint32_t argument : by)
+      add_subscript(symbol, word_glyphs(std::to_string(argument + 1)));
     append(symbol, function, true);
     return symbol;
   }
   const Glyphs& x = arguments[by.front()];
   const Glyphs& y = arguments[by.back()];
-  if (by.size() == 1) return fraction_row(partial(function, ""), partial(x, ""));
-  Glyphs below = partial(x, "");
+  if (by.size() == 1) return fraction_row(partial_glyphs(function, ""), partial_glyphs(x, ""));
+  Glyphs below = partial_glyphs(x, "");
   if (by.front() == by.back()) {
     add_script(below, 2, {GlyphKind::number, "2"});
   } else {
-    append(below, partial(y, ""), true);
+    append(below, partial_glyphs(y, ""), true);
   }
-  return fraction_row(partial(function, "^{2}"), std::move(below));
+  return fraction_row(partial_glyphs(function, "^{2}"), std::move(below));
 }
 
 /// Replaces the letter s of a pattern, such as \dot{s}, by a symbol. The dots are put only over the
@@ -191,17 +192,17 @@ Formula leaf_symbol(Opcode kind, std::string name, const Glyphs& symbol, bool ha
 
 /// True if a symbol, such as `{}` or `\mathrm{}`, has no visible character.
 bool draws_nothing(const Glyphs& symbol) {
-  const Block block = drawing(symbol, Alphabet::unicode, Fractions::in_line);
+  const TextBlock block = draw_glyphs(symbol, Alphabet::unicode, FractionStyle::in_line);
   return std::ranges::all_of(block.lines, [](const std::string& line) {
     return line.find_first_not_of(' ') == std::string::npos;
   });
 }
 
-Glyphs without_vector(Glyphs glyphs, std::string_view vector) {
+Glyphs remove_vector(Glyphs glyphs, std::string_view vector) {
   std::erase_if(glyphs.parts, [vector](const Glyphs& part) {
     return part.kind == GlyphKind::bold && part.text == vector;
   });
-  for (Glyphs& part : glyphs.parts) part = without_vector(std::move(part), vector);
+  for (Glyphs& part : glyphs.parts) part = remove_vector(std::move(part), vector);
   return glyphs;
 }
 
@@ -213,54 +214,54 @@ Glyphs add_dots(Glyphs symbol, std::string_view dots) {
   Glyphs last = symbol.parts.back();
   symbol.parts.back() = base_of(last);
   Glyphs accent{GlyphKind::accent, std::string(dots), {std::move(symbol)}};
-  if (last.kind != GlyphKind::scripts) return with_primes(row_with(std::move(accent)), primes);
+  if (last.kind != GlyphKind::scripts) return with_primes(make_row(std::move(accent)), primes);
   last.parts[0] = std::move(accent);
   last.has_space_before = false;
-  return with_primes(row_with(std::move(last)), primes);
+  return with_primes(make_row(std::move(last)), primes);
 }
 
 Glyphs symbol_of_name(std::string_view name, const std::string& key) {
   const std::size_t bracket = std::min(name.find('['), name.size());
   Glyphs symbol = key.empty() ? Glyphs{} : read_latex(key);
-  if (key.empty() || draws_nothing(symbol)) symbol = named_symbol(name.substr(0, bracket));
+  if (key.empty() || draws_nothing(symbol)) symbol = symbol_from_letters(name.substr(0, bracket));
   if (bracket == name.size()) return symbol;
   std::string_view index = name.substr(bracket + 1, name.size() - bracket - 2);
   for (std::size_t at = 0; at < index.size();) {
     const std::size_t stop = std::min(index.find(',', at), index.size());
-    add_below(symbol, read_latex(index.substr(at, stop - at)));
+    add_subscript(symbol, read_latex(index.substr(at, stop - at)));
     at = stop + 1;
   }
   return symbol;
 }
 
-std::size_t ModelSymbols::count_primes(const std::vector<Glyphs>& symbols) {
+std::size_t ModelSymbols::reserve_primes(const std::vector<Glyphs>& symbols) {
   std::size_t primes = 0;
   const auto text = [&primes](const Glyphs& symbol) {
     return visible_text(with_primes(symbol, primes));
   };
-  const auto is_taken = [&](const Glyphs& symbol) { return taken_.count(text(symbol)) > 0; };
+  const auto is_taken = [&](const Glyphs& symbol) { return taken_texts_.count(text(symbol)) > 0; };
   while (std::ranges::any_of(symbols, is_taken)) ++primes;
-  for (const Glyphs& symbol : symbols) taken_.insert(text(symbol));
+  for (const Glyphs& symbol : symbols) taken_texts_.insert(text(symbol));
   return primes;
 }
 
-Glyphs ModelSymbols::distinct(Glyphs symbol) {
-  const std::size_t primes = count_primes({symbol});
+Glyphs ModelSymbols::make_distinct(Glyphs symbol) {
+  const std::size_t primes = reserve_primes({symbol});
   return with_primes(std::move(symbol), primes);
 }
 
 ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
   for (const Coordinate& c : model.coordinates) {
-    leaves_.q.push_back(symbol_formula(c.name, distinct(symbol_of(model, c))));
+    leaves_.q.push_back(symbol_formula(c.name, make_distinct(symbol_of(model, c))));
   }
   for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& velocity = model.velocities[i];
     // An angular velocity is not the rate of a coordinate, so it has its own symbol.
     const bool has_own = velocity.rotation.has_value();
-    const Glyphs symbol = has_own ? distinct(spin_symbol(model, velocity))
+    const Glyphs symbol = has_own ? make_distinct(spin_symbol(model, velocity))
                                   : glyphs_of(leaves_.q[velocity.coordinate]);
     const auto add = [&](const LeafRow& row, Formulas& list) {
-      if (row.of != LeafOwner::velocities) return;
+      if (row.owner != LeafOwner::velocities) return;
       list.push_back(leaf_symbol(row.id, leaf_text(model, row.id, i), symbol, has_own));
     };
     for_each_list(add, leaves_);
@@ -271,7 +272,7 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
     for (std::uint32_t i = array.first; i < array.first + array.count; ++i) {
       all.push_back(symbol_of_name(model.parameters[i].name, array.latex));
     }
-    const std::size_t primes = count_primes(all);
+    const std::size_t primes = reserve_primes(all);
     const std::string name = array.is_array ? array.name + "[i]" : array.name;
     arrays_.push_back(symbol_formula(name, with_primes(symbol_of_name(name, array.latex), primes)));
     for (std::uint32_t i = 0; i < array.count; ++i) {
@@ -280,11 +281,11 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
     }
   }
   for (const Input& input : model.inputs) {
-    leaves_.u.push_back(symbol_formula(input.name, distinct(input_symbol(model, input))));
+    leaves_.u.push_back(symbol_formula(input.name, make_distinct(input_symbol(model, input))));
   }
   for (std::uint32_t i = 0; i < model.constraints.size(); ++i) {
     std::string name = leaf_text(model, Opcode::multiplier, i);
-    Glyphs symbol = distinct(symbol_of_name(name));
+    Glyphs symbol = make_distinct(symbol_of_name(name));
     leaves_.multipliers.push_back(symbol_formula(std::move(name), std::move(symbol)));
   }
   const auto single = [](Opcode kind, const std::string& name) {
@@ -300,7 +301,7 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
 void ModelSymbols::add_open_values(const Model& model) {
   std::vector<Glyphs> functions;
   for (const OpenFunction& function : model.functions) {
-    functions.push_back(distinct(symbol_of_name(function.name, function.latex)));
+    functions.push_back(make_distinct(symbol_of_name(function.name, function.latex)));
   }
   for (const OpenValue& value : model.open_values) {
     std::vector<Glyphs> arguments;
@@ -309,11 +310,13 @@ void ModelSymbols::add_open_values(const Model& model) {
     }
     constexpr bool is_long = true;
     leaves_.f.push_back(symbol_formula(
-        value.name, open_symbol(functions[value.function], arguments, value.by), is_long));
+        value.name,
+        open_value_symbol(functions[value.function], arguments, value.derivative_arguments),
+        is_long));
   }
 }
 
-Glyphs replaced(Glyphs glyphs, std::string_view vector, const Glyphs& by) {
+Glyphs replace_vector(Glyphs glyphs, std::string_view vector, const Glyphs& by) {
   if (glyphs.kind == GlyphKind::bold && glyphs.text == vector) {
     const bool is_apart = glyphs.has_space_before;
     const bool is_single = by.parts.size() == 1;
@@ -321,20 +324,20 @@ Glyphs replaced(Glyphs glyphs, std::string_view vector, const Glyphs& by) {
     glyphs.has_space_before = is_apart;
     return glyphs;
   }
-  for (Glyphs& part : glyphs.parts) part = replaced(std::move(part), vector, by);
+  for (Glyphs& part : glyphs.parts) part = replace_vector(std::move(part), vector, by);
   return glyphs;
 }
 
-Glyphs typed_glyphs(const Model& model, std::string_view latex) {
+Glyphs latex_glyphs(const Model& model, std::string_view latex) {
   Glyphs glyphs = read_latex(latex);
-  if (!model.rotations.empty()) return replaced(std::move(glyphs), "N", read_latex("N"));
-  glyphs = replaced(std::move(glyphs), "v", read_latex("\\dot{<q>}"));
-  glyphs = replaced(std::move(glyphs), "a", read_latex("\\ddot{<q>}"));
-  return without_vector(std::move(glyphs), "N");
+  if (!model.rotations.empty()) return replace_vector(std::move(glyphs), "N", read_latex("N"));
+  glyphs = replace_vector(std::move(glyphs), "v", read_latex("\\dot{<q>}"));
+  glyphs = replace_vector(std::move(glyphs), "a", read_latex("\\ddot{<q>}"));
+  return remove_vector(std::move(glyphs), "N");
 }
 
 Formula latex_formula(const Model& model, std::string_view latex) {
-  return symbol_formula(text_of(latex_formula(latex)), typed_glyphs(model, latex));
+  return symbol_formula(text_of(latex_formula(latex)), latex_glyphs(model, latex));
 }
 
 Formula partial_derivative(std::string_view function, const Formula& x) {
@@ -342,11 +345,11 @@ Formula partial_derivative(std::string_view function, const Formula& x) {
   const bool is_call = name.find('(') != std::string::npos;
   return symbol_formula(
       fmt::format("d{}/d{}", function, is_call ? fmt::format("({})", name) : name),
-      fraction_row(partial(read_latex(function), ""), partial(glyphs_of(x), "")));
+      fraction_row(partial_glyphs(read_latex(function), ""), partial_glyphs(glyphs_of(x), "")));
 }
 
-std::string unit_text(std::string unit, std::string_view times,
-                      std::string (*exponent_text)(const std::string& exponent)) {
+std::string format_unit(std::string unit, std::string_view times,
+                        std::string (*exponent_text)(const std::string& exponent)) {
   std::erase(unit, ' ');
   std::string text;
   for (std::size_t i = 0; i < unit.size(); ++i) {
@@ -367,14 +370,14 @@ std::string unit_text(std::string unit, std::string_view times,
   return text;
 }
 
-std::string as_title(std::string name) {
+std::string title_from_name(std::string name) {
   std::ranges::replace(name, '_', ' ');
-  if (!name.empty()) name[0] = in_upper_case(name[0]);
+  if (!name.empty()) name[0] = to_upper_case(name[0]);
   return name;
 }
 
 std::string page_title(const Model& model) {
-  return model.title.empty() ? as_title(model.name) : model.title;
+  return model.title.empty() ? title_from_name(model.name) : model.title;
 }
 
 }  // namespace elgen

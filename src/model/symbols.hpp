@@ -27,7 +27,7 @@ namespace elgen {
                                  const std::function<Formula(ExpressionId)>& name);
 
 /// "mass_matrix" -> "Mass matrix"
-[[nodiscard]] std::string as_title(std::string name);
+[[nodiscard]] std::string title_from_name(std::string name);
 /// The title of a model; if it has no title, its name as a title.
 [[nodiscard]] std::string page_title(const Model& model);
 
@@ -40,20 +40,20 @@ class ModelSymbols {
   ModelSymbols(const Model& model, const LeafNames& names);
 
   /// The symbols of all leaves.
-  [[nodiscard]] const LeafValues<Formula>& leaves() const { return leaves_; }
+  [[nodiscard]] const LeafValues<Formula>& leaf_symbols() const { return leaves_; }
   /// The symbol of each declared parameter; "l_{i}" for an array.
-  [[nodiscard]] const std::vector<Formula>& arrays() const { return arrays_; }
+  [[nodiscard]] const std::vector<Formula>& parameter_symbols() const { return arrays_; }
   /// The symbol with as many primes as make it distinct from all earlier symbols.
-  [[nodiscard]] Glyphs distinct(Glyphs symbol);
+  [[nodiscard]] Glyphs make_distinct(Glyphs symbol);
 
  private:
   void add_open_values(const Model& model);
 
   /// Returns the number of primes that makes all `symbols` distinct from all earlier symbols, and
   /// reserves the primed symbols.
-  std::size_t count_primes(const std::vector<Glyphs>& symbols);
+  std::size_t reserve_primes(const std::vector<Glyphs>& symbols);
 
-  std::set<std::string> taken_ = {};
+  std::set<std::string> taken_texts_ = {};
   std::vector<Formula> arrays_ = {};
   LeafValues<Formula> leaves_ = {};
 };
@@ -66,15 +66,15 @@ class ModelSymbols {
 /// become dq/dt and d^2q/dt^2, and <N> is omitted, because dq/dt = v. The text always has `v`.
 [[nodiscard]] Formula latex_formula(const Model& model, std::string_view latex);
 /// The glyphs of latex_formula().
-[[nodiscard]] Glyphs typed_glyphs(const Model& model, std::string_view latex);
+[[nodiscard]] Glyphs latex_glyphs(const Model& model, std::string_view latex);
 /// The symbol of the derivative of `function` by x: "dL/d(dot(q))".
 [[nodiscard]] Formula partial_derivative(std::string_view function, const Formula& x);
 /// Replaces every vector `<name>` in the glyphs by the glyphs `by`.
-[[nodiscard]] Glyphs replaced(Glyphs glyphs, std::string_view vector, const Glyphs& by);
+[[nodiscard]] Glyphs replace_vector(Glyphs glyphs, std::string_view vector, const Glyphs& by);
 
 /// A unit as pages print it: kg*m^2/s^2 becomes kg m²/s². `times` separates factors;
 /// `exponent_text` formats an exponent "2", "-1" or "1/2".
-[[nodiscard]] std::string unit_text(std::string unit, std::string_view times,
-                                    std::string (*exponent_text)(const std::string& exponent));
+[[nodiscard]] std::string format_unit(std::string unit, std::string_view times,
+                                      std::string (*exponent_text)(const std::string& exponent));
 
 }  // namespace elgen

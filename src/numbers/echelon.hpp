@@ -59,7 +59,7 @@ template <class Number>
 
 /// The entry of a row in a column; null if the row has no entry in this column.
 template <class Number>
-[[nodiscard]] const Number* entry_of(const EchelonRow<Number>& row, std::size_t column) {
+[[nodiscard]] const Number* find_row_entry(const EchelonRow<Number>& row, std::size_t column) {
   const auto at = std::ranges::lower_bound(row, column, {}, &EchelonEntry<Number>::column);
   return at != row.end() && at->column == column ? &at->value : nullptr;
 }
@@ -78,7 +78,7 @@ template <class Field, class Number = typename Field::Number>
     const bool is_own = own != row.end() && own->column == subtracted.column;
     const Number before = is_own ? std::move(own->value) : field.integer(0);
     if (is_own) ++own;
-    result.push_back({subtracted.column, field.reduce(before, factor, subtracted.value)});
+    result.push_back({subtracted.column, field.subtract_product(before, factor, subtracted.value)});
   }
   for (; own != row.end(); ++own) result.push_back(std::move(*own));
   return result;
@@ -111,7 +111,8 @@ class Echelon {
   Echelon(Field& field, std::vector<Row> rows, std::size_t unknowns)
       : field_(field), rows_(std::move(rows)), unknowns_(unknowns), is_used_(rows_.size()) {
     for (Row& row : rows_) drop_zeros(row);
-    for (std::size_t column = 0; is_defined_ && column < unknowns; ++column) eliminate(column);
+    for (std::size_t column = 0; is_defined_ && column < unknowns; ++column)
+      eliminate_column(column);
   }
 
   /// The same for a row-major matrix.
@@ -128,14 +129,14 @@ class Echelon {
   [[nodiscard]] const std::vector<Pivot>& pivots() const { return pivots_; }
 
   /// The row of a pivot without the pivot itself.
-  [[nodiscard]] const Row& rest(const Pivot& pivot) const { return rows_[pivot.row]; }
+  [[nodiscard]] const Row& row_without_pivot(const Pivot& pivot) const { return rows_[pivot.row]; }
 
   /// Nonzero entries of the first right-hand side in rows without a pivot. Such a row states the
   /// contradiction 0 = entry.
   [[nodiscard]] std::vector<Number> contradictions() const {
     std::vector<Number> result;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const Number* const right = entry_of(rows_[i], unknowns_);
+      const Number* const right = find_row_entry(rows_[i], unknowns_);
       if (!is_used_[i] && right != nullptr) result.push_back(*right);
     }
     return result;
@@ -176,34 +177,34 @@ class Echelon {
   }
 
  private:
-  void note(const Number& value) { is_defined_ = is_defined_ && field_.is_defined(value); }
+  void check_defined(const Number& value) { is_defined_ = is_defined_ && field_.is_defined(value); }
 
   void drop_zeros(Row& row) {
-    for (const Entry& entry : row) note(entry.value);
+    for (const Entry& entry : row) check_defined(entry.value);
     std::erase_if(row, [this](const Entry& entry) { return field_.is_zero(entry.value); });
   }
 
-  void eliminate(std::size_t column) {
+  void eliminate_column(std::size_t column) {
     std::vector<PivotCandidate<Number>> candidates;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const Number* const entry = is_used_[i] ? nullptr : entry_of(rows_[i], column);
+      const Number* const entry = is_used_[i] ? nullptr : find_row_entry(rows_[i], column);
       if (entry != nullptr) candidates.push_back({i, rows_[i].size(), entry});
     }
     if (candidates.empty()) return;
-    const PivotCandidate<Number>* const best = field_.best(candidates, column);
+    const PivotCandidate<Number>* const best = field_.best_pivot(candidates, column);
     if (best == nullptr) return;
     const Pivot pivot{best->row, column, *best->entry};
     pivots_.push_back(pivot);
     is_used_[pivot.row] = true;
-    prepare(rows_[pivot.row], pivot);
+    normalize_pivot_row(rows_[pivot.row], pivot);
     for (std::size_t i = 0; i < rows_.size() && is_defined_; ++i) {
       const bool is_reached = Field::form == EchelonForm::reduced ? i != pivot.row : !is_used_[i];
-      if (is_reached) reduce(rows_[i], pivot);
+      if (is_reached) eliminate_entry(rows_[i], pivot);
     }
   }
 
   /// Removes the pivot from its row; the reduced form also divides the row by it.
-  void prepare(Row& row, const Pivot& pivot) {
+  void normalize_pivot_row(Row& row, const Pivot& pivot) {
     std::erase_if(row, [&](const Entry& entry) { return entry.column == pivot.column; });
     if constexpr (Field::form == EchelonForm::reduced) {
       for (Entry& entry : row) entry.value = field_.divide(entry.value, pivot.value);
@@ -212,13 +213,13 @@ class Echelon {
   }
 
   /// Subtracts the multiple of the pivot's row that eliminates the entry in the pivot's column.
-  void reduce(Row& row, const Pivot& pivot) {
+  void eliminate_entry(Row& row, const Pivot& pivot) {
     const auto at = std::ranges::lower_bound(row, pivot.column, {}, &Entry::column);
     if (at == row.end() || at->column != pivot.column) return;
     Number factor = std::move(at->value);
     row.erase(at);
     if constexpr (Field::form == EchelonForm::upper) factor = field_.divide(factor, pivot.value);
-    row = subtract_multiple(field_, std::move(row), factor, rest(pivot));
+    row = subtract_multiple(field_, std::move(row), factor, row_without_pivot(pivot));
     drop_zeros(row);
   }
 
@@ -226,11 +227,11 @@ class Echelon {
   std::vector<Number> back_substitute(std::size_t right) const {
     std::vector<Number> x(unknowns_, field_.integer(0));
     for (auto pivot = pivots_.rbegin(); pivot != pivots_.rend(); ++pivot) {
-      const Number* const own = entry_of(rest(*pivot), right);
+      const Number* const own = find_row_entry(row_without_pivot(*pivot), right);
       Number sum = own == nullptr ? field_.integer(0) : *own;
-      for (const Entry& entry : rest(*pivot)) {
+      for (const Entry& entry : row_without_pivot(*pivot)) {
         if (entry.column >= unknowns_ || field_.is_zero(x[entry.column])) continue;
-        sum = field_.reduce(sum, entry.value, x[entry.column]);
+        sum = field_.subtract_product(sum, entry.value, x[entry.column]);
       }
       const bool is_one = Field::form == EchelonForm::reduced;
       x[pivot->column] = is_one ? sum : field_.divide(sum, pivot->value);
@@ -248,14 +249,16 @@ class Echelon {
 
 /// The operations of a field, for types with arithmetic operators.
 template <class T>
-struct Operators {
+struct FieldOperations {
   using Number = T;
   [[nodiscard]] static T integer(int value) { return T(value); }
   [[nodiscard]] static T negate(const T& x) { return -x; }
   [[nodiscard]] static T add(const T& x, const T& y) { return x + y; }
   [[nodiscard]] static T multiply(const T& x, const T& y) { return x * y; }
   [[nodiscard]] static T divide(const T& x, const T& y) { return x / y; }
-  [[nodiscard]] static T reduce(const T& x, const T& factor, const T& y) { return x - factor * y; }
+  [[nodiscard]] static T subtract_product(const T& x, const T& factor, const T& y) {
+    return x - factor * y;
+  }
   [[nodiscard]] static bool is_defined(const T& x) {
     if constexpr (std::is_floating_point_v<T>) return !std::isnan(x);
     if constexpr (requires { x.is_defined(); }) return x.is_defined();
@@ -274,7 +277,7 @@ struct Operators {
 
 /// For ordered numbers: takes the largest entry of a column as pivot.
 template <class T, EchelonForm Form = EchelonForm::upper>
-class LargestPivot : public Operators<T> {
+class LargestPivot : public FieldOperations<T> {
  public:
   using Candidates = std::vector<PivotCandidate<T>>;
   static constexpr EchelonForm form = Form;
@@ -285,19 +288,20 @@ class LargestPivot : public Operators<T> {
   explicit LargestPivot(T least_pivot = T(0), T least_entry = T(0), std::vector<T> scales = {})
       : least_pivot_(std::move(least_pivot)),
         least_entry_(std::move(least_entry)),
-        has_noise_(!Operators<T>::is_zero(least_entry_)),
+        has_noise_(!FieldOperations<T>::is_zero(least_entry_)),
         scales_(std::move(scales)) {}
 
   [[nodiscard]] bool is_zero(const T& x) const {
     using std::abs;
-    return Operators<T>::is_zero(x) || (has_noise_ && abs(x) < least_entry_);
+    return FieldOperations<T>::is_zero(x) || (has_noise_ && abs(x) < least_entry_);
   }
 
-  [[nodiscard]] const PivotCandidate<T>* best(const Candidates& candidates, std::size_t) const {
+  [[nodiscard]] const PivotCandidate<T>* best_pivot(const Candidates& candidates,
+                                                    std::size_t) const {
     const PivotCandidate<T>* largest = nullptr;
     T most(0);
     for (const PivotCandidate<T>& candidate : candidates) {
-      const T share = share_of(candidate);
+      const T share = relative_size(candidate);
       if (share < least_pivot_ || (largest != nullptr && !(most < share))) continue;
       largest = &candidate;
       most = share;
@@ -306,7 +310,7 @@ class LargestPivot : public Operators<T> {
   }
 
  private:
-  [[nodiscard]] T share_of(const PivotCandidate<T>& candidate) const {
+  [[nodiscard]] T relative_size(const PivotCandidate<T>& candidate) const {
     using std::abs;
     const T size = abs(*candidate.entry);
     return scales_.empty() ? size : size / scales_[candidate.row];
@@ -321,16 +325,16 @@ class LargestPivot : public Operators<T> {
 /// Takes every pivot from the diagonal, whatever its size, and therefore computes D of L D L^T.
 /// Floating types may divide by 0, so every row of a square matrix has its pivot.
 template <class T>
-struct DiagonalPivot : Operators<T> {
+struct DiagonalPivot : FieldOperations<T> {
   static constexpr EchelonForm form = EchelonForm::upper;
 
   [[nodiscard]] static bool is_zero(const T& x) {
-    return !std::is_floating_point_v<T> && Operators<T>::is_zero(x);
+    return !std::is_floating_point_v<T> && FieldOperations<T>::is_zero(x);
   }
   [[nodiscard]] static bool is_defined(const T& x) {
-    return std::is_floating_point_v<T> || Operators<T>::is_defined(x);
+    return std::is_floating_point_v<T> || FieldOperations<T>::is_defined(x);
   }
-  [[nodiscard]] static const PivotCandidate<T>* best(
+  [[nodiscard]] static const PivotCandidate<T>* best_pivot(
       const std::vector<PivotCandidate<T>>& candidates, std::size_t column) {
     const auto own = std::ranges::find(candidates, column, &PivotCandidate<T>::row);
     return own == candidates.end() ? nullptr : &*own;

@@ -34,14 +34,14 @@ cl_R least_magnitude(const EnclosedNumber& x) { return cln::abs(x.value) - x.err
 
 /// log(1 + x) = log(s) x/(s - 1) with s = 1 + x rounded. log(s) and s - 1 have nearly the same
 /// relative error, which cancels in the quotient (W. Kahan).
-cl_F logarithm_of_sum(const cl_F& x) {
+cl_F log_one_plus(const cl_F& x) {
   const cl_F sum = 1 + x;
   const cl_F kept = sum - 1;
   return cln::zerop(kept) ? x : cln::ln(sum) * x / kept;
 }
 
 /// e^x - 1 = 2 sinh(x/2) e^(x/2) for |x| <= 1, so that a small x loses no digits.
-cl_F exponential_less_one(const cl_F& x) {
+cl_F exp_minus_one(const cl_F& x) {
   if (cln::abs(x) > cl_R(1)) return cln::exp(x) - 1;
   const cl_F half = x / 2;
   return cln::scale_float(cln::sinh(half) * cln::exp(half), 1);
@@ -103,71 +103,74 @@ EnclosedArithmetic::EnclosedArithmetic(int digits)
       roundoff_(cln::cl_float(power_of_ten(guard_digits - digits), bound_format())) {}
 
 /// Adds the rounding error of `value`. The last factor covers the rounding of the bound itself.
-EnclosedNumber EnclosedArithmetic::rounded(const cl_R& value, const cl_R& error) const {
+EnclosedNumber EnclosedArithmetic::add_rounding_error(const cl_R& value, const cl_R& error) const {
   const cl_F bound = cln::cl_float(error + roundoff_ * cln::abs(value), bound_format());
   return {value, bound + bound * cln::cl_float(power_of_ten(-15), bound_format())};
 }
 
 /// The argument as a float, as CLN's functions need it.
 EnclosedNumber EnclosedArithmetic::to_float(const EnclosedNumber& x) const {
-  return is_rational(x.value) ? rounded(as_float(x.value), x.error) : x;
+  return is_rational(x.value) ? add_rounding_error(as_float(x.value), x.error) : x;
 }
 
 /// f(x), given |f'| <= slope on the enclosure of x.
 EnclosedNumber EnclosedArithmetic::call_with_slope(FunctionId function, const EnclosedNumber& x,
                                                    const cl_R& slope) const {
   const cl_F argument = as_float(x.value);
-  return rounded(function_value(function, argument, argument), x.error * slope);
+  return add_rounding_error(function_value(function, argument, argument), x.error * slope);
 }
 
-EnclosedNumber EnclosedArithmetic::pi() const { return rounded(cln::pi(format_), 0); }
+EnclosedNumber EnclosedArithmetic::pi() const { return add_rounding_error(cln::pi(format_), 0); }
 
 EnclosedNumber EnclosedArithmetic::sum(const EnclosedNumber& x, const EnclosedNumber& y) const {
   const cl_R value = x.value + y.value;
   if (is_exact(x) && is_exact(y)) return {value, 0};
-  return rounded(value, x.error + y.error);
+  return add_rounding_error(value, x.error + y.error);
 }
 
 EnclosedNumber EnclosedArithmetic::product(const EnclosedNumber& x, const EnclosedNumber& y) const {
   const cl_R value = x.value * y.value;
   if (is_exact(x) && is_exact(y)) return {value, 0};
-  return rounded(value, largest_magnitude(x) * y.error + cln::abs(y.value) * x.error);
+  return add_rounding_error(value, largest_magnitude(x) * y.error + cln::abs(y.value) * x.error);
 }
 
 /// |1/x - 1/y| = |x - y|/|x y|
-Enclosed EnclosedArithmetic::reciprocal(const EnclosedNumber& x) const {
-  if (!cln::plusp(least_magnitude(x))) return is_zero(x) ? NoValue::undefined : NoValue::unknown;
+EnclosedResult EnclosedArithmetic::reciprocal(const EnclosedNumber& x) const {
+  if (!cln::plusp(least_magnitude(x)))
+    return is_zero(x) ? NoValueReason::undefined : NoValueReason::unknown;
   const cl_R value = cln::recip(x.value);
   if (is_exact(x)) return EnclosedNumber{value, 0};
-  return rounded(value, x.error / (cln::abs(x.value) * least_magnitude(x)));
+  return add_rounding_error(value, x.error / (cln::abs(x.value) * least_magnitude(x)));
 }
 
-Enclosed EnclosedArithmetic::integer_power(const EnclosedNumber& x, const cl_I& exponent) const {
+EnclosedResult EnclosedArithmetic::integer_power(const EnclosedNumber& x,
+                                                 const cl_I& exponent) const {
   EnclosedNumber result{1, 0};
   EnclosedNumber square = x;
   for (cl_I rest = cln::abs(exponent); rest > 0; rest = cln::ash(rest, -1)) {
     if (cln::oddp(rest)) result = product(result, square);
     if (rest > 1) square = product(square, square);
   }
-  return cln::minusp(exponent) ? reciprocal(result) : Enclosed(result);
+  return cln::minusp(exponent) ? reciprocal(result) : EnclosedResult(result);
 }
 
 /// |sqrt x - sqrt y| <= |x - y|/sqrt y
 EnclosedNumber EnclosedArithmetic::square_root(const EnclosedNumber& x) const {
-  return rounded(cln::sqrt(as_float(x.value)), x.error / cln::sqrt(as_float(least_magnitude(x))));
+  return add_rounding_error(cln::sqrt(as_float(x.value)),
+                            x.error / cln::sqrt(as_float(least_magnitude(x))));
 }
 
 /// x^(p/q); exact if the root is rational.
-Enclosed EnclosedArithmetic::power(const EnclosedNumber& x, const cl_RA& exponent) const {
+EnclosedResult EnclosedArithmetic::power(const EnclosedNumber& x, const cl_RA& exponent) const {
   const cl_I q = cln::denominator(exponent);
   if (is_zero(x) && cln::plusp(exponent)) return EnclosedNumber{0, 0};
-  if (is_zero(x)) return NoValue::undefined;
+  if (is_zero(x)) return NoValueReason::undefined;
   const double size = decimal_exponent(x.value) * cln::double_approx(exponent);
-  if (std::abs(size) > largest_decimal_exponent) return NoValue::too_large;
+  if (std::abs(size) > largest_decimal_exponent) return NoValueReason::too_large;
   if (q == 1) return integer_power(x, cln::numerator(exponent));
   const std::optional<int> sign = sign_of(x);
-  if (!sign) return NoValue::unknown;
-  if (*sign < 0) return NoValue::complex;
+  if (!sign) return NoValueReason::unknown;
+  if (*sign < 0) return NoValueReason::complex;
   cl_RA root;
   if (is_exact(x) && is_rational(x.value) && cln::rootp(cln::the<cl_RA>(x.value), q, &root)) {
     return integer_power({root, 0}, cln::numerator(exponent));
@@ -178,55 +181,59 @@ Enclosed EnclosedArithmetic::power(const EnclosedNumber& x, const cl_RA& exponen
                      product(*logarithm(FunctionId::log, base).number, {exponent, 0}));
 }
 
-Enclosed EnclosedArithmetic::tangent(const EnclosedNumber& x) const {
+EnclosedResult EnclosedArithmetic::tangent(const EnclosedNumber& x) const {
   const cl_R cosine = cln::abs(cln::cos(as_float(x.value))) - x.error - roundoff_;
-  if (!cln::plusp(cosine)) return -cosine > pole_distance() ? NoValue::unknown : NoValue::undefined;
+  if (!cln::plusp(cosine))
+    return -cosine > pole_distance() ? NoValueReason::unknown : NoValueReason::undefined;
   return call_with_slope(FunctionId::tan, x, cln::recip(cosine * cosine));
 }
 
 /// asin or acos. The slope 1/sqrt(1 - x^2) is unbounded at ±1, so x must be exact there.
-Enclosed EnclosedArithmetic::inverse_circular(FunctionId function, const EnclosedNumber& x) const {
+EnclosedResult EnclosedArithmetic::inverse_circular(FunctionId function,
+                                                    const EnclosedNumber& x) const {
   if (is_exact(x) && cln::abs(x.value) == 1) return call_with_slope(function, x, 0);
   const EnclosedNumber sine = to_float(x);
   const cl_R square = (1 - x.value) * (1 + x.value);  // cos(asin x)^2
   const cl_R error = sine.error * (2 * cln::abs(x.value) + sine.error);
-  if (square < -error) return NoValue::complex;
-  if (square <= error) return NoValue::unknown;
+  if (square < -error) return NoValueReason::complex;
+  if (square <= error) return NoValueReason::unknown;
   return call_with_slope(function, sine, cln::recip(cln::sqrt(as_float(square - error))));
 }
 
 /// The angle of (x, y). Undefined at the origin; unknown near the branch cut unless y is exactly 0.
-Enclosed EnclosedArithmetic::arc_tangent_2(const EnclosedNumber& y, const EnclosedNumber& x) const {
-  if (is_zero(x) && is_zero(y)) return NoValue::undefined;
+EnclosedResult EnclosedArithmetic::arc_tangent_2(const EnclosedNumber& y,
+                                                 const EnclosedNumber& x) const {
+  if (is_zero(x) && is_zero(y)) return NoValueReason::undefined;
   const bool is_right = cln::plusp(x.value - x.error);
   if (is_zero(y) && is_right) return EnclosedNumber{0, 0};
   const bool is_on_cut = is_zero(y) && cln::minusp(x.value + x.error);
-  if (!is_right && !cln::plusp(least_magnitude(y)) && !is_on_cut) return NoValue::unknown;
+  if (!is_right && !cln::plusp(least_magnitude(y)) && !is_on_cut) return NoValueReason::unknown;
   const EnclosedNumber across = to_float(y);
   const EnclosedNumber along = to_float(x);
   const cl_R distance = cln::max(least_magnitude(across), least_magnitude(along));
   const cl_R value =
       function_value(FunctionId::atan2, as_float(across.value), as_float(along.value));
-  return rounded(value, (across.error + along.error) / distance);
+  return add_rounding_error(value, (across.error + along.error) / distance);
 }
 
 /// log(x), or log(1 + x) if `function` is log1p.
-Enclosed EnclosedArithmetic::logarithm(FunctionId function, const EnclosedNumber& x) const {
+EnclosedResult EnclosedArithmetic::logarithm(FunctionId function, const EnclosedNumber& x) const {
   const EnclosedNumber argument = function == FunctionId::log ? x : sum(x, {1, 0});
-  if (is_zero(argument)) return NoValue::undefined;
+  if (is_zero(argument)) return NoValueReason::undefined;
   const std::optional<int> sign = sign_of(argument);
-  if (!sign) return NoValue::unknown;
-  if (*sign < 0) return NoValue::complex;
+  if (!sign) return NoValueReason::unknown;
+  if (*sign < 0) return NoValueReason::complex;
   return call_with_slope(function, to_float(x), cln::recip(least_magnitude(argument)));
 }
 
-Enclosed EnclosedArithmetic::exponential(FunctionId function, const EnclosedNumber& x) const {
+EnclosedResult EnclosedArithmetic::exponential(FunctionId function, const EnclosedNumber& x) const {
   const EnclosedNumber argument = to_float(x);
   if (largest_magnitude(argument) > largest_exponent) {
     // For such arguments, tanh and expm1 equal ±1 to all digits.
     const bool is_flat =
         function == FunctionId::tanh || (function == FunctionId::expm1 && cln::minusp(x.value));
-    return is_flat ? Enclosed(rounded(cln::signum(as_float(x.value)), 0)) : NoValue::too_large;
+    return is_flat ? EnclosedResult(add_rounding_error(cln::signum(as_float(x.value)), 0))
+                   : NoValueReason::too_large;
   }
   if (function == FunctionId::tanh) return call_with_slope(function, argument, 1);
   // The slopes of exp and expm1 are largest at the right end; the slopes of sinh and cosh grow with
@@ -237,22 +244,24 @@ Enclosed EnclosedArithmetic::exponential(FunctionId function, const EnclosedNumb
 }
 
 /// |c_k'| <= 1/(k + 1)! for k > 0, and <= sinh |x| for k < 0.
-Enclosed EnclosedArithmetic::stumpff(const EnclosedNumber& x, const EnclosedNumber& k) const {
+EnclosedResult EnclosedArithmetic::stumpff(const EnclosedNumber& x, const EnclosedNumber& k) const {
   const EnclosedNumber argument = to_float(x);
   const bool grows = cln::minusp(k.value);
-  if (grows && largest_magnitude(argument) > largest_exponent) return NoValue::too_large;
+  if (grows && largest_magnitude(argument) > largest_exponent) return NoValueReason::too_large;
   const cl_R end = grows ? largest_magnitude(argument) : cl_R(0);
   const cl_R slope = cln::exp(cln::cl_float(end, bound_format()));
-  return rounded(function_value(FunctionId::stumpff, as_float(x.value), as_float(k.value)),
-                 argument.error * slope);
+  return add_rounding_error(
+      function_value(FunctionId::stumpff, as_float(x.value), as_float(k.value)),
+      argument.error * slope);
 }
 
-Enclosed EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
-                                  const EnclosedNumber& y) const {
+EnclosedResult EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
+                                        const EnclosedNumber& y) const {
   const bool is_binary = function_row(function).arity == 2;
   const EnclosedNumber& last = is_binary ? y : x;
   if (is_exact(x) && is_rational(x.value) && is_exact(last) && is_rational(last.value)) {
-    const auto known = known_value(function, cln::the<cl_RA>(x.value), cln::the<cl_RA>(last.value));
+    const auto known =
+        exact_function_value(function, cln::the<cl_RA>(x.value), cln::the<cl_RA>(last.value));
     if (known) return EnclosedNumber{*known, 0};
   }
   switch (function) {
@@ -277,22 +286,22 @@ Enclosed EnclosedArithmetic::call(FunctionId function, const EnclosedNumber& x,
     case FunctionId::log1p:
       return logarithm(function, x);
     case FunctionId::hypot:
-      return rounded(function_value(function, as_float(x.value), as_float(y.value)),
-                     to_float(x).error + to_float(y).error);
+      return add_rounding_error(function_value(function, as_float(x.value), as_float(y.value)),
+                                to_float(x).error + to_float(y).error);
     case FunctionId::stumpff:
       return stumpff(x, y);
     case FunctionId::abs:
       return EnclosedNumber{cln::abs(x.value), x.error};
     case FunctionId::sign: {
       const std::optional<int> sign = sign_of(x);
-      return sign ? Enclosed(EnclosedNumber{*sign, 0}) : NoValue::unknown;
+      return sign ? EnclosedResult(EnclosedNumber{*sign, 0}) : NoValueReason::unknown;
     }
     case FunctionId::min:
       return EnclosedNumber{cln::min(x.value, y.value), cln::max(x.error, y.error)};
     case FunctionId::max:
       return EnclosedNumber{cln::max(x.value, y.value), cln::max(x.error, y.error)};
   }
-  return NoValue::unknown;
+  return NoValueReason::unknown;
 }
 
 cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
@@ -313,8 +322,8 @@ cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
     ELGEN_VALUE(tanh, cln::tanh(x))
     ELGEN_VALUE(exp, cln::exp(x))
     ELGEN_VALUE(log, cln::ln(x))
-    ELGEN_VALUE(log1p, logarithm_of_sum(x))
-    ELGEN_VALUE(expm1, exponential_less_one(x))
+    ELGEN_VALUE(log1p, log_one_plus(x))
+    ELGEN_VALUE(expm1, exp_minus_one(x))
     ELGEN_VALUE(hypot, cln::sqrt(x * x + y * y))
     ELGEN_VALUE(stumpff, stumpff_function(x, stumpff_order(y)))
     ELGEN_VALUE(abs, cln::abs(x))
@@ -342,12 +351,12 @@ cln::cos_sin_t cos_sin_of(const cl_F& x) {
   return latest.front().both;
 }
 
-std::optional<cl_RA> known_value(FunctionId function, const cl_RA& x, const cl_RA& y) {
+std::optional<cl_RA> exact_function_value(FunctionId function, const cl_RA& x, const cl_RA& y) {
   const FunctionRow& row = function_row(function);
   const auto at = [&x](const cl_RA& place, const cl_RA& value) {
     return x == place ? std::optional<cl_RA>(value) : std::nullopt;
   };
-  if (row.arity == 1) return at(row.exact_at, row.exact_value);
+  if (row.arity == 1) return at(row.exact_argument, row.exact_value);
   if (function == FunctionId::atan2 && cln::plusp(y)) return at(0, 0);
   if (function == FunctionId::stumpff) {
     const auto k = static_cast<unsigned>(std::abs(stumpff_order(y)));

@@ -30,7 +30,7 @@ struct EnclosedNumber {
 [[nodiscard]] std::optional<int> sign_of(const EnclosedNumber& x);
 
 /// Why an operation has no value.
-enum class NoValue : std::uint8_t {
+enum class NoValueReason : std::uint8_t {
   unknown,    ///< undecided at this precision
   undefined,  ///< 1/0, log(0), tan(pi/2)
   complex,    ///< sqrt(-1), asin(2)
@@ -38,12 +38,12 @@ enum class NoValue : std::uint8_t {
 };
 
 /// A number, or the reason why it is missing.
-struct Enclosed {
+struct EnclosedResult {
   std::optional<EnclosedNumber> number = {};
-  NoValue why = NoValue::unknown;
+  NoValueReason reason = NoValueReason::unknown;
 
-  Enclosed(EnclosedNumber value) : number(std::move(value)) {}
-  Enclosed(NoValue reason) : why(reason) {}
+  EnclosedResult(EnclosedNumber value) : number(std::move(value)) {}
+  EnclosedResult(NoValueReason reason) : reason(reason) {}
 };
 
 /// Operations in floats of `digits` decimal digits. For rational operands, a rational result is
@@ -55,26 +55,29 @@ class EnclosedArithmetic {
   [[nodiscard]] EnclosedNumber pi() const;
   [[nodiscard]] EnclosedNumber sum(const EnclosedNumber& x, const EnclosedNumber& y) const;
   [[nodiscard]] EnclosedNumber product(const EnclosedNumber& x, const EnclosedNumber& y) const;
-  [[nodiscard]] Enclosed reciprocal(const EnclosedNumber& x) const;
-  [[nodiscard]] Enclosed power(const EnclosedNumber& x, const cln::cl_RA& exponent) const;
+  [[nodiscard]] EnclosedResult reciprocal(const EnclosedNumber& x) const;
+  [[nodiscard]] EnclosedResult power(const EnclosedNumber& x, const cln::cl_RA& exponent) const;
   /// f(x), or f(x, y) for a function of two arguments.
-  [[nodiscard]] Enclosed call(FunctionId function, const EnclosedNumber& x,
-                              const EnclosedNumber& y) const;
+  [[nodiscard]] EnclosedResult call(FunctionId function, const EnclosedNumber& x,
+                                    const EnclosedNumber& y) const;
 
  private:
   [[nodiscard]] cln::cl_F as_float(const cln::cl_R& x) const { return cln::cl_float(x, format_); }
-  [[nodiscard]] EnclosedNumber rounded(const cln::cl_R& value, const cln::cl_R& error) const;
+  [[nodiscard]] EnclosedNumber add_rounding_error(const cln::cl_R& value,
+                                                  const cln::cl_R& error) const;
   [[nodiscard]] EnclosedNumber to_float(const EnclosedNumber& x) const;
   [[nodiscard]] EnclosedNumber call_with_slope(FunctionId function, const EnclosedNumber& x,
                                                const cln::cl_R& slope) const;
   [[nodiscard]] EnclosedNumber square_root(const EnclosedNumber& x) const;
-  [[nodiscard]] Enclosed integer_power(const EnclosedNumber& x, const cln::cl_I& exponent) const;
-  [[nodiscard]] Enclosed tangent(const EnclosedNumber& x) const;
-  [[nodiscard]] Enclosed inverse_circular(FunctionId function, const EnclosedNumber& x) const;
-  [[nodiscard]] Enclosed arc_tangent_2(const EnclosedNumber& y, const EnclosedNumber& x) const;
-  [[nodiscard]] Enclosed logarithm(FunctionId function, const EnclosedNumber& x) const;
-  [[nodiscard]] Enclosed exponential(FunctionId function, const EnclosedNumber& x) const;
-  [[nodiscard]] Enclosed stumpff(const EnclosedNumber& x, const EnclosedNumber& k) const;
+  [[nodiscard]] EnclosedResult integer_power(const EnclosedNumber& x,
+                                             const cln::cl_I& exponent) const;
+  [[nodiscard]] EnclosedResult tangent(const EnclosedNumber& x) const;
+  [[nodiscard]] EnclosedResult inverse_circular(FunctionId function, const EnclosedNumber& x) const;
+  [[nodiscard]] EnclosedResult arc_tangent_2(const EnclosedNumber& y,
+                                             const EnclosedNumber& x) const;
+  [[nodiscard]] EnclosedResult logarithm(FunctionId function, const EnclosedNumber& x) const;
+  [[nodiscard]] EnclosedResult exponential(FunctionId function, const EnclosedNumber& x) const;
+  [[nodiscard]] EnclosedResult stumpff(const EnclosedNumber& x, const EnclosedNumber& k) const;
 
   cln::float_format_t format_;
   cln::cl_R roundoff_;
@@ -82,8 +85,9 @@ class EnclosedArithmetic {
 
 /// f(x) or f(x, y) if it is a rational number known without computing: cos(0), log(1), hypot(3, 4).
 /// Functions of one argument ignore y.
-[[nodiscard]] std::optional<cln::cl_RA> known_value(FunctionId function, const cln::cl_RA& x,
-                                                    const cln::cl_RA& y);
+[[nodiscard]] std::optional<cln::cl_RA> exact_function_value(FunctionId function,
+                                                             const cln::cl_RA& x,
+                                                             const cln::cl_RA& y);
 
 /// f(x) or f(x, y) for arguments in the domain. CLN throws if the result exceeds its exponents.
 [[nodiscard]] cln::cl_R function_value(FunctionId function, const cln::cl_F& x, const cln::cl_F& y);

@@ -21,20 +21,20 @@ double next_above(double x) { return std::nextafter(x, infinity); }
 
 /// A result rounded to nearest, and `error`, a number with the sign of exact - rounded; NaN if the
 /// sign is unknown.
-struct Rounded {
+struct RoundedResult {
   double value;
   double error;
 };
 
-double lower(const Rounded& x) {
+double round_down(const RoundedResult& x) {
   return x.error < 0 || std::isnan(x.error) ? next_below(x.value) : x.value;
 }
-double upper(const Rounded& x) {
+double round_up(const RoundedResult& x) {
   return x.error > 0 || std::isnan(x.error) ? next_above(x.value) : x.value;
 }
 
 /// Knuth's two-sum: the error is exact unless the sum overflows.
-Rounded rounded_sum(double x, double y) {
+RoundedResult rounded_sum(double x, double y) {
   const double sum = x + y;
   if (!std::isfinite(sum)) return {sum, std::isinf(x) || std::isinf(y) ? 0 : NAN};
   const double back = sum - x;
@@ -45,7 +45,7 @@ Rounded rounded_sum(double x, double y) {
 constexpr double smallest_product = 0x1p-960;
 
 /// 0 if a factor is 0, even if the other is infinite: infinite bounds enclose finite numbers only.
-Rounded rounded_product(double x, double y) {
+RoundedResult rounded_product(double x, double y) {
   if (x == 0 || y == 0) return {0, 0};
   const double product = x * y;
   if (!std::isfinite(product)) return {product, std::isinf(x) || std::isinf(y) ? 0 : NAN};
@@ -53,7 +53,7 @@ Rounded rounded_product(double x, double y) {
   return {product, std::fma(x, y, -product)};
 }
 
-Rounded rounded_quotient(double x, double y) {
+RoundedResult rounded_quotient(double x, double y) {
   if (x == 0) return {0, 0};
   const double quotient = x / y;
   const bool is_exact_at_infinity = std::isinf(x) && !std::isinf(y);
@@ -65,7 +65,7 @@ Rounded rounded_quotient(double x, double y) {
   return {quotient, y < 0 ? -rest : rest};
 }
 
-Rounded rounded_root(double x) {
+RoundedResult rounded_root(double x) {
   const double root = std::sqrt(x);
   if (!std::isfinite(root)) return {root, 0};
   if (x != 0 && x < smallest_product) return {root, NAN};
@@ -74,42 +74,50 @@ Rounded rounded_root(double x) {
 
 /// The enclosed numbers are finite, so a lower bound of +infinity is replaced by the largest
 /// double, and an upper bound of -infinity by the lowest.
-double lowest(double x) { return x == infinity ? std::numeric_limits<double>::max() : x; }
-double highest(double x) { return x == -infinity ? std::numeric_limits<double>::lowest() : x; }
+double finite_lower_bound(double x) {
+  return x == infinity ? std::numeric_limits<double>::max() : x;
+}
+double finite_upper_bound(double x) {
+  return x == -infinity ? std::numeric_limits<double>::lowest() : x;
+}
 
-Enclosure bounds(double low, double high, Definedness defined) {
-  return {lowest(low), highest(high), defined};
+Enclosure make_enclosure(double low, double high, Definedness defined) {
+  return {finite_lower_bound(low), finite_upper_bound(high), defined};
 }
 
 /// The enclosure of all four corners.
-Enclosure hull(const std::array<Rounded, 4>& corners, Definedness defined) {
+Enclosure hull(const std::array<RoundedResult, 4>& corners, Definedness defined) {
   double low = infinity;
   double high = -infinity;
-  for (const Rounded& corner : corners) {
-    low = std::min(low, lower(corner));
-    high = std::max(high, upper(corner));
+  for (const RoundedResult& corner : corners) {
+    low = std::min(low, round_down(corner));
+    high = std::max(high, round_up(corner));
   }
-  return bounds(low, high, defined);
+  return make_enclosure(low, high, defined);
 }
 
 Definedness joint_definedness(const Enclosure& x, const Enclosure& y) {
-  return std::max(x.defined, y.defined);
+  return std::max(x.definedness, y.definedness);
 }
 
-bool is_undefined(const Enclosure& x) { return x.defined == Definedness::nowhere; }
+bool is_undefined(const Enclosure& x) { return x.definedness == Definedness::nowhere; }
 
 /// Error bound for a value of a C library: 8 ulp.
-double error_of(double value) { return std::abs(value) * 0x1p-49 + 0x1p-1070; }
-double lower_value(double value) { return std::isfinite(value) ? value - error_of(value) : value; }
-double upper_value(double value) { return std::isfinite(value) ? value + error_of(value) : value; }
+double library_error(double value) { return std::abs(value) * 0x1p-49 + 0x1p-1070; }
+double library_lower_bound(double value) {
+  return std::isfinite(value) ? value - library_error(value) : value;
+}
+double library_upper_bound(double value) {
+  return std::isfinite(value) ? value + library_error(value) : value;
+}
 
 /// f(x) for an increasing function f with values in [least, greatest].
 template <class F>
 Enclosure increasing_function(const F& f, const Enclosure& x, double least = -infinity,
                               double greatest = infinity) {
   if (is_undefined(x)) return x;
-  return bounds(std::max(lower_value(f(x.low)), least), std::min(upper_value(f(x.high)), greatest),
-                x.defined);
+  return make_enclosure(std::max(library_lower_bound(f(x.low)), least),
+                        std::min(library_upper_bound(f(x.high)), greatest), x.definedness);
 }
 
 /// The part of x inside the domain [least, greatest] of a function.
@@ -117,7 +125,7 @@ Enclosure clip_to_domain(const Enclosure& x, double least, double greatest) {
   if (is_undefined(x) || x.high < least || x.low > greatest) return no_value;
   const bool is_inside = x.low >= least && x.high <= greatest;
   return {std::max(x.low, least), std::min(x.high, greatest),
-          is_inside ? x.defined : Definedness::somewhere};
+          is_inside ? x.definedness : Definedness::somewhere};
 }
 
 /// True if x may contain first + k period for an integer k. The slack covers the rounding error of
@@ -135,16 +143,16 @@ constexpr double largest_angle = 1e9;
 template <class F>
 Enclosure sinusoid(const F& f, const Enclosure& x, double top) {
   if (is_undefined(x)) return x;
-  if (magnitude(x) > largest_angle) return {-1, 1, x.defined};
+  if (magnitude(x) > largest_angle) return {-1, 1, x.definedness};
   const double first = f(x.low);
   const double last = f(x.high);
   const double high = may_contain_multiple(x, top, 2 * pi_below)
                           ? 1
-                          : std::min(upper_value(std::max(first, last)), 1.0);
+                          : std::min(library_upper_bound(std::max(first, last)), 1.0);
   const double low = may_contain_multiple(x, top + pi_below, 2 * pi_below)
                          ? -1
-                         : std::max(lower_value(std::min(first, last)), -1.0);
-  return {low, high, x.defined};
+                         : std::max(library_lower_bound(std::min(first, last)), -1.0);
+  return {low, high, x.definedness};
 }
 
 Enclosure square(const Enclosure& x) {
@@ -152,8 +160,8 @@ Enclosure square(const Enclosure& x) {
   const double largest = magnitude(x);
   const bool holds_zero = x.low <= 0 && x.high >= 0;
   const double least = holds_zero ? 0 : std::min(std::abs(x.low), std::abs(x.high));
-  return bounds(std::max(lower(rounded_product(least, least)), 0.0),
-                upper(rounded_product(largest, largest)), x.defined);
+  return make_enclosure(std::max(round_down(rounded_product(least, least)), 0.0),
+                        round_up(rounded_product(largest, largest)), x.definedness);
 }
 
 }  // namespace
@@ -166,20 +174,20 @@ double magnitude(const Enclosure& x) { return std::max(std::abs(x.low), std::abs
 
 Enclosure ScalarTraits<Enclosure>::from_real(const cln::cl_R& value) {
   const double nearest = to_double(value);
-  if (!std::isfinite(nearest)) return bounds(nearest, nearest, Definedness::everywhere);
+  if (!std::isfinite(nearest)) return make_enclosure(nearest, nearest, Definedness::everywhere);
   const cln::cl_R exact = exact_value(nearest);
   return {exact > value ? next_below(nearest) : nearest,
           exact < value ? next_above(nearest) : nearest};
 }
 
 Enclosure operator-(const Enclosure& x) {
-  return is_undefined(x) ? x : Enclosure{-x.high, -x.low, x.defined};
+  return is_undefined(x) ? x : Enclosure{-x.high, -x.low, x.definedness};
 }
 
 Enclosure operator+(const Enclosure& x, const Enclosure& y) {
   if (is_undefined(x) || is_undefined(y)) return no_value;
-  return bounds(lower(rounded_sum(x.low, y.low)), upper(rounded_sum(x.high, y.high)),
-                joint_definedness(x, y));
+  return make_enclosure(round_down(rounded_sum(x.low, y.low)),
+                        round_up(rounded_sum(x.high, y.high)), joint_definedness(x, y));
 }
 
 Enclosure operator-(const Enclosure& x, const Enclosure& y) { return x + (-y); }
@@ -193,7 +201,7 @@ Enclosure operator*(const Enclosure& x, const Enclosure& y) {
 }
 
 Enclosure operator*(const Enclosure& x, int factor) {
-  return x * enclosure_of(static_cast<double>(factor));
+  return x * point_enclosure(static_cast<double>(factor));
 }
 
 Enclosure operator/(const Enclosure& x, const Enclosure& y) {
@@ -207,8 +215,8 @@ Enclosure operator/(const Enclosure& x, const Enclosure& y) {
 Enclosure sqrt(const Enclosure& x) {
   const Enclosure radicand = clip_to_domain(x, 0, infinity);
   if (is_undefined(radicand)) return radicand;
-  return bounds(std::max(lower(rounded_root(radicand.low)), 0.0),
-                upper(rounded_root(radicand.high)), radicand.defined);
+  return make_enclosure(std::max(round_down(rounded_root(radicand.low)), 0.0),
+                        round_up(rounded_root(radicand.high)), radicand.definedness);
 }
 
 Enclosure sin(const Enclosure& x) {
@@ -248,12 +256,12 @@ Enclosure acos(const Enclosure& x) {
 Enclosure atan2(const Enclosure& x, const Enclosure& y) {
   if (is_undefined(x) || is_undefined(y)) return no_value;
   if (y.low <= 0 && may_contain(x, 0)) {
-    return {lower_value(-pi_below), upper_value(pi_below), Definedness::somewhere};
+    return {library_lower_bound(-pi_below), library_upper_bound(pi_below), Definedness::somewhere};
   }
   const std::array angles{std::atan2(x.low, y.low), std::atan2(x.low, y.high),
                           std::atan2(x.high, y.low), std::atan2(x.high, y.high)};
-  return {lower_value(*std::ranges::min_element(angles)),
-          upper_value(*std::ranges::max_element(angles)), joint_definedness(x, y)};
+  return {library_lower_bound(*std::ranges::min_element(angles)),
+          library_upper_bound(*std::ranges::max_element(angles)), joint_definedness(x, y)};
 }
 
 Enclosure cosh(const Enclosure& x) {
@@ -266,7 +274,7 @@ Enclosure log(const Enclosure& x) {
   if (is_undefined(x) || x.high <= 0) return no_value;
   Enclosure result = increasing_function([](double value) { return std::log(value); },
                                          clip_to_domain(x, 0, infinity));
-  if (x.low <= 0) result.defined = Definedness::somewhere;
+  if (x.low <= 0) result.definedness = Definedness::somewhere;
   return result;
 }
 
@@ -274,7 +282,7 @@ Enclosure log1p(const Enclosure& x) {
   if (is_undefined(x) || x.high <= -1) return no_value;
   Enclosure result = increasing_function([](double value) { return std::log1p(value); },
                                          clip_to_domain(x, -1, infinity));
-  if (x.low <= -1) result.defined = Definedness::somewhere;
+  if (x.low <= -1) result.definedness = Definedness::somewhere;
   return result;
 }
 
@@ -282,8 +290,9 @@ Enclosure hypot(const Enclosure& x, const Enclosure& y) {
   if (is_undefined(x) || is_undefined(y)) return no_value;
   const Enclosure width = abs(x);
   const Enclosure height = abs(y);
-  return bounds(std::max(lower_value(std::hypot(width.low, height.low)), 0.0),
-                upper_value(std::hypot(width.high, height.high)), joint_definedness(x, y));
+  return make_enclosure(std::max(library_lower_bound(std::hypot(width.low, height.low)), 0.0),
+                        library_upper_bound(std::hypot(width.high, height.high)),
+                        joint_definedness(x, y));
 }
 
 /// c_k(x) with k = y, which must be a single integer. c_k increases with |x| for k < 0 and
@@ -299,23 +308,23 @@ Enclosure stumpff(const Enclosure& x, const Enclosure& y) {
     return increasing_function(f, size, 0) * Enclosure{1 - more_errors, 1 + more_errors};
   }
   if (y.low == 2) {
-    const Enclosure ratio = stumpff(x / enclosure_of(2), enclosure_of(1));
-    return ratio * ratio / enclosure_of(2);
+    const Enclosure ratio = stumpff(x / point_enclosure(2), point_enclosure(1));
+    return ratio * ratio / point_enclosure(2);
   }
   if (y.low > 2 || size.high < 4) {
     const double greatest = interpreter::stumpff(std::min(size.low, far), y.low);
     const double least = size.high < far ? interpreter::stumpff(size.high, y.low) : 0;
-    return {lower_value(least), upper_value(greatest), x.defined};
+    return {library_lower_bound(least), library_upper_bound(greatest), x.definedness};
   }
-  if (size.low == 0) return {least_sinc, 1, x.defined};
+  if (size.low == 0) return {least_sinc, 1, x.definedness};
   const Enclosure ratio = sin(size) / size;
-  return {std::max(ratio.low, least_sinc), std::min(ratio.high, 1.0), x.defined};
+  return {std::max(ratio.low, least_sinc), std::min(ratio.high, 1.0), x.definedness};
 }
 
 Enclosure abs(const Enclosure& x) {
   if (is_undefined(x)) return x;
   const double least = may_contain(x, 0) ? 0 : std::min(std::abs(x.low), std::abs(x.high));
-  return {least, magnitude(x), x.defined};
+  return {least, magnitude(x), x.definedness};
 }
 
 /// A jump counts as `somewhere`: sign is not continuous at 0.
@@ -323,7 +332,7 @@ Enclosure sign(const Enclosure& x) {
   if (is_undefined(x)) return x;
   const auto of = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };
   const bool jumps = of(x.low) != of(x.high);
-  return {of(x.low), of(x.high), jumps ? Definedness::somewhere : x.defined};
+  return {of(x.low), of(x.high), jumps ? Definedness::somewhere : x.definedness};
 }
 
 Enclosure min(const Enclosure& x, const Enclosure& y) {

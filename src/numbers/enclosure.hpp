@@ -24,11 +24,11 @@ enum class Definedness : std::uint8_t {
 struct Enclosure {
   double low = 0;
   double high = 0;
-  Definedness defined = Definedness::everywhere;
+  Definedness definedness = Definedness::everywhere;
 };
 
 /// [x, x]
-[[nodiscard]] inline Enclosure enclosure_of(double x) { return {x, x}; }
+[[nodiscard]] inline Enclosure point_enclosure(double x) { return {x, x}; }
 
 /// False if the enclosure excludes the value x.
 [[nodiscard]] bool may_contain(const Enclosure& enclosure, double x);

@@ -72,7 +72,7 @@ double decimal_exponent(const cln::cl_R& x) {
   return (bits(cln::numerator(r)) - bits(cln::denominator(r))) * log10_of_2;
 }
 
-cln::cl_RA rounded(const cln::cl_R& x, long digits) {
+cln::cl_RA round_to_digits(const cln::cl_R& x, long digits) {
   if (is_rational(x)) return cln::the<cln::cl_RA>(x);
   const cln::cl_RA scale = power_of_ten(digits - static_cast<long>(decimal_exponent(x)));
   return cln::round1(x * scale) / scale;
@@ -97,7 +97,7 @@ std::optional<cln::cl_RA> simple_fraction(const cln::cl_R& x, const cln::cl_I& m
   }
 }
 
-cln::cl_R largest_of(const std::vector<cln::cl_R>& values) {
+cln::cl_R max_magnitude(const std::vector<cln::cl_R>& values) {
   cln::cl_R largest = 0;
   for (const cln::cl_R& value : values) largest = cln::max(largest, cln::abs(value));
   return largest;

@@ -21,7 +21,7 @@ namespace elgen {
 [[nodiscard]] double decimal_exponent(const cln::cl_R& x);
 
 /// x rounded to `digits` or `digits` + 1 significant digits; a rational x is returned unchanged.
-[[nodiscard]] cln::cl_RA rounded(const cln::cl_R& x, long digits);
+[[nodiscard]] cln::cl_RA round_to_digits(const cln::cl_R& x, long digits);
 
 /// The first convergent p/q of the continued fraction of x with |x - p/q| < share |x| and q <=
 /// most. None if no convergent satisfies both; 0 for x = 0.
@@ -29,7 +29,7 @@ namespace elgen {
                                                         const cln::cl_RA& share);
 
 /// The largest magnitude; 0 if `values` is empty.
-[[nodiscard]] cln::cl_R largest_of(const std::vector<cln::cl_R>& values);
+[[nodiscard]] cln::cl_R max_magnitude(const std::vector<cln::cl_R>& values);
 
 /// The rational equal to `value`; 0 for infinity and NaN.
 [[nodiscard]] cln::cl_RA exact_value(double value);

@@ -9,14 +9,14 @@ namespace {
 
 /// The digits that computations in this thread requested, and the digits that arithmetic reported
 /// as lost and as hidden.
-struct DigitsOfThread {
+struct ThreadDigits {
   unsigned requested = 0;
   unsigned lost = 0;
   unsigned hidden = 0;
 };
 
-DigitsOfThread& digits_of_thread() {
-  thread_local DigitsOfThread digits;
+ThreadDigits& thread_digits() {
+  thread_local ThreadDigits digits;
   return digits;
 }
 
@@ -26,33 +26,33 @@ constexpr unsigned spare_digits = 10;
 
 }  // namespace
 
-MoreDigits::MoreDigits(unsigned digits) : digits_(digits) {
-  digits_of_thread().requested += digits;
-  digits_of_thread().lost = 0;
+ExtraDigits::ExtraDigits(unsigned digits) : digits_(digits) {
+  thread_digits().requested += digits;
+  thread_digits().lost = 0;
 }
 
-MoreDigits::~MoreDigits() { digits_of_thread().requested -= digits_; }
+ExtraDigits::~ExtraDigits() { thread_digits().requested -= digits_; }
 
-bool MoreDigits::grow() {
-  const unsigned lost = std::exchange(digits_of_thread().lost, 0U);
+bool ExtraDigits::request_lost_digits() {
+  const unsigned lost = std::exchange(thread_digits().lost, 0U);
   if (lost <= digits_ + spare_digits) return false;
-  digits_of_thread().requested += lost - digits_;
+  thread_digits().requested += lost - digits_;
   digits_ = lost;
   return true;
 }
 
-unsigned MoreDigits::count() { return digits_of_thread().requested; }
+unsigned ExtraDigits::requested_digits() { return thread_digits().requested; }
 
-void MoreDigits::report_lost(unsigned digits) {
-  unsigned& lost = digits_of_thread().lost;
+void ExtraDigits::report_lost(unsigned digits) {
+  unsigned& lost = thread_digits().lost;
   lost = std::max(lost, digits);
 }
 
-void MoreDigits::report_hidden(unsigned digits) {
-  unsigned& hidden = digits_of_thread().hidden;
+void ExtraDigits::report_hidden(unsigned digits) {
+  unsigned& hidden = thread_digits().hidden;
   hidden = std::max(hidden, digits);
 }
 
-unsigned MoreDigits::hidden() { return std::exchange(digits_of_thread().hidden, 0U); }
+unsigned ExtraDigits::take_hidden() { return std::exchange(thread_digits().hidden, 0U); }
 
 }  // namespace elgen

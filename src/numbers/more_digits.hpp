@@ -12,10 +12,10 @@ namespace elgen {
 
 /// The extra digits of arithmetic. Computations request them by with_digits() and
 /// with_enough_digits().
-class MoreDigits {
+class ExtraDigits {
  public:
   /// The sum of all digits that the running computations of this thread requested.
-  [[nodiscard]] static unsigned count();
+  [[nodiscard]] static unsigned requested_digits();
 
   /// Reports that an angle loses `digits` digits, as many as it has before its decimal point.
   static void report_lost(unsigned digits);
@@ -25,7 +25,7 @@ class MoreDigits {
   static void report_hidden(unsigned digits);
 
   /// The largest argument of report_hidden() since the last call of this function.
-  [[nodiscard]] static unsigned hidden();
+  [[nodiscard]] static unsigned take_hidden();
 
  private:
   template <class Computation>
@@ -33,13 +33,13 @@ class MoreDigits {
   template <class Computation>
   friend auto with_enough_digits(const Computation& computation);
 
-  explicit MoreDigits(unsigned digits);
-  ~MoreDigits();
-  MoreDigits(const MoreDigits&) = delete;
-  MoreDigits& operator=(const MoreDigits&) = delete;
+  explicit ExtraDigits(unsigned digits);
+  ~ExtraDigits();
+  ExtraDigits(const ExtraDigits&) = delete;
+  ExtraDigits& operator=(const ExtraDigits&) = delete;
 
   /// If arithmetic lost more digits than it can spare, requests the lost digits and returns true.
-  [[nodiscard]] bool grow();
+  [[nodiscard]] bool request_lost_digits();
 
   unsigned digits_;
 };
@@ -47,7 +47,7 @@ class MoreDigits {
 /// Runs a computation with `digits` more digits.
 template <class Computation>
 auto with_digits(unsigned digits, const Computation& computation) {
-  const MoreDigits more(digits);
+  const ExtraDigits more(digits);
   return computation();
 }
 
@@ -56,9 +56,9 @@ auto with_digits(unsigned digits, const Computation& computation) {
 /// sine has no correct digits.
 template <class Computation>
 auto with_enough_digits(const Computation& computation) {
-  MoreDigits digits(0);
+  ExtraDigits digits(0);
   auto value = computation();
-  while (digits.grow()) value = computation();
+  while (digits.request_lost_digits()) value = computation();
   return value;
 }
 

@@ -19,13 +19,13 @@ namespace {
 
 constexpr unsigned basic_digits = 64;
 
-unsigned digits() { return basic_digits + MoreDigits::count(); }
+unsigned current_digits() { return basic_digits + ExtraDigits::requested_digits(); }
 
 const cln::cl_F& number(const Real& x) { return x.value(); }
 
 /// The result of `operation`; undefined outside the domain or beyond CLN's range of exponents.
 template <class Operation>
-Real guarded(bool in_domain, const Operation& operation) {
+Real evaluate_in_domain(bool in_domain, const Operation& operation) {
   if (!in_domain) return Real::undefined();
   try {
     return Real(operation());
@@ -41,8 +41,8 @@ bool are_defined(const Real& x, const Real& y) { return x.is_defined() && y.is_d
 cln::cl_F extend_digits(const Real& x) {
   const auto exponent = std::max(std::int64_t{0}, std::int64_t{cln::float_exponent(number(x))});
   const auto before_point = static_cast<unsigned>(exponent / 3);
-  MoreDigits::report_lost(before_point);
-  return cln::cl_float(number(x), cln::float_format(digits() + before_point));
+  ExtraDigits::report_lost(before_point);
+  return cln::cl_float(number(x), cln::float_format(current_digits() + before_point));
 }
 
 /// The largest binary exponent of an angle that is reduced; no built-in float has a larger one.
@@ -64,7 +64,7 @@ std::optional<Real> limit_at_infinity(FunctionId function, const cln::cl_F& x) {
   return std::abs(limit) == 1 ? std::optional(Real(exact_value(limit))) : std::nullopt;
 }
 
-bool in_domain(FunctionId function, const cln::cl_F& x) {
+bool is_in_domain(FunctionId function, const cln::cl_F& x) {
   const FunctionRow& row = function_row(function);
   if (is_periodic(function)) return cln::float_exponent(x) < maximal_angle_exponent;
   if (row.limits_at_infinity) return cln::float_exponent(x) < maximal_exponent;
@@ -88,14 +88,14 @@ Real call_function(FunctionId function, const Real& x, const Real& y) {
   if (const auto limit = limit_at_infinity(function, number(x))) return *limit;
   const bool is_origin = cln::zerop(number(x)) && cln::zerop(number(y));
   if (function == FunctionId::atan2 && is_origin) return Real();  // 0, as in the C library
-  return guarded(in_domain(far, number(x)), [&] {
+  return evaluate_in_domain(is_in_domain(far, number(x)), [&] {
     return function_value(function, is_periodic(far) ? extend_digits(x) : number(x), number(y));
   });
 }
 
 }  // namespace
 
-cln::float_format_t Real::format() { return cln::float_format(digits()); }
+cln::float_format_t Real::format() { return cln::float_format(current_digits()); }
 
 Real Real::undefined() {
   Real result;
@@ -104,23 +104,24 @@ Real Real::undefined() {
 }
 
 Real operator-(const Real& x) {
-  return guarded(x.is_defined(), [&] { return -number(x); });
+  return evaluate_in_domain(x.is_defined(), [&] { return -number(x); });
 }
 Real operator+(const Real& x, const Real& y) {
-  return guarded(are_defined(x, y), [&] { return number(x) + number(y); });
+  return evaluate_in_domain(are_defined(x, y), [&] { return number(x) + number(y); });
 }
 Real operator-(const Real& x, const Real& y) {
-  return guarded(are_defined(x, y), [&] { return number(x) - number(y); });
+  return evaluate_in_domain(are_defined(x, y), [&] { return number(x) - number(y); });
 }
 Real operator*(const Real& x, const Real& y) {
-  return guarded(are_defined(x, y), [&] { return number(x) * number(y); });
+  return evaluate_in_domain(are_defined(x, y), [&] { return number(x) * number(y); });
 }
 Real operator/(const Real& x, const Real& y) {
-  return guarded(are_defined(x, y) && !cln::zerop(number(y)),
-                 [&] { return number(x) / number(y); });
+  return evaluate_in_domain(are_defined(x, y) && !cln::zerop(number(y)),
+                            [&] { return number(x) / number(y); });
 }
 Real sqrt(const Real& x) {
-  return guarded(x.is_defined() && !cln::minusp(number(x)), [&] { return cln::sqrt(number(x)); });
+  return evaluate_in_domain(x.is_defined() && !cln::minusp(number(x)),
+                            [&] { return cln::sqrt(number(x)); });
 }
 
 bool operator<(const Real& x, const Real& y) { return are_defined(x, y) && number(x) < number(y); }

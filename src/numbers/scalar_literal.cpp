@@ -75,7 +75,7 @@ std::optional<Scalar> divide_in_hardware(const cln::cl_RA& x) {
 /// all built-in types the result is 0 or infinity, because the exact fraction might need more than
 /// the memory.
 template <class Scalar>
-std::optional<Scalar> rounded_by_exponent(const cln::cl_R& x) {
+std::optional<Scalar> round_by_exponent(const cln::cl_R& x) {
   constexpr std::int64_t normal = 1'000;
   constexpr std::int64_t beyond_all = 40'000;
   if (is_rational(x)) return std::nullopt;
@@ -89,7 +89,7 @@ std::optional<Scalar> rounded_by_exponent(const cln::cl_R& x) {
 
 template <class Scalar>
 Scalar round_to(const cln::cl_R& value) {
-  if (const std::optional<Scalar> magnitude = rounded_by_exponent<Scalar>(value)) {
+  if (const std::optional<Scalar> magnitude = round_by_exponent<Scalar>(value)) {
     return cln::minusp(value) ? -*magnitude : *magnitude;
   }
   const cln::cl_RA x = cln::rational(value);
@@ -98,15 +98,15 @@ Scalar round_to(const cln::cl_R& value) {
 }
 
 template <class Scalar>
-Fit fit_in(const cln::cl_R& value) {
+ScalarFit fit_of_type(const cln::cl_R& value) {
   const Scalar nearest = std::abs(ScalarTraits<Scalar>::from_real(value));
-  if (nearest > std::numeric_limits<Scalar>::max()) return Fit::too_large;
+  if (nearest > std::numeric_limits<Scalar>::max()) return ScalarFit::too_large;
   const bool is_subnormal = nearest < std::numeric_limits<Scalar>::min();
-  return is_subnormal && !cln::zerop(value) ? Fit::too_small : Fit::fits;
+  return is_subnormal && !cln::zerop(value) ? ScalarFit::too_small : ScalarFit::fits;
 }
 
 template <class Scalar>
-std::string shortest_in(const cln::cl_R& value) {
+std::string shortest_text(const cln::cl_R& value) {
   char buffer[64];
   const Scalar nearest = ScalarTraits<Scalar>::from_real(value);
   const std::to_chars_result end = std::to_chars(buffer, buffer + sizeof buffer, nearest);
@@ -132,24 +132,24 @@ long double ScalarTraits<long double>::from_real(const cln::cl_R& value) {
   return round_to<long double>(value);
 }
 
-Fit fit(const cln::cl_R& value, ScalarKind scalar) {
+ScalarFit scalar_fit(const cln::cl_R& value, ScalarKind scalar) {
   switch (scalar) {
     case ScalarKind::single_precision:
-      return fit_in<float>(value);
+      return fit_of_type<float>(value);
     case ScalarKind::double_precision:
-      return fit_in<double>(value);
+      return fit_of_type<double>(value);
     case ScalarKind::long_double:
-      return fit_in<long double>(value);
+      return fit_of_type<long double>(value);
   }
-  return Fit::fits;
+  return ScalarFit::fits;
 }
 
 std::string shortest_literal(const cln::cl_R& value, ScalarKind scalar) {
   switch (scalar) {
     case ScalarKind::single_precision:
-      return shortest_in<float>(value);
+      return shortest_text<float>(value);
     case ScalarKind::double_precision:
-      return shortest_in<double>(value);
+      return shortest_text<double>(value);
     case ScalarKind::long_double:
       // The user's compiler reads this literal, and its long double may have 113 bits.
       return literal_text(rounded_decimal(value, 40));
@@ -166,8 +166,8 @@ std::string signed_literal(const cln::cl_R& value, ScalarKind scalar) {
   return (cln::minusp(value) ? "-" : "") + scalar_literal(cln::abs(value), scalar);
 }
 
-std::optional<std::string> exact_in_float(const cln::cl_R& value) {
-  if (!is_rational(value) || fit(value, ScalarKind::single_precision) != Fit::fits) {
+std::optional<std::string> exact_float_literal(const cln::cl_R& value) {
+  if (!is_rational(value) || scalar_fit(value, ScalarKind::single_precision) != ScalarFit::fits) {
     return std::nullopt;
   }
   const float nearest = ScalarTraits<float>::from_real(value);

@@ -13,9 +13,9 @@
 namespace elgen {
 
 /// Whether a built-in scalar can hold a value. `too_small`: a nonzero value becomes 0 or subnormal.
-enum class Fit : std::uint8_t { fits, too_large, too_small };
+enum class ScalarFit : std::uint8_t { fits, too_large, too_small };
 
-[[nodiscard]] Fit fit(const cln::cl_R& value, ScalarKind scalar);
+[[nodiscard]] ScalarFit scalar_fit(const cln::cl_R& value, ScalarKind scalar);
 
 /// The shortest decimal that reads back as the number of the scalar type nearest to `value`; 40
 /// digits for long double. The value must fit.
@@ -29,6 +29,6 @@ enum class Fit : std::uint8_t { fits, too_large, too_small };
 
 /// The exact decimal if float represents the value exactly (0, 2, -1/2) and 17 digits suffice;
 /// otherwise none.
-[[nodiscard]] std::optional<std::string> exact_in_float(const cln::cl_R& value);
+[[nodiscard]] std::optional<std::string> exact_float_literal(const cln::cl_R& value);
 
 }  // namespace elgen

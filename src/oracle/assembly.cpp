@@ -24,18 +24,18 @@ constexpr unsigned most_halvings = 10;
 
 /// A row is dependent if the length of its component orthogonal to the earlier rows is at most this
 /// share of the length of the row.
-const cl_R& dependent_share() {
+const cl_R& dependence_tolerance() {
   static const cl_R share = power_of_ten(-12);
   return share;
 }
 
-/// The tolerance of is_met(), relative to 1 + the largest coordinate or rate.
-const cl_R& met_share() {
+/// The tolerance of is_satisfied(), relative to 1 + the largest coordinate or rate.
+const cl_R& residual_tolerance() {
   static const cl_R share = power_of_ten(-60);
   return share;
 }
 
-cl_R length_of(const Direction& row) {
+cl_R vector_norm(const Direction& row) {
   const cl_R square = std::inner_product(row.begin(), row.end(), row.begin(), cl_R(0));
   return cln::zerop(square) ? cl_R(0) : real_power(square, cln::cl_RA(1) / 2);
 }
@@ -55,12 +55,12 @@ LinearisedConstraints independent_rows(const LinearisedConstraints& all,
       const cl_R share = std::inner_product(rest.begin(), rest.end(), unit.begin(), cl_R(0));
       for (std::size_t j = 0; j < rest.size(); ++j) rest[j] = rest[j] - share * unit[j];
     }
-    const cl_R length = length_of(rest);
-    if (length <= length_of(all.rows[k]) * dependent_share()) continue;
+    const cl_R length = vector_norm(rest);
+    if (length <= vector_norm(all.rows[k]) * dependence_tolerance()) continue;
     for (cl_R& entry : rest) entry = entry / length;
     basis.push_back(std::move(rest));
     kept.rows.push_back(all.rows[k]);
-    kept.s.push_back(all.s[k]);
+    kept.right_side.push_back(all.right_side[k]);
   }
   return kept;
 }
@@ -69,8 +69,9 @@ LinearisedConstraints independent_rows(const LinearisedConstraints& all,
 std::optional<Direction> newton_step(const Model& model, const State& state,
                                      const LinearisedConstraints& shortage,
                                      const std::vector<bool>& fixed) {
-  std::optional<Direction> step =
-      attempt([&] { return correction(model, state, independent_rows(shortage, fixed), fixed); });
+  std::optional<Direction> step = attempt([&] {
+    return least_energy_correction(model, state, independent_rows(shortage, fixed), fixed);
+  });
   if (!step) return std::nullopt;
   for (cl_R& entry : *step) {
     if (!cln::zerop(entry)) entry = as_float(entry);
@@ -79,22 +80,22 @@ std::optional<Direction> newton_step(const Model& model, const State& state,
 }
 
 /// The length of each row; 1 for a zero row.
-std::vector<cl_R> scales_of(const LinearisedConstraints& shortage) {
+std::vector<cl_R> row_lengths(const LinearisedConstraints& shortage) {
   std::vector<cl_R> lengths;
   for (const Direction& row : shortage.rows) {
-    const cl_R length = length_of(row);
+    const cl_R length = vector_norm(row);
     lengths.push_back(cln::zerop(length) ? cl_R(1) : length);
   }
   return lengths;
 }
 
-/// True if every error is at most met_share() * (1 + max |at_i|). `at` holds the coordinates or the
-/// rates that Newton's method corrects.
-bool is_met(const LinearisedConstraints& shortage, const std::vector<cl_R>& at) {
-  const std::vector<cl_R> lengths = scales_of(shortage);
-  const cl_R share = met_share() * (1 + largest_of(at));
+/// True if every error is at most residual_tolerance() * (1 + max |at_i|). `at` holds the
+/// coordinates or the rates that Newton's method corrects.
+bool is_satisfied(const LinearisedConstraints& shortage, const std::vector<cl_R>& at) {
+  const std::vector<cl_R> lengths = row_lengths(shortage);
+  const cl_R share = residual_tolerance() * (1 + max_magnitude(at));
   for (std::size_t k = 0; k < lengths.size(); ++k) {
-    if (cln::abs(shortage.s[k]) > share * lengths[k]) return false;
+    if (cln::abs(shortage.right_side[k]) > share * lengths[k]) return false;
   }
   return true;
 }
@@ -115,8 +116,8 @@ std::optional<State> damped_newton_step(const Model& model, const State& state,
                                         const LinearisedConstraints& shortage,
                                         const std::vector<bool>& fixed) {
   std::optional<Direction> step = newton_step(model, state, shortage, fixed);
-  const std::vector<cl_R> lengths = scales_of(shortage);
-  const cl_R now = squared_error(shortage.s, lengths);
+  const std::vector<cl_R> lengths = row_lengths(shortage);
+  const cl_R now = squared_error(shortage.right_side, lengths);
   for (unsigned halving = 0; step && halving <= most_halvings; ++halving) {
     State next = displaced_state(model, state, *step);
     const auto error =
@@ -130,27 +131,27 @@ std::optional<State> damped_newton_step(const Model& model, const State& state,
 /// Corrects the rates until they satisfy the constraints. Sets `has_rates` to true if this
 /// succeeds.
 void assemble_rates(const Model& model, Assembly& at, const std::vector<bool>& fixed) {
-  const LinearisedConstraints shortage = linearised_rates(model, at.state);
-  if (!is_met(shortage, at.state.v)) {
+  const LinearisedConstraints shortage = linearise_rates(model, at.state);
+  if (!is_satisfied(shortage, at.state.v)) {
     const std::optional<Direction> step = newton_step(model, at.state, shortage, fixed);
     if (!step) return;
     for (std::size_t i = 0; i < step->size(); ++i) at.state.v[i] = at.state.v[i] + (*step)[i];
   }
-  at.has_rates = is_met(linearised_rates(model, at.state), at.state.v);
+  at.has_rates = is_satisfied(linearise_rates(model, at.state), at.state.v);
 }
 
-Assembly assemble(const Model& model, State state, const FixedVariables& kept) {
+Assembly assemble(const Model& model, State state, const FixedVariables& fixed) {
   Assembly at{std::move(state)};
-  at.state.q = normalized(model, std::move(at.state.q));
+  at.state.q = normalize_quaternions(model, std::move(at.state.q));
   for (unsigned step = 0; step <= most_newton_steps; ++step) {
-    const LinearisedConstraints shortage = linearised_positions(model, at.state);
-    at.has_pose = is_met(shortage, at.state.q);
+    const LinearisedConstraints shortage = linearise_positions(model, at.state);
+    at.has_pose = is_satisfied(shortage, at.state.q);
     if (at.has_pose) break;
-    std::optional<State> next = damped_newton_step(model, at.state, shortage, kept.positions);
+    std::optional<State> next = damped_newton_step(model, at.state, shortage, fixed.positions);
     if (!next) return at;
     at.state = std::move(*next);
   }
-  if (at.has_pose) assemble_rates(model, at, kept.rates);
+  if (at.has_pose) assemble_rates(model, at, fixed.rates);
   return at;
 }
 
@@ -164,7 +165,7 @@ std::optional<Assembly> oracle_assembly(const Model& model, const State& state,
   return oracle::attempt_with_enough_digits([&] { return oracle::assemble(model, state, kept); });
 }
 
-std::optional<State> oracle_assembled(const Model& model, State state) {
+std::optional<State> oracle_assembled_state(const Model& model, State state) {
   if (model.constraints.empty()) return state;
   std::optional<Assembly> at = oracle_assembly(model, state);
   return at && at->has_rates ? std::optional(std::move(at->state)) : std::nullopt;

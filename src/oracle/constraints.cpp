@@ -17,22 +17,22 @@ using Values = std::vector<cl_R>;
 constexpr Generators displacement_generator = generator(0);
 constexpr Generators slope_generator = generator(1);
 
-Jet rate_of(Evaluation& at, const Constraint& constraint) {
+Jet constraint_rate(Evaluation& at, const Constraint& constraint) {
   return constraint.is_position ? at.rate(constraint.value) : at.value(constraint.value);
 }
 
-Jet rate_of_rate(Evaluation& at, const Constraint& constraint) {
+Jet constraint_second_rate(Evaluation& at, const Constraint& constraint) {
   return constraint.is_position ? at.second_rate(constraint.value) : at.rate(constraint.value);
 }
 
 /// dr/dt + 2 zeta omega r + omega^2 f at the motion's acceleration. The last term is for position
 /// constraints only.
 Jet stabilised_acceleration(Evaluation& at, const Constraint& constraint) {
-  Jet result = rate_of_rate(at, constraint);
+  Jet result = constraint_second_rate(at, constraint);
   if (!constraint.omega) return result;
   const Jet omega = at.value(*constraint.omega);
   const Jet zeta = at.value(*constraint.zeta);
-  result = result + Jet(2) * zeta * omega * rate_of(at, constraint);
+  result = result + Jet(2) * zeta * omega * constraint_rate(at, constraint);
   if (!constraint.is_position) return result;
   return result + omega * omega * at.value(constraint.value);
 }
@@ -50,8 +50,8 @@ Motion displaced_motion(const Model& model, const Constraint& constraint, Motion
 }
 
 /// The entry of A w for this constraint, as a jet in the generators that the motion already has.
-Jet along(const Model& model, const Constraint& constraint, const Motion& motion,
-          const Direction& w) {
+Jet jacobian_product(const Model& model, const Constraint& constraint, const Motion& motion,
+                     const Direction& w) {
   const Motion moved = displaced_motion(model, constraint, motion, w);
   return Evaluation(model, moved).value(constraint.value).tangent(displacement_generator);
 }
@@ -60,20 +60,20 @@ Direction jacobian_row(const Model& model, const Constraint& constraint, const M
   const std::size_t n = motion.v.size();
   Direction row;
   for (std::size_t j = 0; j < n; ++j) {
-    row.push_back(along(model, constraint, motion, unit_direction(n, j)).real());
+    row.push_back(jacobian_product(model, constraint, motion, unit_direction(n, j)).real());
   }
   return row;
 }
 
-/// `of` evaluated at a = 0, one value per constraint.
-Values at_zero_acceleration(const Model& model, const State& state,
-                            Jet (*of)(Evaluation& at, const Constraint& constraint)) {
-  Motion motion = motion_of(state);
+/// `quantity` evaluated at a = 0, one value per constraint.
+Values values_at_zero_acceleration(const Model& model, const State& state,
+                                   Jet (*quantity)(Evaluation& at, const Constraint& constraint)) {
+  Motion motion = make_motion(state);
   motion.a.assign(state.v.size(), Jet());
   Evaluation at(model, motion);
   Values values;
   for (const Constraint& constraint : model.constraints) {
-    values.push_back(of(at, constraint).real());
+    values.push_back(quantity(at, constraint).real());
   }
   return values;
 }
@@ -98,7 +98,7 @@ Values row_scales(const Values& matrix, std::size_t rows) {
 
 /// Solves a square system whose last column is the right side. Throws OutsideDomain if the system
 /// is singular: pivots are compared with `scales`, one scale per row.
-Values eliminated(const Values& matrix, const Values& scales) {
+Values solve_by_elimination(const Values& matrix, const Values& scales) {
   const std::size_t n = scales.size();
   if (std::ranges::any_of(scales, [](const cl_R& scale) { return cln::zerop(scale); })) {
     throw OutsideDomain("singular constraints");
@@ -109,7 +109,7 @@ Values eliminated(const Values& matrix, const Values& scales) {
   return *echelon.solution();
 }
 
-Values times(const Values& matrix, const Values& x) {
+Values multiply(const Values& matrix, const Values& x) {
   Values result(matrix.size() / x.size());
   for (std::size_t k = 0; k < matrix.size(); ++k) {
     result[k / x.size()] = result[k / x.size()] + matrix[k] * x[k % x.size()];
@@ -117,9 +117,9 @@ Values times(const Values& matrix, const Values& x) {
   return result;
 }
 
-cl_R dot_product(const Values& x, const Values& y) { return times(x, y).front(); }
+cl_R dot_product(const Values& x, const Values& y) { return multiply(x, y).front(); }
 
-Values transposed_times(const Values& matrix, const Values& y, std::size_t columns) {
+Values multiply_transposed(const Values& matrix, const Values& y, std::size_t columns) {
   Values result(columns);
   for (std::size_t k = 0; k < matrix.size(); ++k) {
     result[k % columns] = result[k % columns] + matrix[k] * y[k / columns];
@@ -144,13 +144,13 @@ Values solve_dependent(const std::vector<std::uint32_t>& independent, const Valu
     const bool is_given = std::ranges::count(independent, i) > 0;
     is_given ? void(result[i] = x[i]) : dependent.push_back(i);
   }
-  const Values of_given = times(jacobian, result);
+  const Values of_given = multiply(jacobian, result);
   Values matrix;
   for (std::size_t k = 0; k < m; ++k) {
     for (const std::size_t i : dependent) matrix.push_back(jacobian[k * n + i]);
     matrix.push_back(s[k] - of_given[k]);
   }
-  const Values others = eliminated(matrix, row_scales(matrix, m));
+  const Values others = solve_by_elimination(matrix, row_scales(matrix, m));
   for (std::size_t k = 0; k < m; ++k) result[dependent[k]] = others[k];
   return result;
 }
@@ -158,20 +158,20 @@ Values solve_dependent(const std::vector<std::uint32_t>& independent, const Valu
 }  // namespace
 
 Values constraint_residual(const Model& model, const State& state) {
-  const Motion motion = motion_of(state);
+  const Motion motion = make_motion(state);
   Evaluation at(model, motion);
   Values values;
   for (const Constraint& constraint : model.constraints) {
     if (constraint.is_position) values.push_back(at.value(constraint.value).real());
   }
   for (const Constraint& constraint : model.constraints) {
-    values.push_back(rate_of(at, constraint).real());
+    values.push_back(constraint_rate(at, constraint).real());
   }
   return values;
 }
 
 Values constraint_jacobian(const Model& model, const State& state) {
-  const Motion motion = motion_of(state);
+  const Motion motion = make_motion(state);
   Values values;
   for (const Constraint& constraint : model.constraints) {
     const Direction row = jacobian_row(model, constraint, motion);
@@ -181,19 +181,19 @@ Values constraint_jacobian(const Model& model, const State& state) {
 }
 
 Values constraint_bias(const Model& model, const State& state) {
-  return at_zero_acceleration(model, state, rate_of_rate);
+  return values_at_zero_acceleration(model, state, constraint_second_rate);
 }
 
 Values stabilised_bias(const Model& model, const State& state) {
-  return at_zero_acceleration(model, state, stabilised_acceleration);
+  return values_at_zero_acceleration(model, state, stabilised_acceleration);
 }
 
 Values stabilised_slope(const Model& model, const State& state, const Displacement& along,
                         const Direction& a) {
-  Motion motion = motion_of(state);
+  Motion motion = make_motion(state);
   motion.a.assign(a.begin(), a.end());
-  displace_position(model, motion, along.x, slope_generator);
-  displace(motion.v, along.y, slope_generator);
+  displace_position(model, motion, along.position, slope_generator);
+  displace(motion.v, along.velocity, slope_generator);
   Evaluation at(model, motion);
   Values values;
   for (const Constraint& constraint : model.constraints) {
@@ -204,11 +204,11 @@ Values stabilised_slope(const Model& model, const State& state, const Displaceme
 
 cl_R constraint_force_slope(const Model& model, const State& state, const Direction& w,
                             const Direction& x, const Values& multipliers) {
-  Motion motion = motion_of(state);
+  Motion motion = make_motion(state);
   displace_position(model, motion, x, slope_generator);
   cl_R sum = 0;
   for (std::size_t k = 0; k < multipliers.size(); ++k) {
-    const Jet row = along(model, model.constraints[k], motion, w);
+    const Jet row = jacobian_product(model, model.constraints[k], motion, w);
     sum = sum + multipliers[k] * row.coefficient(slope_generator);
   }
   return sum;
@@ -230,19 +230,19 @@ ConstrainedMotion solve_constrained(const ConstrainedSystem& system, const Value
   }
   for (std::size_t k = 0; k < m; ++k) matrix[(n + k) * columns + n + m] = s[k];
   const Values scales = row_scales(matrix, n + m);
-  const Values all = eliminated(matrix, scales);
+  const Values all = solve_by_elimination(matrix, scales);
   const auto middle = all.begin() + static_cast<std::ptrdiff_t>(n);
-  return {{all.begin(), middle}, negative({middle, all.end()})};
+  return {{all.begin(), middle}, negate({middle, all.end()})};
 }
 
-Values pivots_of_constraints(const Model& model, const ConstrainedSystem& system) {
+Values constraint_pivots(const Model& model, const ConstrainedSystem& system) {
   const std::size_t m = model.constraints.size();
   const std::size_t n = model.velocities.size();
   Values matrix;
   for (std::size_t i = 0; i < m; ++i) {
     const auto begin = system.jacobian.begin() + static_cast<std::ptrdiff_t>(i * n);
     const Values row(begin, begin + static_cast<std::ptrdiff_t>(n));
-    const Values column = times(system.jacobian, solve_mass(model, system.mass, row).x);
+    const Values column = multiply(system.jacobian, solve_mass(model, system.mass, row).x);
     matrix.insert(matrix.end(), column.begin(), column.end());
   }
   return solve_symmetric(std::move(matrix), Values(m)).relative_pivots;
@@ -252,41 +252,43 @@ ConstrainedSystem constrained_system(Mechanics& at) {
   return {at.mass_matrix(), constraint_jacobian(at.model(), at.state())};
 }
 
-ConstrainedMotion response(Mechanics& at, const ConstrainedSystem& system, const Values& r,
-                           const Values& s) {
+ConstrainedMotion solve_response(Mechanics& at, const ConstrainedSystem& system, const Values& r,
+                                 const Values& s) {
   if (s.empty()) return {solve_mass(at.model(), system.mass, r).x, {}};
   return solve_constrained(system, r, s);
 }
 
 ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& system) {
-  return response(at, system, net_forces(at), negative(stabilised_bias(at.model(), at.state())));
+  return solve_response(at, system, net_forces(at),
+                        negate(stabilised_bias(at.model(), at.state())));
 }
 
-LinearisedConstraints linearised_positions(const Model& model, const State& state) {
-  const Motion motion = motion_of(state);
+LinearisedConstraints linearise_positions(const Model& model, const State& state) {
+  const Motion motion = make_motion(state);
   Evaluation at(model, motion);
   LinearisedConstraints shortage;
   for (const Constraint& constraint : model.constraints) {
     if (!constraint.is_position) continue;
     shortage.rows.push_back(jacobian_row(model, constraint, motion));
-    shortage.s.push_back(-at.value(constraint.value).real());
+    shortage.right_side.push_back(-at.value(constraint.value).real());
   }
   return shortage;
 }
 
-LinearisedConstraints linearised_rates(const Model& model, const State& state) {
-  const Motion motion = motion_of(state);
+LinearisedConstraints linearise_rates(const Model& model, const State& state) {
+  const Motion motion = make_motion(state);
   Evaluation at(model, motion);
   LinearisedConstraints shortage;
   for (const Constraint& constraint : model.constraints) {
     shortage.rows.push_back(jacobian_row(model, constraint, motion));
-    shortage.s.push_back(-rate_of(at, constraint).real());
+    shortage.right_side.push_back(-constraint_rate(at, constraint).real());
   }
   return shortage;
 }
 
-Direction correction(const Model& model, const State& state, const LinearisedConstraints& shortage,
-                     const std::vector<bool>& kept) {
+Direction least_energy_correction(const Model& model, const State& state,
+                                  const LinearisedConstraints& shortage,
+                                  const std::vector<bool>& kept) {
   const Values still(state.v.size());
   if (shortage.rows.empty()) return still;
   Mechanics at(model, state);
@@ -301,34 +303,34 @@ Direction correction(const Model& model, const State& state, const LinearisedCon
   for (std::size_t k = 0; k < n * n; ++k) {
     if (kept[k / n] || kept[k % n]) system.mass[k] = k / n == k % n ? 1 : 0;
   }
-  return solve_constrained(system, still, shortage.s).x;
+  return solve_constrained(system, still, shortage.right_side).x;
 }
 
 State displaced_state(const Model& model, State state, const Direction& x) {
   const std::vector<Jet> moving(x.begin(), x.end());
-  const std::vector<Jet> rates = coordinate_rates(model, motion_of(state).q, moving);
+  const std::vector<Jet> rates = coordinate_rates(model, make_motion(state).q, moving);
   for (std::size_t i = 0; i < rates.size(); ++i) state.q[i] = state.q[i] + rates[i].real();
-  state.q = normalized(model, std::move(state.q));
+  state.q = normalize_quaternions(model, std::move(state.q));
   return state;
 }
 
-Values projected(const Model& model, const State& state) {
-  const Direction dq = correction(model, state, linearised_positions(model, state));
+Values project_state(const Model& model, const State& state) {
+  const Direction dq = least_energy_correction(model, state, linearise_positions(model, state));
   const State moved = displaced_state(model, state, dq);
-  const Direction dv = correction(model, moved, linearised_rates(model, moved));
+  const Direction dv = least_energy_correction(model, moved, linearise_rates(model, moved));
   Values values = moved.q;
   for (std::size_t i = 0; i < dv.size(); ++i) values.push_back(state.v[i] + dv[i]);
   return values;
 }
 
-Values completed(const Model& model, const std::vector<std::uint32_t>& independent,
-                 const State& state) {
+Values complete_motion(const Model& model, const std::vector<std::uint32_t>& independent,
+                       const State& state) {
   const Values jacobian = constraint_jacobian(model, state);
   State moving = state;
   moving.v.assign(state.v.size(), cl_R(0));
-  const LinearisedConstraints at_rest = linearised_rates(model, moving);  // r is affine in v
-  moving.v = solve_dependent(independent, jacobian, state.v, at_rest.s);
-  const Values bias = negative(constraint_bias(model, moving));
+  const LinearisedConstraints at_rest = linearise_rates(model, moving);  // r is affine in v
+  moving.v = solve_dependent(independent, jacobian, state.v, at_rest.right_side);
+  const Values bias = negate(constraint_bias(model, moving));
   Values values = moving.v;
   const Values accelerations = solve_dependent(independent, jacobian, state.a, bias);
   values.insert(values.end(), accelerations.begin(), accelerations.end());
@@ -337,13 +339,13 @@ Values completed(const Model& model, const std::vector<std::uint32_t>& independe
 
 /// u minimises |P (tau - B u)| in the M^-1 norm, P the projection onto the free motions: P r = M x
 /// with M x = r + A^T y, A x = 0. The normal equations are B^T x = 0 for r = tau - B u.
-Values constrained_inverse(const Model& model, const State& state) {
+Values constrained_inverse_dynamics(const Model& model, const State& state) {
   Mechanics at(model, state);
   const ConstrainedSystem system = constrained_system(at);
   const std::size_t n = state.v.size();
   const std::size_t inputs = state.u.size();
   const Values still(model.constraints.size());
-  const Values b = input_entries(at);
+  const Values b = input_matrix_entries(at);
   Values force;
   for (std::size_t i = 0; i < n; ++i) force.push_back(inverse_dynamics(at, at.unit(i)));
   const Values answer = solve_constrained(system, force, still).x;
@@ -352,16 +354,16 @@ Values constrained_inverse(const Model& model, const State& state) {
   for (std::size_t j = 0; j <= inputs; ++j) {
     const Values response =
         j == inputs ? answer : solve_constrained(system, column_of(b, j, inputs), still).x;
-    const Values column = transposed_times(b, response, inputs);
+    const Values column = multiply_transposed(b, response, inputs);
     for (std::size_t i = 0; i < inputs; ++i) matrix[i * (inputs + 1) + j] = column[i];
     if (j == inputs) continue;
     const Values force_of_input = column_of(b, j, inputs);
     free.push_back(dot_product(force_of_input, solve_mass(model, system.mass, force_of_input).x));
   }
-  Values values = eliminated(matrix, free);
-  const Values rest = difference(force, times(b, values));
-  const Values multipliers = negative(solve_constrained(system, rest, still).y);
-  const Values unbalanced = difference(rest, transposed_times(system.jacobian, multipliers, n));
+  Values values = solve_by_elimination(matrix, free);
+  const Values rest = difference(force, multiply(b, values));
+  const Values multipliers = negate(solve_constrained(system, rest, still).y);
+  const Values unbalanced = difference(rest, multiply_transposed(system.jacobian, multipliers, n));
   values.insert(values.end(), multipliers.begin(), multipliers.end());
   values.insert(values.end(), unbalanced.begin(), unbalanced.end());
   return values;

@@ -22,9 +22,9 @@ namespace elgen::oracle {
 
 /// All rates, then all accelerations, from the independent entries of v and a. OutsideDomain if A
 /// does not determine the dependent entries.
-[[nodiscard]] std::vector<cln::cl_R> completed(const Model& model,
-                                               const std::vector<std::uint32_t>& independent,
-                                               const State& state);
+[[nodiscard]] std::vector<cln::cl_R> complete_motion(const Model& model,
+                                                     const std::vector<std::uint32_t>& independent,
+                                                     const State& state);
 
 /// gamma = dr/dt at a = 0, one entry per constraint.
 [[nodiscard]] std::vector<cln::cl_R> constraint_bias(const Model& model, const State& state);
@@ -57,17 +57,17 @@ struct ConstrainedSystem {
                                                   const std::vector<cln::cl_R>& s);
 
 /// Relative pivots D_i / S_ii of S = A M^-1 A^T = L D L^T.
-[[nodiscard]] std::vector<cln::cl_R> pivots_of_constraints(const Model& model,
-                                                           const ConstrainedSystem& system);
+[[nodiscard]] std::vector<cln::cl_R> constraint_pivots(const Model& model,
+                                                       const ConstrainedSystem& system);
 
 /// M and A at a state.
 [[nodiscard]] ConstrainedSystem constrained_system(Mechanics& at);
 
 /// solve_constrained() of the system with right sides r and s. Without constraints x is from
 /// solve_mass(), which eliminates in the model's order, and y is empty.
-[[nodiscard]] ConstrainedMotion response(Mechanics& at, const ConstrainedSystem& system,
-                                         const std::vector<cln::cl_R>& r,
-                                         const std::vector<cln::cl_R>& s);
+[[nodiscard]] ConstrainedMotion solve_response(Mechanics& at, const ConstrainedSystem& system,
+                                               const std::vector<cln::cl_R>& r,
+                                               const std::vector<cln::cl_R>& s);
 
 /// x = a and y = lambda at the state.
 [[nodiscard]] ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& system);
@@ -75,27 +75,28 @@ struct ConstrainedSystem {
 /// Linearised constraints A x = s. To first order, a displacement x of the positions makes f = 0,
 /// or a change x of the rates makes r = 0.
 struct LinearisedConstraints {
-  std::vector<Direction> rows = {};  ///< rows of A
-  std::vector<cln::cl_R> s = {};     ///< -f of positions, or -r of rates
+  std::vector<Direction> rows = {};        ///< rows of A
+  std::vector<cln::cl_R> right_side = {};  ///< -f of positions, or -r of rates
 };
-[[nodiscard]] LinearisedConstraints linearised_positions(const Model& model, const State& state);
-[[nodiscard]] LinearisedConstraints linearised_rates(const Model& model, const State& state);
+[[nodiscard]] LinearisedConstraints linearise_positions(const Model& model, const State& state);
+[[nodiscard]] LinearisedConstraints linearise_rates(const Model& model, const State& state);
 
 /// x with M x = A^T y, A x = s: the solution of A x = s with the least kinetic energy 1/2 x.M x.
-/// Entries of `kept` velocities are 0.
-[[nodiscard]] Direction correction(const Model& model, const State& state,
-                                   const LinearisedConstraints& shortage,
-                                   const std::vector<bool>& kept = {});
+/// Entries of `fixed` velocities are 0.
+[[nodiscard]] Direction least_energy_correction(const Model& model, const State& state,
+                                                const LinearisedConstraints& constraints,
+                                                const std::vector<bool>& fixed = {});
 
 /// The state at q + N x, with quaternions normalised.
 [[nodiscard]] State displaced_state(const Model& model, State state, const Direction& x);
 
 /// Coordinates, then rates, after one Newton step: q + N dq, then v + dv with dv computed at the
-/// new position. dq and dv come from correction().
-[[nodiscard]] std::vector<cln::cl_R> projected(const Model& model, const State& state);
+/// new position. dq and dv come from least_energy_correction().
+[[nodiscard]] std::vector<cln::cl_R> project_state(const Model& model, const State& state);
 
 /// Inverse dynamics with constraints: inputs u, multipliers lambda, and the residual tau - B u -
 /// A^T lambda.
-[[nodiscard]] std::vector<cln::cl_R> constrained_inverse(const Model& model, const State& state);
+[[nodiscard]] std::vector<cln::cl_R> constrained_inverse_dynamics(const Model& model,
+                                                                  const State& state);
 
 }  // namespace elgen::oracle

@@ -12,7 +12,7 @@ using cln::cl_R;
 using Values = std::vector<cl_R>;
 
 /// y as a displacement of positions (field 0: derivatives by q) or of velocities (field 1: by v).
-Displacement displacement(const Mechanics& at, std::size_t field, const Direction& y) {
+Displacement make_displacement(const Mechanics& at, std::size_t field, const Direction& y) {
   const Direction rest(at.size(), cl_R(0));
   return field == 0 ? Displacement{y, rest} : Displacement{rest, y};
 }
@@ -22,7 +22,7 @@ Values residual_derivatives(Mechanics& at, const Direction& a, const Direction& 
   const std::size_t n = at.size();
   Values values;
   for (std::size_t k = 0; k < 2 * n * n; ++k) {
-    const Displacement along = displacement(at, k / (n * n), at.unit(k % n));
+    const Displacement along = make_displacement(at, k / (n * n), at.unit(k % n));
     values.push_back(at.residual_slope(at.unit(k / n % n), along, a, u));
   }
   return values;
@@ -34,27 +34,27 @@ Values force_slopes(Mechanics& at, const ConstrainedMotion& motion, const Displa
   for (std::size_t i = 0; i < at.size(); ++i) {
     const Direction w = at.unit(i);
     values.push_back(at.residual_slope(w, along, motion.x, at.state().u) -
-                     constraint_force_slope(at.model(), at.state(), w, along.x, motion.y));
+                     constraint_force_slope(at.model(), at.state(), w, along.position, motion.y));
   }
   return values;
 }
 
 /// Writes `column` to column j of `matrix`, which is row-major with `columns` columns.
-void put_column(const Values& column, std::size_t j, std::size_t columns, Values& matrix) {
+void write_column(const Values& column, std::size_t j, std::size_t columns, Values& matrix) {
   for (std::size_t i = 0; i < column.size(); ++i) matrix[i * columns + j] = column[i];
 }
 
 /// Derivatives of accelerations and multipliers along a displacement and a change of inputs. If
 /// `inputs` is empty, the inputs do not change.
-ConstrainedMotion slope_along(Mechanics& at, const ConstrainedSystem& system,
-                              const ConstrainedMotion& motion, const Displacement& along,
-                              const Direction& inputs) {
-  Values forces = negative(force_slopes(at, motion, along));
+ConstrainedMotion constrained_motion_slope(Mechanics& at, const ConstrainedSystem& system,
+                                           const ConstrainedMotion& motion,
+                                           const Displacement& along, const Direction& inputs) {
+  Values forces = negate(force_slopes(at, motion, along));
   for (std::size_t i = 0; i < forces.size() && !inputs.empty(); ++i) {
     forces[i] = forces[i] + at.input_force(at.unit(i), inputs);
   }
-  const Values shortage = negative(stabilised_slope(at.model(), at.state(), along, motion.x));
-  return response(at, system, forces, shortage);
+  const Values shortage = negate(stabilised_slope(at.model(), at.state(), along, motion.x));
+  return solve_response(at, system, forces, shortage);
 }
 
 /// da/dq (field 0) or da/dv (field 1).
@@ -63,19 +63,19 @@ Values state_derivatives(Mechanics& at, const ConstrainedSystem& system,
   const std::size_t n = at.size();
   Values matrix(n * n);
   for (std::size_t j = 0; j < n; ++j) {
-    const Displacement along = displacement(at, field, at.unit(j));
-    put_column(slope_along(at, system, motion, along, {}).x, j, n, matrix);
+    const Displacement along = make_displacement(at, field, at.unit(j));
+    write_column(constrained_motion_slope(at, system, motion, along, {}).x, j, n, matrix);
   }
   return matrix;
 }
 
 /// w.(derivative of a along `along`) = y.dc - z.dr with M z = w + A^T y, A z = 0, and with
 /// r = M a + bias - B u - A^T lambda, c = A a + stabilised bias.
-cl_R along_acceleration(Mechanics& at, const Direction& w, const Displacement& along) {
+cl_R acceleration_contraction(Mechanics& at, const Direction& w, const Displacement& along) {
   const ConstrainedSystem system = constrained_system(at);
   const ConstrainedMotion motion = constrained_motion(at, system);
-  const ConstrainedMotion z = response(at, system, w, Values(motion.y.size()));
-  cl_R sum = constraint_force_slope(at.model(), at.state(), z.x, along.x, motion.y) -
+  const ConstrainedMotion z = solve_response(at, system, w, Values(motion.y.size()));
+  cl_R sum = constraint_force_slope(at.model(), at.state(), z.x, along.position, motion.y) -
              at.residual_slope(z.x, along, motion.x, at.state().u);
   const Values slopes = stabilised_slope(at.model(), at.state(), along, motion.x);
   for (std::size_t k = 0; k < slopes.size(); ++k) sum = sum + z.y[k] * slopes[k];
@@ -83,9 +83,9 @@ cl_R along_acceleration(Mechanics& at, const Direction& w, const Displacement& a
 }
 
 /// w.(da/du) y = z.B y with M z = w + A^T y', A z = 0.
-cl_R along_inputs(Mechanics& at, const Direction& w, const Direction& y) {
+cl_R input_contraction(Mechanics& at, const Direction& w, const Direction& y) {
   const Values still(at.model().constraints.size());
-  return at.input_force(response(at, constrained_system(at), w, still).x, y);
+  return at.input_force(solve_response(at, constrained_system(at), w, still).x, y);
 }
 
 cl_R dot(const Direction& a, const Direction& b) {
@@ -102,7 +102,7 @@ bool is_zero(const Direction& d) {
 
 ConstrainedMotion motion_slope(Mechanics& at, const Displacement& along, const Direction& inputs) {
   const ConstrainedSystem system = constrained_system(at);
-  return slope_along(at, system, constrained_motion(at, system), along, inputs);
+  return constrained_motion_slope(at, system, constrained_motion(at, system), along, inputs);
 }
 
 Values inverse_derivatives(Mechanics& at) {
@@ -110,7 +110,7 @@ Values inverse_derivatives(Mechanics& at) {
 }
 
 cl_R inverse_contraction(Mechanics& at, const Contraction& by) {
-  return at.residual_slope(by.w, displacement(at, by.field, by.y), at.state().a,
+  return at.residual_slope(by.w, make_displacement(at, by.field, by.y), at.state().a,
                            Direction(at.state().u.size(), cl_R(0)));
 }
 
@@ -123,20 +123,20 @@ Values forward_derivatives(Mechanics& at) {
     values.insert(values.end(), matrix.begin(), matrix.end());
   }
   const std::size_t inputs = at.state().u.size();
-  const Values of_inputs = input_entries(at);
+  const Values of_inputs = input_matrix_entries(at);
   Values matrix(of_inputs.size());
   for (std::size_t j = 0; j < inputs; ++j) {
     Values column;
     for (std::size_t i = 0; i < at.size(); ++i) column.push_back(of_inputs[i * inputs + j]);
-    put_column(response(at, system, column, Values(motion.y.size())).x, j, inputs, matrix);
+    write_column(solve_response(at, system, column, Values(motion.y.size())).x, j, inputs, matrix);
   }
   values.insert(values.end(), matrix.begin(), matrix.end());
   return values;
 }
 
 cl_R forward_contraction(Mechanics& at, const Contraction& by) {
-  return by.field == 2 ? along_inputs(at, by.w, by.y)
-                       : along_acceleration(at, by.w, displacement(at, by.field, by.y));
+  return by.field == 2 ? input_contraction(at, by.w, by.y)
+                       : acceleration_contraction(at, by.w, make_displacement(at, by.field, by.y));
 }
 
 /// A = [-[w]x 1; da/dq da/dv], B = [0; da/du]
@@ -166,11 +166,12 @@ cl_R state_contraction(Mechanics& at, const Contraction& by) {
   const auto middle = static_cast<std::ptrdiff_t>(at.size());
   const Direction w_position(by.w.begin(), by.w.begin() + middle);
   const Direction w_velocity(by.w.begin() + middle, by.w.end());
-  if (by.field == 1) return is_zero(w_velocity) ? 0 : along_inputs(at, w_velocity, by.y);
+  if (by.field == 1) return is_zero(w_velocity) ? 0 : input_contraction(at, w_velocity, by.y);
   const Displacement along{{by.y.begin(), by.y.begin() + middle},
                            {by.y.begin() + middle, by.y.end()}};
-  const cl_R rates = dot(w_position, along.y) - dot(w_position, at.cross_velocity(along.x));
-  return is_zero(w_velocity) ? rates : rates + along_acceleration(at, w_velocity, along);
+  const cl_R rates =
+      dot(w_position, along.velocity) - dot(w_position, at.cross_velocity(along.position));
+  return is_zero(w_velocity) ? rates : rates + acceleration_contraction(at, w_velocity, along);
 }
 
 }  // namespace elgen::oracle

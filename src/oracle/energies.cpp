@@ -34,13 +34,13 @@ std::vector<Jet> weight_terms(Evaluation& at) {
     }
   };
   if (!model.gravity) return terms;
-  for (const Point& point : model.points) append_weight(point.mass, point.at);
+  for (const Point& point : model.points) append_weight(point.mass, point.position);
   for (const Body& body : model.bodies) append_weight(body.mass, body.com);
   return terms;
 }
 
 /// w.I w; I is {Izz} or {xx yy zz xy xz yz}.
-Jet spin_energy_twice(Evaluation& at, const Body& body) {
+Jet twice_spin_energy(Evaluation& at, const Body& body) {
   if (body.inertia.empty() || body.spin.empty()) return {};
   if (body.inertia.size() == 1) {
     return at.value(body.inertia[0]) * square(at.value(body.spin.back()));
@@ -83,41 +83,43 @@ Jet magnitude(Evaluation& at, ExpressionId id) {
       for (const ExpressionId factor : e.operands) result = result * magnitude(at, factor);
       return result;
     default:
-      return at.value(id).magnitudes();
+      return at.value(id).absolute_coefficients();
   }
 }
 
 /// The two highest generators for directions of differentiation; no caller uses them.
-constexpr Generators along_first = generator(6);
-constexpr Generators along_second = generator(7);
+constexpr Generators first_cyclic_generator = generator(6);
+constexpr Generators second_cyclic_generator = generator(7);
 
-/// L0 (`rest`), w (`excess`) and M_cc (`mass`, row-major) of the Routhian in energies.hpp.
-struct CyclicParts {
-  Jet rest;
+/// L0 (`lagrangian_at_rest`), w (`excess`) and M_cc (`mass`, row-major) of the Routhian in
+/// energies.hpp.
+struct RouthianTerms {
+  Jet lagrangian_at_rest;
   std::vector<Jet> excess = {};
   std::vector<Jet> mass = {};
 };
 
-CyclicParts cyclic_parts(const Evaluation& at) {
-  const std::vector<Cyclic>& cyclic = at.model().variant.cyclic;
+RouthianTerms routhian_terms(const Evaluation& at) {
+  const std::vector<CyclicCoordinate>& cyclic = at.model().reduction.cyclic;
   const std::size_t n = cyclic.size();
   const Motion whole = whole_motion(at.model(), at.motion());
-  CyclicParts parts;
+  RouthianTerms parts;
   parts.mass.resize(n * n);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j <= i; ++j) {
       Motion moved = whole;
       Jet& rate = moved.v[cyclic[i].velocity];
-      rate = rate + Jet(along_first, 1);
+      rate = rate + Jet(first_cyclic_generator, 1);
       Jet& other = moved.v[cyclic[j].velocity];
-      other = other + Jet(along_second, 1);
-      Evaluation evaluation(whole_model(at.model()), moved);
+      other = other + Jet(second_cyclic_generator, 1);
+      Evaluation evaluation(unreduced_model(at.model()), moved);
       const Jet value = lagrangian(evaluation);
-      parts.mass[i * n + j] = value.tangent(along_first).tangent(along_second);
+      parts.mass[i * n + j] =
+          value.tangent(first_cyclic_generator).tangent(second_cyclic_generator);
       parts.mass[j * n + i] = parts.mass[i * n + j];
       if (j < i) continue;
-      const Jet momentum = value.tangent(along_first).without(along_second);
-      parts.rest = value.without(along_first | along_second);
+      const Jet momentum = value.tangent(first_cyclic_generator).without(second_cyclic_generator);
+      parts.lagrangian_at_rest = value.without(first_cyclic_generator | second_cyclic_generator);
       parts.excess.push_back(at.motion().parameters[cyclic[i].parameter] - momentum);
     }
   }
@@ -125,7 +127,7 @@ CyclicParts cyclic_parts(const Evaluation& at) {
 }
 
 /// v_c from M_cc v_c = w, by elimination from the first row to the last.
-std::vector<Jet> solve_cyclic_rates(const CyclicParts& parts) {
+std::vector<Jet> solve_cyclic_rates(const RouthianTerms& parts) {
   const std::size_t n = parts.excess.size();
   std::vector<Jet> both;
   for (std::size_t i = 0; i < n; ++i) {
@@ -137,24 +139,24 @@ std::vector<Jet> solve_cyclic_rates(const CyclicParts& parts) {
 }
 
 Jet routhian(const Evaluation& at) {
-  const CyclicParts parts = cyclic_parts(at);
+  const RouthianTerms parts = routhian_terms(at);
   const std::vector<Jet> rates = solve_cyclic_rates(parts);
   Jet work;
   for (std::size_t i = 0; i < rates.size(); ++i) work = work + parts.excess[i] * rates[i];
-  return parts.rest - half() * work;
+  return parts.lagrangian_at_rest - half() * work;
 }
 
 }  // namespace
 
 Motion whole_motion(const Model& model, const Motion& motion) {
-  const RemainingVariables left = remaining_variables(whole_model(model));
+  const RemainingVariables left = remaining_variables(unreduced_model(model));
   Motion whole = motion;
   whole.q = left.coordinates.with_zeros(motion.q);
   whole.v = left.velocities.with_zeros(motion.v);
   whole.a = left.velocities.with_zeros(motion.a);
   whole.u = left.inputs.with_zeros(motion.u);
   Evaluation at(model, motion);
-  for (const Lock& lock : model.variant.locks) {
+  for (const LockedCoordinate& lock : model.reduction.locks) {
     for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
       whole.q[lock.coordinate + i] = at.value(lock.values[i]);
     }
@@ -165,16 +167,18 @@ Motion whole_motion(const Model& model, const Motion& motion) {
   return whole;
 }
 
-std::vector<Jet> cyclic_rates(const Evaluation& at) { return solve_cyclic_rates(cyclic_parts(at)); }
+std::vector<Jet> cyclic_rates(const Evaluation& at) {
+  return solve_cyclic_rates(routhian_terms(at));
+}
 
 Jet kinetic_energy(Evaluation& at) {
   const Model& model = at.model();
   Jet sum = armature_energy(at) + value_or_zero(at, model.energies.T);
   for (const Point& point : model.points) {
-    sum = sum + translation_energy(at, point.mass, point.at, point.dimension);
+    sum = sum + translation_energy(at, point.mass, point.position, point.dimension);
   }
   for (const Body& body : model.bodies) {
-    sum = sum + half() * spin_energy_twice(at, body);
+    sum = sum + half() * twice_spin_energy(at, body);
     sum = sum + translation_energy(at, body.mass, body.com, body.dimension);
   }
   return sum;
@@ -189,7 +193,7 @@ Jet potential_energy(Evaluation& at) {
 Jet potential_magnitude(Evaluation& at) {
   const Model& model = at.model();
   Jet sum;
-  for (const Jet& term : weight_terms(at)) sum = sum + term.magnitudes();
+  for (const Jet& term : weight_terms(at)) sum = sum + term.absolute_coefficients();
   return model.energies.V ? sum + magnitude(at, *model.energies.V) : sum;
 }
 

@@ -32,7 +32,7 @@ Evaluation::Evaluation(const Model& model, const Motion& motion,
     : model_(model),
       motion_(motion),
       functions_(std::move(functions)),
-      known_(model.expressions.size()) {}
+      memoised_values_(model.expressions.size()) {}
 
 Jet Evaluation::value(ExpressionId expression) { return evaluate(expression, 0); }
 
@@ -45,7 +45,7 @@ Jet Evaluation::second_rate(ExpressionId expression) {
 }
 
 bool Evaluation::is_known(ExpressionId id, unsigned time_order) const {
-  return known_[id] && known_[id]->time_order >= time_order;
+  return memoised_values_[id] && memoised_values_[id]->time_order >= time_order;
 }
 
 /// The value of `root`. Uses no recursion, because chains of names may have thousands of links.
@@ -60,8 +60,8 @@ Jet Evaluation::evaluate(ExpressionId root, unsigned time_order) {
     const auto [id, order, has_operands] = stack.back();
     const Expression& e = model_.expressions[id];
     if (has_operands) {
-      known_[id] = {evaluated(e, order), order};
-      known_[id]->value.shorten();
+      memoised_values_[id] = {evaluate_operation(e, order), order};
+      memoised_values_[id]->value.shorten();
     }
     if (is_known(id, order)) {
       stack.pop_back();
@@ -73,34 +73,34 @@ Jet Evaluation::evaluate(ExpressionId root, unsigned time_order) {
       if (!is_known(reference, needed)) stack.push_back({reference, needed});
     }
   }
-  return operand(root, time_order);
+  return memoised_value(root, time_order);
 }
 
 /// The memoised value, without time generators beyond `time_order`.
-Jet Evaluation::operand(ExpressionId id, unsigned time_order) const {
-  const auto& [value, known_order] = *known_[id];
+Jet Evaluation::memoised_value(ExpressionId id, unsigned time_order) const {
+  const auto& [value, known_order] = *memoised_values_[id];
   return known_order == time_order ? value : value.without(later_time_generators(time_order));
 }
 
-Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
+Jet Evaluation::evaluate_operation(const Expression& e, unsigned time_order) {
   switch (e.kind) {
     case ExpressionKind::named:
-      return operand(*value_of_name(model_, e), time_order);
+      return memoised_value(*value_of_name(model_, e), time_order);
     case ExpressionKind::negate:
-      return -operand(e.operands[0], time_order);
+      return -memoised_value(e.operands[0], time_order);
     case ExpressionKind::add:
     case ExpressionKind::multiply:
       return sum_or_product(e, time_order);
     case ExpressionKind::divide:
-      return operand(e.operands[0], time_order) / operand(e.operands[1], time_order);
+      return memoised_value(e.operands[0], time_order) / memoised_value(e.operands[1], time_order);
     case ExpressionKind::power:
-      return functions_->power(operand(e.operands[0], time_order), e.number);
+      return functions_->power(memoised_value(e.operands[0], time_order), e.number);
     case ExpressionKind::function:
-      return function(e, time_order);
+      return function_value(e, time_order);
     case ExpressionKind::time_derivative:
-      return operand(e.operands[0], time_order + 1).tangent(time_generator(time_order));
+      return memoised_value(e.operands[0], time_order + 1).tangent(time_generator(time_order));
     default:
-      return is_leaf(e, Opcode::open_value) ? open_value(e, time_order) : leaf(e, time_order);
+      return is_leaf(e, Opcode::open_value) ? open_value(e, time_order) : leaf_value(e, time_order);
   }
 }
 
@@ -108,46 +108,46 @@ Jet Evaluation::evaluated(const Expression& e, unsigned time_order) {
 /// derivative that would contribute.
 Jet Evaluation::open_value(const Expression& e, unsigned time_order) const {
   const auto known = [this](std::uint32_t value, std::uint32_t argument) {
-    const auto derivative = derivative_of(model_, value, argument);
+    const auto derivative = find_open_derivative(model_, value, argument);
     if (!derivative) throw OutsideDomain("a third derivative of an open function");
     return *derivative;
   };
-  std::vector<Jet> moves;
+  std::vector<Jet> displacements;
   for (const ExpressionId argument : e.operands) {
-    moves.push_back(operand(argument, time_order).nilpotent());
+    displacements.push_back(memoised_value(argument, time_order).nilpotent_part());
   }
   const auto is_still = [](const Jet& x) { return x.is_zero(); };
   Jet result = motion_.f[e.index];
-  for (std::uint32_t i = 0; i < moves.size(); ++i) {
-    if (is_still(moves[i])) continue;
+  for (std::uint32_t i = 0; i < displacements.size(); ++i) {
+    if (is_still(displacements[i])) continue;
     const std::uint32_t slope = known(e.index, i);
-    result = result + motion_.f[slope] * moves[i];
+    result = result + motion_.f[slope] * displacements[i];
     for (std::uint32_t j = 0; j <= i; ++j) {
-      const Jet both = moves[i] * moves[j];
+      const Jet both = displacements[i] * displacements[j];
       if (is_still(both)) continue;
       const std::uint32_t curvature = known(slope, j);
       const Jet share = i == j ? Jet(cln::cl_RA(1) / 2) : Jet(1);
       result = result + motion_.f[curvature] * both * share;
       for (std::uint32_t k = 0; k <= j; ++k) {
-        if (!is_still(both * moves[k])) (void)known(curvature, k);
+        if (!is_still(both * displacements[k])) (void)known(curvature, k);
       }
     }
   }
   return result;
 }
 
-Jet Evaluation::leaf(const Expression& e, unsigned time_order) const {
+Jet Evaluation::leaf_value(const Expression& e, unsigned time_order) const {
   if (e.kind == ExpressionKind::number) return Jet(e.number);
   if (e.kind == ExpressionKind::pi) return Jet(real_pi());
   const Jet s = elapsed_time(time_order);
   if (e.leaf == Opcode::time) return motion_.t + s;
-  if (e.leaf == Opcode::coordinate) return position(e.index, s);
+  if (e.leaf == Opcode::coordinate) return coordinate_at(e.index, s);
   if (e.leaf == Opcode::velocity) return motion_.v[e.index] + motion_.a[e.index] * s;
   return leaf_of(motion_, e.leaf, e.index);
 }
 
 /// q + dq/dt s + 1/2 d2q/dt2 s^2
-Jet Evaluation::position(std::uint32_t index, const Jet& s) const {
+Jet Evaluation::coordinate_at(std::uint32_t index, const Jet& s) const {
   const Coordinate& coordinate = model_.coordinates[index];
   const Jet half_square = s * s * Jet(cln::cl_RA(1) / 2);
   if (!coordinate.rotation) {
@@ -159,26 +159,26 @@ Jet Evaluation::position(std::uint32_t index, const Jet& s) const {
   const std::uint32_t component = index - rotation.first_coordinate;
   const Quaternion e = quaternion_of(rotation, motion_.q);
   const Spin w = spin_of(rotation, motion_.v);
-  const Quaternion rate = rate_of(e, w);
+  const Quaternion rate = quaternion_derivative(e, w);
   if (half_square.terms().empty()) return e[component] + rate[component] * s;
-  const Quaternion turning = rate_of(rate, w);
-  const Quaternion accelerating = rate_of(e, spin_of(rotation, motion_.a));
+  const Quaternion turning = quaternion_derivative(rate, w);
+  const Quaternion accelerating = quaternion_derivative(e, spin_of(rotation, motion_.a));
   return e[component] + rate[component] * s +
          (turning[component] + accelerating[component]) * half_square;
 }
 
 Jet Evaluation::sum_or_product(const Expression& e, unsigned time_order) const {
-  Jet result = operand(e.operands.front(), time_order);
+  Jet result = memoised_value(e.operands.front(), time_order);
   for (std::size_t i = 1; i < e.operands.size(); ++i) {
-    const Jet next = operand(e.operands[i], time_order);
+    const Jet next = memoised_value(e.operands[i], time_order);
     result = e.kind == ExpressionKind::add ? result + next : result * next;
   }
   return result;
 }
 
-Jet Evaluation::function(const Expression& e, unsigned time_order) {
-  const Jet x = operand(e.operands[0], time_order);
-  const Jet y = e.operands.size() > 1 ? operand(e.operands[1], time_order) : Jet();
+Jet Evaluation::function_value(const Expression& e, unsigned time_order) {
+  const Jet x = memoised_value(e.operands[0], time_order);
+  const Jet y = e.operands.size() > 1 ? memoised_value(e.operands[1], time_order) : Jet();
   return functions_->value(e.function, x, y);
 }
 

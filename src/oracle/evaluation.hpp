@@ -46,25 +46,25 @@ class Evaluation {
 
  private:
   /// A value with the first `time_order` time generators.
-  struct Known {
+  struct MemoisedValue {
     Jet value;
     unsigned time_order = 0;
   };
 
   [[nodiscard]] bool is_known(ExpressionId id, unsigned time_order) const;
   [[nodiscard]] Jet evaluate(ExpressionId root, unsigned time_order);
-  Jet evaluated(const Expression& e, unsigned time_order);
-  Jet leaf(const Expression& e, unsigned time_order) const;
+  Jet evaluate_operation(const Expression& e, unsigned time_order);
+  Jet leaf_value(const Expression& e, unsigned time_order) const;
   [[nodiscard]] Jet open_value(const Expression& e, unsigned time_order) const;
-  [[nodiscard]] Jet position(std::uint32_t index, const Jet& s) const;
+  [[nodiscard]] Jet coordinate_at(std::uint32_t index, const Jet& s) const;
   Jet sum_or_product(const Expression& e, unsigned time_order) const;
-  Jet function(const Expression& e, unsigned time_order);
-  [[nodiscard]] Jet operand(ExpressionId id, unsigned time_order) const;
+  Jet function_value(const Expression& e, unsigned time_order);
+  [[nodiscard]] Jet memoised_value(ExpressionId id, unsigned time_order) const;
 
   const Model& model_;
   const Motion& motion_;
   std::shared_ptr<JetFunctions> functions_;
-  std::vector<std::optional<Known>> known_;  ///< indexed by expression
+  std::vector<std::optional<MemoisedValue>> memoised_values_;  ///< indexed by expression
 };
 
 }  // namespace elgen::oracle

@@ -20,7 +20,7 @@ bool is_exact_zero(const cl_R& x) { return is_rational(x) && cln::zerop(x); }
 
 /// The generators of a product of terms: disjoint sets add to their union, and grades add. Empty if
 /// a generator repeats or the grade exceeds its 8 bits, because the product vanishes.
-std::optional<Generators> product_of(Generators x, Generators y) {
+std::optional<Generators> multiply_generators(Generators x, Generators y) {
   const std::uint64_t product = std::uint64_t{x} + y;
   if ((x & y & all_generators) != 0 || product >> 32 != 0) return std::nullopt;
   return static_cast<Generators>(product);
@@ -53,9 +53,9 @@ using cln::cl_I;
 using cln::cl_RA;
 
 /// x ^ n for n >= 1, by repeated squaring.
-Jet whole_power(const Jet& x, const cl_I& n) {
+Jet integer_power(const Jet& x, const cl_I& n) {
   if (n == 1) return x;
-  const Jet root = whole_power(x, cln::floor1(n, 2));
+  const Jet root = integer_power(x, cln::floor1(n, 2));
   return cln::oddp(n) ? root * root * x : root * root;
 }
 
@@ -70,7 +70,7 @@ constexpr unsigned first_power_generator = 16;
 
 /// f(x, y) for jets whose only symbol is s.
 template <class Function>
-Jet composed(const Jet& x, const Jet& y, const Function& f) {
+Jet compose_graded(const Jet& x, const Jet& y, const Function& f) {
   Generators lowest = x.lowest_grade();
   const Generators of_y = y.lowest_grade();
   if (lowest == 0 || (of_y != 0 && of_y < lowest)) lowest = of_y;
@@ -93,7 +93,7 @@ Jet composed(const Jet& x, const Jet& y, const Function& f) {
 
 /// How many calls are memoised. The sine and cosine of an angle are each other's derivatives, and
 /// other calls come between their uses.
-constexpr std::size_t remembered_calls = 32;
+constexpr std::size_t max_memoised_calls = 32;
 
 bool is_graded(const Jet& x) { return x.lowest_grade() != 0; }
 
@@ -114,7 +114,8 @@ bool is_same(const Jet& x, const Jet& y) {
     return a.first == b.first && is_rational(a.second) == is_rational(b.second) &&
            a.second == b.second;
   };
-  return x.moving_ == y.moving_ && x.order_ == y.order_ && x.unknown_ == y.unknown_ &&
+  return x.dependencies_ == y.dependencies_ && x.order_ == y.order_ &&
+         x.unknown_coefficients_ == y.unknown_coefficients_ &&
          std::ranges::equal(x.terms_, y.terms_, is_same_term);
 }
 
@@ -123,37 +124,37 @@ Jet::Jet(const cl_R& real) : Jet(0, real) {}
 Jet::Jet(Generators generators, const cl_R& coefficient) {
   if (is_exact_zero(coefficient)) return;
   terms_.emplace_back(generators, coefficient);
-  moving_ = generators & all_generators;
-  if (moving_ != 0) order_ = static_cast<unsigned>(std::popcount(moving_));
+  dependencies_ = generators & all_generators;
+  if (dependencies_ != 0) order_ = static_cast<unsigned>(std::popcount(dependencies_));
 }
 
 Jet Jet::with_kink(const cl_R& real, Generators moving, const cl_RA& order) {
   if (order < 1) throw OutsideDomain("an infinite derivative");
   Jet result(real);
-  result.moving_ = moving;
+  result.dependencies_ = moving;
   result.order_ = cln::cl_I_to_uint(cln::floor1(order));
   const int first_unknown = cln::cl_I_to_int(cln::ceiling1(order));
   for (Generators some = moving; some != 0; some = (some - 1) & moving) {
-    if (std::popcount(some) >= first_unknown) result.unknown_.push_back(some);
+    if (std::popcount(some) >= first_unknown) result.unknown_coefficients_.push_back(some);
   }
-  std::ranges::reverse(result.unknown_);
+  std::ranges::reverse(result.unknown_coefficients_);
   return result;
 }
 
 void Jet::depend_on(const Jet& x, const Jet& y) {
-  moving_ = x.moving_ | y.moving_;
+  dependencies_ = x.dependencies_ | y.dependencies_;
   order_ = std::min(x.order_, y.order_);
 }
 
 /// A first-order deviation would be a stored term. Without a term of first order, the order is at
 /// least 2.
-unsigned Jet::order() const {
+unsigned Jet::deviation_order() const {
   const auto is_first = [](Generators g) { return std::has_single_bit(g & all_generators); };
-  if (order_ != 1 || std::ranges::any_of(unknown_, is_first)) return order_;
+  if (order_ != 1 || std::ranges::any_of(unknown_coefficients_, is_first)) return order_;
   return std::ranges::any_of(terms_, is_first, &Term::first) ? 1 : 2;
 }
 
-void Jet::add(Generators generators, const cl_R& coefficient) {
+void Jet::add_term(Generators generators, const cl_R& coefficient) {
   const auto at = std::lower_bound(terms_.begin(), terms_.end(), generators,
                                    [](const Term& t, Generators g) { return t.first < g; });
   if (at == terms_.end() || at->first != generators) {
@@ -165,7 +166,7 @@ void Jet::add(Generators generators, const cl_R& coefficient) {
 }
 
 cl_R Jet::coefficient(Generators generators) const {
-  if (std::ranges::binary_search(unknown_, generators)) {
+  if (std::ranges::binary_search(unknown_coefficients_, generators)) {
     throw OutsideDomain("a derivative that does not exist");
   }
   for (const auto& [present, value] : terms_) {
@@ -177,13 +178,14 @@ cl_R Jet::coefficient(Generators generators) const {
 Generators Jet::support() const {
   Generators all = 0;
   for (const auto& [present, value] : terms_) all |= present & all_generators;
-  for (const Generators present : unknown_) all |= present & all_generators;
+  for (const Generators present : unknown_coefficients_) all |= present & all_generators;
   return all;
 }
 
-void Jet::add_unknown(Generators generators) {
-  const auto at = std::ranges::lower_bound(unknown_, generators);
-  if (at == unknown_.end() || *at != generators) unknown_.insert(at, generators);
+void Jet::add_unknown_coefficient(Generators generators) {
+  const auto at = std::ranges::lower_bound(unknown_coefficients_, generators);
+  if (at == unknown_coefficients_.end() || *at != generators)
+    unknown_coefficients_.insert(at, generators);
 }
 
 Generators Jet::lowest_grade() const {
@@ -200,47 +202,48 @@ Jet Jet::part(Generators of, Generators exactly) const {
   for (const auto& [present, value] : terms_) {
     if ((present & of) == exactly) result.terms_.emplace_back(present & ~exactly, value);
   }
-  for (const Generators present : unknown_) {
-    if ((present & of) == exactly) result.unknown_.push_back(present & ~exactly);
+  for (const Generators present : unknown_coefficients_) {
+    if ((present & of) == exactly) result.unknown_coefficients_.push_back(present & ~exactly);
   }
-  result.moving_ = moving_ & ~of;
+  result.dependencies_ = dependencies_ & ~of;
   const auto removed = static_cast<unsigned>(std::popcount(exactly & all_generators));
-  if (result.moving_ != 0) result.order_ = order_ > removed ? order_ - removed : 1;
+  if (result.dependencies_ != 0) result.order_ = order_ > removed ? order_ - removed : 1;
   return result;
 }
 
-Jet Jet::ungraded() const {
+Jet Jet::sum_grades() const {
   Jet result;
-  for (const auto& [present, value] : terms_) result.add(present & all_generators, value);
-  for (const Generators present : unknown_) result.add_unknown(present & all_generators);
+  for (const auto& [present, value] : terms_) result.add_term(present & all_generators, value);
+  for (const Generators present : unknown_coefficients_)
+    result.add_unknown_coefficient(present & all_generators);
   result.depend_on(*this, Jet());
   return result;
 }
 
-Jet Jet::nilpotent() const {
+Jet Jet::nilpotent_part() const {
   Jet result = *this;
   std::erase_if(result.terms_, [](const Term& t) { return t.first == 0 || cln::zerop(t.second); });
-  std::erase(result.unknown_, Generators{0});
+  std::erase(result.unknown_coefficients_, Generators{0});
   return result;
 }
 
-Jet Jet::magnitudes() const {
+Jet Jet::absolute_coefficients() const {
   Jet result = *this;
   for (auto& [present, value] : result.terms_) value = cln::abs(value);
   return result;
 }
 
 void Jet::shorten() {
-  for (auto& [present, value] : terms_) value = shortened(value);
+  for (auto& [present, value] : terms_) value = shorten_rationals(value);
 }
 
 Jet operator+(const Jet& x, const Jet& y) {
   Jet result;
   result.terms_.reserve(x.terms_.size() + y.terms_.size());
   result.terms_ = x.terms_;
-  for (const auto& [present, value] : y.terms_) result.add(present, value);
-  result.unknown_ = x.unknown_;
-  for (const Generators present : y.unknown_) result.add_unknown(present);
+  for (const auto& [present, value] : y.terms_) result.add_term(present, value);
+  result.unknown_coefficients_ = x.unknown_coefficients_;
+  for (const Generators present : y.unknown_coefficients_) result.add_unknown_coefficient(present);
   result.depend_on(x, y);
   return result;
 }
@@ -256,14 +259,14 @@ void Jet::depend_on_factors(const Jet& x, const Jet& y) {
   const auto is_still = [](Generators g) { return (g & all_generators) == 0; };
   const auto has_real = [&](const Jet& z) {
     return std::ranges::any_of(z.terms_, is_still, &Term::first) ||
-           std::ranges::any_of(z.unknown_, is_still);
+           std::ranges::any_of(z.unknown_coefficients_, is_still);
   };
-  const unsigned of_x = x.order();
-  const unsigned of_y = y.order();
+  const unsigned of_x = x.deviation_order();
+  const unsigned of_y = y.deviation_order();
   order_ = std::min(constant_order, of_x + of_y);
   if (has_real(x)) order_ = std::min(order_, of_y);
   if (has_real(y)) order_ = std::min(order_, of_x);
-  moving_ = order_ == constant_order ? 0 : x.moving_ | y.moving_;
+  dependencies_ = order_ == constant_order ? 0 : x.dependencies_ | y.dependencies_;
 }
 
 Jet operator*(const Jet& x, const Jet& y) {
@@ -271,17 +274,18 @@ Jet operator*(const Jet& x, const Jet& y) {
   result.terms_.reserve(x.terms_.size() * y.terms_.size());
   for (const auto& [in_x, x_value] : x.terms_) {
     for (const auto& [in_y, y_value] : y.terms_) {
-      if (const auto both = product_of(in_x, in_y)) result.add(*both, x_value * y_value);
+      if (const auto both = multiply_generators(in_x, in_y))
+        result.add_term(*both, x_value * y_value);
     }
   }
   const auto add_unknown = [&result](Generators one, Generators other) {
-    if (const auto both = product_of(one, other)) result.add_unknown(*both);
+    if (const auto both = multiply_generators(one, other)) result.add_unknown_coefficient(*both);
   };
-  for (const Generators in_x : x.unknown_) {
+  for (const Generators in_x : x.unknown_coefficients_) {
     for (const auto& [in_y, y_value] : y.terms_) add_unknown(in_x, in_y);
-    for (const Generators in_y : y.unknown_) add_unknown(in_x, in_y);
+    for (const Generators in_y : y.unknown_coefficients_) add_unknown(in_x, in_y);
   }
-  for (const Generators in_y : y.unknown_) {
+  for (const Generators in_y : y.unknown_coefficients_) {
     for (const auto& [in_x, x_value] : x.terms_) add_unknown(in_x, in_y);
   }
   result.depend_on_factors(x, y);
@@ -291,7 +295,7 @@ Jet operator*(const Jet& x, const Jet& y) {
 Jet operator-(const Jet& x, const Jet& y) { return x + (-y); }
 
 Jet operator/(const Jet& x, const Jet& y) {
-  if (y.moving_ != 0 || y.lowest_grade() != 0) return x * reciprocal(y);
+  if (y.dependencies_ != 0 || y.lowest_grade() != 0) return x * reciprocal(y);
   const cl_R divisor = y.real();
   if (x.terms_.empty()) (void)quotient(0, divisor);
   Jet result = x;
@@ -302,13 +306,13 @@ Jet operator/(const Jet& x, const Jet& y) {
 Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
   const Generators support = x.support() | y.support();
   if (support == 0 && (is_graded(x) || is_graded(y))) {
-    return composed(x, y,
-                    [&](const Jet& at_x, const Jet& at_y) { return value(function, at_x, at_y); });
+    return compose_graded(
+        x, y, [&](const Jet& at_x, const Jet& at_y) { return value(function, at_x, at_y); });
   }
   const std::optional<cl_RA> bend = kink_order(function, x, y);
-  const Generators moving = x.moving() | y.moving();
+  const Generators moving = x.dependencies() | y.dependencies();
   if (bend && moving != 0) {
-    const cl_RA order = *bend * std::min(x.order(), y.order());
+    const cl_RA order = *bend * std::min(x.deviation_order(), y.deviation_order());
     return Jet::with_kink(real_.value(function, x.real(), y.real()), moving, order);
   }
   if (support == 0) {
@@ -316,10 +320,10 @@ Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
     if (!is_kinked(function)) result.depend_on(x, y);
     return result;
   }
-  const auto known = std::ranges::find_if(known_, [&](const Call& call) {
+  const auto known = std::ranges::find_if(memoised_calls_, [&](const Call& call) {
     return call.function == function && is_same(call.x, x) && is_same(call.y, y);
   });
-  if (known != known_.end()) return known->value;
+  if (known != memoised_calls_.end()) return known->value;
   const Generators top = std::bit_floor(support);
   const Jet x0 = x.without(top);
   const Jet y0 = y.without(top);
@@ -327,8 +331,8 @@ Jet JetFunctions::value(FunctionId function, const Jet& x, const Jet& y) {
   const Gradient slope = gradient(function, x0, y0, f);
   Jet result = f + (slope.x * x.tangent(top) + slope.y * y.tangent(top)) * Jet(top, 1);
   if (!is_kinked(function)) result.depend_on(x, y);
-  known_.push_front({function, x, y, result});
-  if (known_.size() > remembered_calls) known_.pop_back();
+  memoised_calls_.push_front({function, x, y, result});
+  if (memoised_calls_.size() > max_memoised_calls) memoised_calls_.pop_back();
   return result;
 }
 
@@ -363,16 +367,16 @@ Jet JetFunctions::power(const Jet& x, const cl_RA& exponent) {
   const Generators support = x.support();
   if (cln::denominator(exponent) == 1) {
     const cl_I n = cln::numerator(exponent);
-    if (n > 0) return whole_power(x, n);
+    if (n > 0) return integer_power(x, n);
     if (cln::zerop(x.real())) throw OutsideDomain("zero to a power of zero or less");
-    return n == 0 ? Jet(1) : Jet(1) / whole_power(x, -n);
+    return n == 0 ? Jet(1) : Jet(1) / integer_power(x, -n);
   }
   if (support == 0 && is_graded(x)) {
-    return composed(x, Jet(), [&](const Jet& at, const Jet&) { return power(at, exponent); });
+    return compose_graded(x, Jet(), [&](const Jet& at, const Jet&) { return power(at, exponent); });
   }
   const bool is_zero = cln::zerop(x.real());
-  if (is_zero && exponent > 0 && x.moving() != 0 && !is_graded(x)) {
-    return Jet::with_kink(0, x.moving(), exponent * x.order());
+  if (is_zero && exponent > 0 && x.dependencies() != 0 && !is_graded(x)) {
+    return Jet::with_kink(0, x.dependencies(), exponent * x.deviation_order());
   }
   Jet result;
   if (support == 0) {

@@ -67,17 +67,17 @@ class Jet {
   [[nodiscard]] cln::cl_R real() const { return coefficient(0); }
 
   /// True if every coefficient is an exact zero.
-  [[nodiscard]] bool is_zero() const { return terms_.empty() && unknown_.empty(); }
+  [[nodiscard]] bool is_zero() const { return terms_.empty() && unknown_coefficients_.empty(); }
 
   /// The union of the generators of all terms and unknown coefficients.
   [[nodiscard]] Generators support() const;
 
   /// All generators on which the value may depend, even if no term contains them.
-  [[nodiscard]] Generators moving() const { return moving_; }
+  [[nodiscard]] Generators dependencies() const { return dependencies_; }
 
   /// A lower bound on p if the value deviates from its real part with |d|^p, for displacements d
   /// along `moving()`.
-  [[nodiscard]] unsigned order() const;
+  [[nodiscard]] unsigned deviation_order() const;
 
   /// The coefficient of a generator: the derivative along it, a jet in the other generators.
   [[nodiscard]] Jet tangent(Generators one) const { return part(one, one); }
@@ -92,14 +92,14 @@ class Jet {
   [[nodiscard]] Jet part(Generators exactly) const { return part(all_generators, exactly); }
 
   /// The value at s = 1: terms of all grades summed.
-  [[nodiscard]] Jet ungraded() const;
+  [[nodiscard]] Jet sum_grades() const;
 
   /// Every coefficient replaced by its absolute value.
-  [[nodiscard]] Jet magnitudes() const;
+  [[nodiscard]] Jet absolute_coefficients() const;
 
   /// The jet without its real part and without float zeros, so that some power of the result
   /// vanishes.
-  [[nodiscard]] Jet nilpotent() const;
+  [[nodiscard]] Jet nilpotent_part() const;
 
   /// Sets moving() and order() as for a smooth function of x and y.
   void depend_on(const Jet& x, const Jet& y);
@@ -124,16 +124,17 @@ class Jet {
  private:
   /// The terms that contain, among the generators `of`, exactly `exactly`; divided by `exactly`.
   [[nodiscard]] Jet part(Generators of, Generators exactly) const;
-  void add(Generators generators, const cln::cl_R& coefficient);
-  void add_unknown(Generators generators);
+  void add_term(Generators generators, const cln::cl_R& coefficient);
+  void add_unknown_coefficient(Generators generators);
   void depend_on_factors(const Jet& x, const Jet& y);
 
   /// The value of order() for a constant, which never deviates.
   static constexpr unsigned constant_order = 255;
 
-  std::vector<Term> terms_ = {};          ///< ascending by generators, no exact zeros
-  std::vector<Generators> unknown_ = {};  ///< generators of coefficients that do not exist
-  Generators moving_ = 0;
+  std::vector<Term> terms_ = {};  ///< ascending by generators, no exact zeros
+  std::vector<Generators> unknown_coefficients_ =
+      {};  ///< generators of coefficients that do not exist
+  Generators dependencies_ = 0;
   unsigned order_ = constant_order;
 };
 
@@ -164,7 +165,7 @@ class JetFunctions {
   Gradient gradient(FunctionId function, const Jet& x, const Jet& y, const Jet& f);
 
   RealFunctions real_ = {};
-  std::deque<Call> known_ = {};  ///< calls with generators, the latest first
+  std::deque<Call> memoised_calls_ = {};  ///< calls with generators, the latest first
 };
 
 }  // namespace elgen::oracle

@@ -11,27 +11,27 @@ namespace {
 
 using cln::cl_R;
 
-constexpr Generators first = generator(0);
-constexpr Generators second = generator(1);
-constexpr Generators third = generator(2);
+constexpr Generators first_generator = generator(0);
+constexpr Generators second_generator = generator(1);
+constexpr Generators third_generator = generator(2);
 
-std::vector<Jet> jets(const std::vector<cl_R>& reals) { return {reals.begin(), reals.end()}; }
+std::vector<Jet> to_jets(const std::vector<cl_R>& reals) { return {reals.begin(), reals.end()}; }
 
-using KnownValues = std::vector<std::optional<cl_R>>;
+using OptionalValues = std::vector<std::optional<cl_R>>;
 
-void scale(std::vector<Jet>& quantity, const KnownValues& about, const Jet& s) {
+void scale_about(std::vector<Jet>& quantity, const OptionalValues& about, const Jet& s) {
   for (std::size_t i = 0; i < quantity.size(); ++i) {
     if (about[i]) quantity[i] = Jet(*about[i]) + s * (quantity[i] - Jet(*about[i]));
   }
 }
 
 /// Evaluates expressions in parameters; an absent expression has no value.
-KnownValues values_of(const Model& model,
-                      const std::vector<std::optional<ExpressionId>>& expressions,
-                      const State& state) {
-  const Motion motion = motion_of(state);
+OptionalValues evaluate_optional(const Model& model,
+                                 const std::vector<std::optional<ExpressionId>>& expressions,
+                                 const State& state) {
+  const Motion motion = make_motion(state);
   Evaluation at(model, motion);
-  KnownValues values;
+  OptionalValues values;
   for (const auto& expression : expressions) {
     values.push_back(expression ? std::optional(at.value(*expression).real()) : std::nullopt);
   }
@@ -46,12 +46,13 @@ Direction unit_direction(std::size_t n, std::size_t i) {
   return direction;
 }
 
-State shortened(const State& state) {
-  return map_leaves([](const cl_R& value) { return shortened(value, longest_leaf); }, state);
+State shorten_rationals(const State& state) {
+  return map_leaves([](const cl_R& value) { return shorten_rationals(value, max_leaf_bits); },
+                    state);
 }
 
-Motion motion_of(const State& state) {
-  return map_leaves([](const cl_R& value) { return Jet(value); }, shortened(state));
+Motion make_motion(const State& state) {
+  return map_leaves([](const cl_R& value) { return Jet(value); }, shorten_rationals(state));
 }
 
 std::optional<ExpansionPoint> expansion_point(const Model& model, const State& state) {
@@ -59,14 +60,14 @@ std::optional<ExpansionPoint> expansion_point(const Model& model, const State& s
   const Approximation& approximation = *model.approximation;
   ExpansionPoint point;
   point.order = approximation.order;
-  point.q = values_of(model, approximation.coordinates, state);
-  point.u = values_of(model, approximation.inputs, state);
+  point.q = evaluate_optional(model, approximation.coordinates, state);
+  point.u = evaluate_optional(model, approximation.inputs, state);
   point.v.resize(model.velocities.size());
   for (std::size_t i = 0; i < point.q.size(); ++i) {
     if (!approximation.small[i]) point.q[i].reset();
     if (approximation.small[i]) point.v[model.coordinates[i].velocity] = cl_R(0);
   }
-  const bool small_inputs = approximation.small_inputs;
+  const bool small_inputs = approximation.has_small_inputs;
   for (std::optional<cl_R>& value : point.u) {
     if (!small_inputs) value.reset();
     if (small_inputs && !value) value = cl_R(0);
@@ -74,56 +75,58 @@ std::optional<ExpansionPoint> expansion_point(const Model& model, const State& s
   return point;
 }
 
-Motion scaled_towards(const ExpansionPoint& point, const Motion& motion, unsigned order) {
+Motion scale_towards(const ExpansionPoint& point, const Motion& motion, unsigned order) {
   const Jet s(graded_symbol(order), 1);
   Motion result = motion;
-  scale(result.q, point.q, s);
-  scale(result.v, point.v, s);
-  scale(result.a, point.v, s);
-  scale(result.u, point.u, s);
+  scale_about(result.q, point.q, s);
+  scale_about(result.v, point.v, s);
+  scale_about(result.a, point.v, s);
+  scale_about(result.u, point.u, s);
   return result;
 }
 
 Mechanics::Mechanics(const Model& model, const State& state)
     : model_(model),
-      state_(shortened(state)),
-      point_(expansion_point(model, state_)),
-      base_(motion_of(state_)) {
+      state_(shorten_rationals(state)),
+      expansion_point_(expansion_point(model, state_)),
+      base_(make_motion(state_)) {
   base_.a.assign(model.velocities.size(), Jet());
   base_.u.assign(model.inputs.size(), Jet());
 }
 
-Motion Mechanics::at_rest() const {
+Motion Mechanics::motion_at_rest() const {
   Motion motion = base_;
   motion.v.assign(size(), Jet());
   return motion;
 }
 
 template <class Quantity>
-Jet Mechanics::expanded(unsigned order, const Motion& motion, const Quantity& quantity) const {
-  if (!point_) return quantity(motion);
-  return quantity(scaled_towards(*point_, motion, order)).ungraded();
+Jet Mechanics::evaluate_expanded(unsigned order, const Motion& motion,
+                                 const Quantity& quantity) const {
+  if (!expansion_point_) return quantity(motion);
+  return quantity(scale_towards(*expansion_point_, motion, order)).sum_grades();
 }
 
-Jet Mechanics::energy_at(Energy energy, const Motion& motion) {
-  return expanded(point_ ? point_->order + 1 : 0, motion, [&](const Motion& moved) {
-    Evaluation evaluation(model_, moved, functions_);
-    return energy(evaluation);
-  });
+Jet Mechanics::energy_at(EnergyFunction energy, const Motion& motion) {
+  return evaluate_expanded(expansion_point_ ? expansion_point_->order + 1 : 0, motion,
+                           [&](const Motion& moved) {
+                             Evaluation evaluation(model_, moved, functions_);
+                             return energy(evaluation);
+                           });
 }
 
 Jet Mechanics::potential_at(const Motion& motion) {
-  return has_whole_lagrangian(model_) ? -energy_at(lagrangian, motion)
-                                      : energy_at(oracle::potential_energy, motion);
+  return has_combined_lagrangian(model_) ? -energy_at(lagrangian, motion)
+                                         : energy_at(oracle::potential_energy, motion);
 }
 
 /// Coefficient of e0 e1 in L(q, v + w e0 + y e1). If L is quadratic, M does not depend on v, and
 /// evaluation at rest is cheaper.
-cl_R Mechanics::mass(const Direction& w, const Direction& y) {
-  Motion motion = model_.quadratic ? at_rest() : base_;
-  displace(motion.v, w, first);
-  displace(motion.v, y, second);
-  return energy_at(lagrangian, motion).coefficient(first | second);
+cl_R Mechanics::mass_product(const Direction& w, const Direction& y) {
+  Motion motion = model_.is_quadratic ? motion_at_rest() : base_;
+  displace(motion.v, w, first_generator);
+  displace(motion.v, y, second_generator);
+  return energy_at(lagrangian, motion).coefficient(first_generator | second_generator);
 }
 
 /// M_ij is the coefficient of e_i g_j in L(q, v + sum e_i w_i + sum g_j y_j), with unit vectors
@@ -131,7 +134,7 @@ cl_R Mechanics::mass(const Direction& w, const Direction& y) {
 /// each evaluation gives one entry, because functions of jets in six generators would cost more.
 std::vector<cl_R> Mechanics::mass_matrix() {
   const std::size_t n = size();
-  const std::size_t block = model_.quadratic ? 3 : 1;
+  const std::size_t block = model_.is_quadratic ? 3 : 1;
   const auto first_of = [](std::size_t i) { return generator(static_cast<unsigned>(i)); };
   const auto second_of = [](std::size_t j) { return generator(static_cast<unsigned>(3 + j)); };
   std::vector<cl_R> values(n * n);
@@ -139,7 +142,7 @@ std::vector<cl_R> Mechanics::mass_matrix() {
     const std::size_t rows = std::min(block, n - row);
     for (std::size_t column = 0; column <= row; column += block) {
       const std::size_t columns = std::min(block, n - column);
-      Motion motion = model_.quadratic ? at_rest() : base_;
+      Motion motion = model_.is_quadratic ? motion_at_rest() : base_;
       for (std::size_t i = 0; i < rows; ++i) displace(motion.v, unit(row + i), first_of(i));
       for (std::size_t j = 0; j < columns; ++j) displace(motion.v, unit(column + j), second_of(j));
       const Jet energy = energy_at(lagrangian, motion);
@@ -155,62 +158,63 @@ std::vector<cl_R> Mechanics::mass_matrix() {
   return values;
 }
 
-cl_R Mechanics::cross_mass(const Direction& w, const Direction& by, const Direction& y) {
-  return model_.rotations.empty() ? 0 : mass(cross_on_rotations(model_, w, by), y);
+cl_R Mechanics::cross_mass_product(const Direction& w, const Direction& by, const Direction& y) {
+  return model_.rotations.empty() ? 0 : mass_product(cross_on_rotations(model_, w, by), y);
 }
 
 /// Coefficient of e0 e1 e2 in L(q + x e2, w e0 + y e1).
 cl_R Mechanics::mass_gradient(const Direction& x, const Direction& w, const Direction& y) {
-  Motion motion = at_rest();
-  displace(motion.v, w, first);
-  displace(motion.v, y, second);
-  displace_position(model_, motion, x, third);
-  return energy_at(lagrangian, motion).coefficient(first | second | third);
+  Motion motion = motion_at_rest();
+  displace(motion.v, w, first_generator);
+  displace(motion.v, y, second_generator);
+  displace_position(model_, motion, x, third_generator);
+  return energy_at(lagrangian, motion)
+      .coefficient(first_generator | second_generator | third_generator);
 }
 
 cl_R Mechanics::momentum(const Direction& w) {
   Motion motion = base_;
-  displace(motion.v, w, first);
-  return energy_at(lagrangian, motion).coefficient(first);
+  displace(motion.v, w, first_generator);
+  return energy_at(lagrangian, motion).coefficient(first_generator);
 }
 
 /// p_i is the coefficient of e0 in L(v + w_i e0), w_i the i-th unit vector; v.dL/dv is the
 /// coefficient of e0 in L(v + v e0).
-void Mechanics::add_momenta(Motion& motion) {
+void Mechanics::set_momenta_and_energy(Motion& motion) {
   motion.momenta.assign(size(), Jet());
   for (std::size_t i = 0; i < size(); ++i) {
     Motion pushed = motion;
-    displace(pushed.v, unit(i), first);
-    motion.momenta[i] = energy_at(lagrangian, pushed).tangent(first);
+    displace(pushed.v, unit(i), first_generator);
+    motion.momenta[i] = energy_at(lagrangian, pushed).tangent(first_generator);
   }
   Motion scaled = motion;
-  displace(scaled.v, motion.v, first);
+  displace(scaled.v, motion.v, first_generator);
   const Jet value = energy_at(lagrangian, scaled);
-  motion.E = value.tangent(first) - value.without(first);
+  motion.E = value.tangent(first_generator) - value.without(first_generator);
 }
 
 cl_R Mechanics::position_gradient(const Direction& w) {
   Motion motion = base_;
-  displace_position(model_, motion, w, first);
-  return energy_at(lagrangian, motion).coefficient(first);
+  displace_position(model_, motion, w, first_generator);
+  return energy_at(lagrangian, motion).coefficient(first_generator);
 }
 
 /// d/dt (w.dL/dv) is the coefficient of e0 e1 in L(q + dq/dt e1, v + a e1 + w e0, t + e1).
 Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a) {
   Motion moving = at;
-  advance_time(model_, moving, a, second);
-  displace(moving.v, w, first);
+  advance_time(model_, moving, a, second_generator);
+  displace(moving.v, w, first_generator);
   Motion displaced = at;
-  displace_position(model_, displaced, w, first);
+  displace_position(model_, displaced, w, first_generator);
   Motion resisted = at;
-  displace(resisted.v, w, first);
-  Jet sum = energy_at(lagrangian, moving).tangent(first).tangent(second) -
-            energy_at(lagrangian, displaced).tangent(first) +
-            energy_at(dissipation, resisted).tangent(first) - force_along(at, w);
+  displace(resisted.v, w, first_generator);
+  Jet sum = energy_at(lagrangian, moving).tangent(first_generator).tangent(second_generator) -
+            energy_at(lagrangian, displaced).tangent(first_generator) +
+            energy_at(dissipation, resisted).tangent(first_generator) - force_along(at, w);
   if (model_.rotations.empty()) return sum;
   Motion turning = at;
-  displace(turning.v, cross_on_rotations(model_, jets(w), at.v), first);
-  return sum + energy_at(lagrangian, turning).tangent(first);
+  displace(turning.v, cross_on_rotations(model_, to_jets(w), at.v), first_generator);
+  return sum + energy_at(lagrangian, turning).tangent(first_generator);
 }
 
 cl_R Mechanics::inverse_dynamics(const Direction& w, const Direction& a) {
@@ -224,65 +228,69 @@ Direction Mechanics::cross_velocity(const Direction& d) const {
 cl_R Mechanics::residual_slope(const Direction& w, const Displacement& along, const Direction& a,
                                const Direction& inputs) {
   Motion at = base_;
-  at.u = jets(inputs);
-  displace_position(model_, at, along.x, third);
-  displace(at.v, along.y, third);
-  return residual(at, w, a).coefficient(third);
+  at.u = to_jets(inputs);
+  displace_position(model_, at, along.position, third_generator);
+  displace(at.v, along.velocity, third_generator);
+  return residual(at, w, a).coefficient(third_generator);
 }
 
 cl_R Mechanics::gravity(const Direction& w) {
-  Motion motion = at_rest();
-  displace_position(model_, motion, w, first);
-  return potential_at(motion).coefficient(first);
+  Motion motion = motion_at_rest();
+  displace_position(model_, motion, w, first_generator);
+  return potential_at(motion).coefficient(first_generator);
 }
 
 cl_R Mechanics::dissipation_force(const Direction& w) {
   Motion motion = base_;
-  displace(motion.v, w, first);
-  return energy_at(dissipation, motion).coefficient(first);
+  displace(motion.v, w, first_generator);
+  return energy_at(dissipation, motion).coefficient(first_generator);
 }
 
 /// Forces along small coordinates are expanded to the order of the equations, forces along other
 /// coordinates to one order more.
 Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
-  if (!point_) return exact_force_along(motion, w);
+  if (!expansion_point_) return exact_force_along(motion, w);
   Direction small = w;
   Direction others = w;
-  for (std::size_t i = 0; i < w.size(); ++i) (point_->v[i] ? others : small)[i] = 0;
+  for (std::size_t i = 0; i < w.size(); ++i) (expansion_point_->v[i] ? others : small)[i] = 0;
   const auto along = [&](unsigned order, const Direction& part) {
-    return expanded(order, motion, [&](const Motion& at) { return exact_force_along(at, part); });
+    return evaluate_expanded(order, motion,
+                             [&](const Motion& at) { return exact_force_along(at, part); });
   };
-  return along(point_->order, small) + along(point_->order + 1, others);
+  return along(expansion_point_->order, small) + along(expansion_point_->order + 1, others);
 }
 
 /// sum Q_i w_i + sum F.(dp/dq w) + sum N.turn. The displacement along w is in generator e0; turn is
 /// the rotation of the frame by this displacement.
 Jet Mechanics::exact_force_along(const Motion& motion, const Direction& w) {
   Motion displaced = motion;
-  displace_position(model_, displaced, w, first);
+  displace_position(model_, displaced, w, first_generator);
   Evaluation moving(model_, displaced, functions_);
   // The spin is linear in the rates, so the spin at the rates w is the rotation along w.
   Motion turned = motion;
-  for (std::size_t i = 0; i < turned.v.size(); ++i) turned.v[i] = Jet(first, w[i]);
+  for (std::size_t i = 0; i < turned.v.size(); ++i) turned.v[i] = Jet(first_generator, w[i]);
   Evaluation turning(model_, turned, functions_);
   const auto work = [&](Evaluation& at, const auto& place, const std::vector<ExpressionId>& force) {
     Jet sum;
     for (std::size_t c = 0; c < force.size(); ++c) {
-      const Jet displacement = at.value(place[c]).tangent(first);
-      sum = sum + moving.value(force[c]).without(first) * displacement;
+      const Jet displacement = at.value(place[c]).tangent(first_generator);
+      sum = sum + moving.value(force[c]).without(first_generator) * displacement;
     }
     return sum;
   };
   Jet sum;
   for (const Force& f : model_.forces) {
-    if (f.on) sum = sum + moving.value(f.value[0]).without(first) * Jet(w[*f.on]);
+    if (f.velocity)
+      sum = sum + moving.value(f.value[0]).without(first_generator) * Jet(w[*f.velocity]);
     if (f.frame) sum = sum + work(turning, model_.frames[*f.frame].spin, f.value);
-    if (f.from_frame) sum = sum - work(turning, model_.frames[*f.from_frame].spin, f.reaction);
-    if (f.at) sum = sum + work(moving, model_.points[*f.at].at, f.value);
-    if (f.from) sum = sum - work(moving, model_.points[*f.from].at, f.value);
+    if (f.reaction_frame)
+      sum = sum - work(turning, model_.frames[*f.reaction_frame].spin, f.reaction);
+    if (f.point) sum = sum + work(moving, model_.points[*f.point].position, f.value);
+    if (f.reaction_point)
+      sum = sum - work(moving, model_.points[*f.reaction_point].position, f.value);
   }
   for (std::size_t k = 0; k < model_.inputs.size(); ++k) {
-    if (model_.inputs[k].on) sum = sum + motion.u[k] * Jet(w[*model_.inputs[k].on]);
+    if (model_.inputs[k].velocity) sum = sum + motion.u[k] * Jet(w[*model_.inputs[k].velocity]);
   }
   return sum;
 }
@@ -291,26 +299,26 @@ cl_R Mechanics::applied_force(const Direction& w) { return force_along(base_, w)
 
 cl_R Mechanics::input_force(const Direction& w, const Direction& y) {
   Motion motion = base_;
-  displace(motion.u, y, second);
-  return force_along(motion, w).coefficient(second);
+  displace(motion.u, y, second_generator);
+  return force_along(motion, w).coefficient(second_generator);
 }
 
 cl_R Mechanics::kinetic_energy() {
-  if (has_whole_lagrangian(model_)) return mass(state_.v, state_.v) / 2;
+  if (has_combined_lagrangian(model_)) return mass_product(state_.v, state_.v) / 2;
   return energy_at(oracle::kinetic_energy, base_).real();
 }
 
 cl_R Mechanics::potential_energy() {
-  return has_whole_lagrangian(model_) ? potential_energy_at_rest() : potential_at(base_).real();
+  return has_combined_lagrangian(model_) ? potential_energy_at_rest() : potential_at(base_).real();
 }
 
-cl_R Mechanics::potential_energy_at_rest() { return potential_at(at_rest()).real(); }
+cl_R Mechanics::potential_energy_at_rest() { return potential_at(motion_at_rest()).real(); }
 
 cl_R Mechanics::energy_function() {
   Motion motion = base_;
-  displace(motion.v, state_.v, first);
+  displace(motion.v, state_.v, first_generator);
   const Jet value = energy_at(lagrangian, motion);
-  return value.coefficient(first) - value.real();
+  return value.coefficient(first_generator) - value.real();
 }
 
 cl_R Mechanics::energy_magnitude() {
@@ -319,15 +327,16 @@ cl_R Mechanics::energy_magnitude() {
 
 cl_R rotation_terms(Mechanics& at, const Direction& w, const Direction& y) {
   const Direction& v = at.state().v;
-  return at.cross_mass(w, v, y) + at.cross_mass(w, y, v) - at.cross_mass(y, v, w);
+  return at.cross_mass_product(w, v, y) + at.cross_mass_product(w, y, v) -
+         at.cross_mass_product(y, v, w);
 }
 
 cl_R velocity_force(Mechanics& at, const Direction& w) {
   const Direction& v = at.state().v;
-  return at.mass_gradient(v, w, v) - at.mass_gradient(w, v, v) / 2 + at.cross_mass(w, v, v);
+  return at.mass_gradient(v, w, v) - at.mass_gradient(w, v, v) / 2 + at.cross_mass_product(w, v, v);
 }
 
-cl_R coriolis(Mechanics& at, const Direction& w, const Direction& y) {
+cl_R coriolis_matrix_product(Mechanics& at, const Direction& w, const Direction& y) {
   const Direction& v = at.state().v;
   const cl_R christoffel =
       at.mass_gradient(v, w, y) + at.mass_gradient(y, w, v) - at.mass_gradient(w, y, v);

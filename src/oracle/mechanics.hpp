@@ -22,10 +22,10 @@ using Direction = std::vector<cln::cl_R>;
 [[nodiscard]] Direction unit_direction(std::size_t n, std::size_t i);
 
 /// The state, with long rationals converted to floats.
-[[nodiscard]] State shortened(const State& state);
+[[nodiscard]] State shorten_rationals(const State& state);
 
 /// The state as jets without generators.
-[[nodiscard]] Motion motion_of(const State& state);
+[[nodiscard]] Motion make_motion(const State& state);
 
 /// quantity += direction * generators, entry by entry.
 template <class Number>
@@ -55,8 +55,8 @@ void advance_time(const Model& model, Motion& motion, const std::vector<Number>&
 
 /// A change x of position and y of velocity.
 struct Displacement {
-  Direction x = {};
-  Direction y = {};
+  Direction position = {};
+  Direction velocity = {};
 };
 
 /// The point about which a scene expands energies and forces. Only small quantities have a value in
@@ -78,8 +78,8 @@ struct ExpansionPoint {
 
 /// `motion` scaled by s towards the point, as ExpansionPoint defines it. Powers of s beyond `order`
 /// vanish.
-[[nodiscard]] Motion scaled_towards(const ExpansionPoint& point, const Motion& motion,
-                                    unsigned order);
+[[nodiscard]] Motion scale_towards(const ExpansionPoint& point, const Motion& motion,
+                                   unsigned order);
 
 class Mechanics {
  public:
@@ -94,14 +94,15 @@ class Mechanics {
   [[nodiscard]] Direction cross_velocity(const Direction& d) const;
 
   /// w.M y, M = d2L/dv2
-  [[nodiscard]] cln::cl_R mass(const Direction& w, const Direction& y);
+  [[nodiscard]] cln::cl_R mass_product(const Direction& w, const Direction& y);
 
   /// M, n x n for n velocities, row-major.
   [[nodiscard]] std::vector<cln::cl_R> mass_matrix();
 
   /// (w x by).M y, with the cross product only on the velocities of rotations. For by = v this is
   /// w.([v]x M y).
-  [[nodiscard]] cln::cl_R cross_mass(const Direction& w, const Direction& by, const Direction& y);
+  [[nodiscard]] cln::cl_R cross_mass_product(const Direction& w, const Direction& by,
+                                             const Direction& y);
 
   /// d/dq (w.M y) along x. Only for Lagrangians that are quadratic in the rates.
   [[nodiscard]] cln::cl_R mass_gradient(const Direction& x, const Direction& w, const Direction& y);
@@ -110,7 +111,7 @@ class Mechanics {
   [[nodiscard]] cln::cl_R momentum(const Direction& w);
 
   /// Sets p = dL/dv and E = v.dL/dv - L of a motion, which must not use generator 0.
-  void add_momenta(Motion& motion);
+  void set_momenta_and_energy(Motion& motion);
 
   /// w.dL/dq; for rotations w is a rotation vector.
   [[nodiscard]] cln::cl_R position_gradient(const Direction& w);
@@ -152,21 +153,21 @@ class Mechanics {
   [[nodiscard]] cln::cl_R energy_magnitude();
 
  private:
-  using Energy = Jet (*)(Evaluation& at);
+  using EnergyFunction = Jet (*)(Evaluation& at);
 
   /// `quantity` at a motion, or its expansion to `order` if the scene expands the model.
   template <class Quantity>
-  Jet expanded(unsigned order, const Motion& motion, const Quantity& quantity) const;
-  Jet energy_at(Energy energy, const Motion& motion);
+  Jet evaluate_expanded(unsigned order, const Motion& motion, const Quantity& quantity) const;
+  Jet energy_at(EnergyFunction energy, const Motion& motion);
   Jet potential_at(const Motion& motion);
   Jet exact_force_along(const Motion& motion, const Direction& w);
   Jet force_along(const Motion& motion, const Direction& w);
   Jet residual(const Motion& at, const Direction& w, const Direction& a);
-  Motion at_rest() const;
+  Motion motion_at_rest() const;
 
   const Model& model_;
   State state_;
-  std::optional<ExpansionPoint> point_;
+  std::optional<ExpansionPoint> expansion_point_;
   Motion base_;  ///< the state with a = 0 and u = 0
   std::shared_ptr<JetFunctions> functions_ = std::make_shared<JetFunctions>();
 };
@@ -180,7 +181,8 @@ class Mechanics {
 
 /// w.C y = 1/2 (d/dq (w.M y) v + d/dq (w.M v) y - d/dq (y.M v) w + rotation_terms). C y is half the
 /// derivative of C v by v along y, which makes dM/dt - 2 C skew-symmetric.
-[[nodiscard]] cln::cl_R coriolis(Mechanics& at, const Direction& w, const Direction& y);
+[[nodiscard]] cln::cl_R coriolis_matrix_product(Mechanics& at, const Direction& w,
+                                                const Direction& y);
 
 /// w.bias: w.(M a + bias) at a = 0.
 [[nodiscard]] cln::cl_R bias(Mechanics& at, const Direction& w);

@@ -18,7 +18,7 @@ using oracle::attempt_with_enough_digits;
 }  // namespace
 
 State nominal_state(const Model& model, const Scene& scene) {
-  State state = leaves_of<cl_R>(
+  State state = make_leaf_values<cl_R>(
       model, [](Opcode, const auto&) { return cl_R(0); }, [](Opcode) { return cl_R(0); });
   for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
     const auto fixed = scene.specialisation.fixed.find(i);
@@ -51,7 +51,7 @@ std::optional<cl_R> oracle_residual_slope(const Model& model, const State& state
 std::optional<cl_R> oracle_contraction(const Model& model, const OutputRequest& output,
                                        const State& state, const Contraction& by) {
   return attempt_with_enough_digits(
-      [&] { return oracle::contracted_values(model, output, state, by); });
+      [&] { return oracle::contract_output(model, output, state, by); });
 }
 
 std::optional<cl_R> oracle_energy_magnitude(const Model& model, const State& state) {
@@ -64,10 +64,11 @@ OracleValues oracle_relative_pivots(std::vector<cl_R> matrix, std::size_t n) {
       [&] { return oracle::solve_symmetric(matrix, std::vector<cl_R>(n)).relative_pivots; });
 }
 
-std::optional<cl_R> oracle_expression(const Model& model, ExpressionId expression,
-                                      const State& state) {
-  return attempt_with_enough_digits(
-      [&] { return oracle::Evaluation(model, oracle::motion_of(state)).value(expression).real(); });
+std::optional<cl_R> oracle_expression_value(const Model& model, ExpressionId expression,
+                                            const State& state) {
+  return attempt_with_enough_digits([&] {
+    return oracle::Evaluation(model, oracle::make_motion(state)).value(expression).real();
+  });
 }
 
 std::optional<cl_R> oracle_directional_derivative(const Model& model, ExpressionId expression,
@@ -80,30 +81,32 @@ std::optional<cl_R> oracle_directional_derivative(const Model& model, Expression
       [&] { return oracle::Evaluation(model, motion).value(expression).coefficient(along); });
 }
 
-std::optional<cl_R> oracle_rate(const Model& model, ExpressionId expression, const State& state) {
+std::optional<cl_R> oracle_expression_rate(const Model& model, ExpressionId expression,
+                                           const State& state) {
   constexpr oracle::Generators along = oracle::generator(1);
   return attempt_with_enough_digits([&] {
-    oracle::Motion motion = oracle::motion_of(state);
+    oracle::Motion motion = oracle::make_motion(state);
     oracle::advance_time(model, motion, motion.a, along);
     if (contains_leaf(model, expression, Opcode::momentum | Opcode::energy)) {
-      oracle::Mechanics(model, state).add_momenta(motion);
+      oracle::Mechanics(model, state).set_momenta_and_energy(motion);
     }
     return oracle::Evaluation(model, motion).value(expression).coefficient(along);
   });
 }
 
 bool oracle_satisfies(const Model& model, const Condition& condition, const State& state) {
-  const std::optional<cl_R> excess = oracle_expression(model, condition.excess, state);
+  const std::optional<cl_R> excess = oracle_expression_value(model, condition.excess, state);
   return excess && (condition.is_strict ? *excess > 0 : *excess >= 0);
 }
 
-std::optional<State> oracle_rest_state(const Model& model, const StatedPoint& point, State state) {
+std::optional<State> oracle_rest_state(const Model& model, const OperatingPoint& point,
+                                       State state) {
   const State given = state;
-  const auto place = [&](const std::vector<std::optional<ExpressionId>>& values,
-                         std::vector<cl_R>& entries) {
+  const auto write_values = [&](const std::vector<std::optional<ExpressionId>>& values,
+                                std::vector<cl_R>& entries) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       if (!values[i]) continue;
-      const std::optional<cl_R> value = oracle_expression(model, *values[i], given);
+      const std::optional<cl_R> value = oracle_expression_value(model, *values[i], given);
       if (!value) return false;
       entries[i] = *value;
     }
@@ -112,7 +115,8 @@ std::optional<State> oracle_rest_state(const Model& model, const StatedPoint& po
   state.v.assign(state.v.size(), cl_R(0));
   state.a = state.v;
   state.u.assign(state.u.size(), cl_R(0));
-  const bool exists = place(point.coordinates, state.q) && place(point.inputs, state.u);
+  const bool exists =
+      write_values(point.coordinates, state.q) && write_values(point.inputs, state.u);
   return exists ? std::optional(std::move(state)) : std::nullopt;
 }
 

@@ -19,12 +19,12 @@ namespace {
 using cln::cl_R;
 
 /// w.(M a + bias - B u) of the whole model, for the unit vector w of each held velocity.
-std::vector<cl_R> reaction(const Model& model, const State& state) {
-  const std::vector<std::uint32_t> held = held_velocities(model);
+std::vector<cl_R> reaction_forces(const Model& model, const State& state) {
+  const std::vector<std::uint32_t> held = reaction_row_velocities(model);
   if (held.empty()) return {};
   const State whole = map_leaves([](const Jet& value) { return value.real(); },
-                                 whole_motion(model, motion_of(state)));
-  Mechanics at(whole_model(model), whole);
+                                 whole_motion(model, make_motion(state)));
+  Mechanics at(unreduced_model(model), whole);
   std::vector<cl_R> values;
   for (const std::uint32_t velocity : held) {
     const Direction w = at.unit(velocity);
@@ -70,25 +70,25 @@ Values forward_dynamics_entries(Mechanics& at) {
   const ConstrainedMotion motion = constrained_motion(at, system);
   Values values = motion.x;
   for (const Values& more : {solve_mass(at.model(), system.mass, Values(at.size())).relative_pivots,
-                             pivots_of_constraints(at.model(), system), motion.y}) {
+                             constraint_pivots(at.model(), system), motion.y}) {
     values.insert(values.end(), more.begin(), more.end());
   }
   return values;
 }
 
-bool has_reference(const OutputQuery& of) {
-  return output_row(of.output.kind).takes.has_any(Opcode::reference);
+bool has_reference(const OutputQuery& query) {
+  return output_row(query.output.kind).argument_kinds.has_any(Opcode::reference);
 }
 
 /// Y, then rest. `rest` is the force if all parameters are 0. Column k of Y is the force if
 /// parameter k is 1 and all others are 0, minus rest.
-Values regressor_entries(const OutputQuery& of) {
-  const std::size_t n = of.state.v.size();
-  const std::size_t count = extent_of(of.model, Extent::inertial);
+Values regressor_entries(const OutputQuery& query) {
+  const std::size_t n = query.state.v.size();
+  const std::size_t count = extent_size(query.model, Extent::inertial);
   std::vector<Direction> units;
   for (std::size_t i = 0; i < n; ++i) units.push_back(unit_direction(n, i));
   const auto forces_of = [&](const Values& parameters) {
-    return forces_of_parameters(of.model, of.state, parameters, units, has_reference(of));
+    return forces_of_parameters(query.model, query.state, parameters, units, has_reference(query));
   };
   const Values rest = forces_of(Values(count, 0));
   Values all(n * count);
@@ -101,32 +101,33 @@ Values regressor_entries(const OutputQuery& of) {
 }
 
 /// w.Y y, or w.rest.
-cl_R contracted_regressor(const OutputQuery& of, const Contraction& by) {
+cl_R contract_regressor(const OutputQuery& query, const Contraction& by) {
   const auto force = [&](const Values& parameters) {
-    return forces_of_parameters(of.model, of.state, parameters, {by.w}, has_reference(of)).front();
+    return forces_of_parameters(query.model, query.state, parameters, {by.w}, has_reference(query))
+        .front();
   };
-  const cl_R rest = force(Values(extent_of(of.model, Extent::inertial), 0));
+  const cl_R rest = force(Values(extent_size(query.model, Extent::inertial), 0));
   return by.field == 1 ? rest : force(by.y) - rest;
 }
 
-Values rates_of_coordinates(const OutputQuery& of) {
-  const Motion motion = motion_of(of.state);
+Values rates_of_coordinates(const OutputQuery& query) {
+  const Motion motion = make_motion(query.state);
   Values values;
-  for (const Jet& rate : coordinate_rates(of.model, motion.q, motion.v)) {
+  for (const Jet& rate : coordinate_rates(query.model, motion.q, motion.v)) {
     values.push_back(rate.real());
   }
   return values;
 }
 
 /// The state with v computed from its momenta.
-State state_from_momenta(const OutputQuery& of) {
-  State state = of.state;
-  state.v = velocities_of_momenta(of.model, of.state, of.state.momenta);
+State state_from_momenta(const OutputQuery& query) {
+  State state = query.state;
+  state.v = velocities_of_momenta(query.model, query.state, query.state.momenta);
   return state;
 }
 
 /// M^-1, n x n row-major, by one solve per column.
-Values inverse_of_mass(Mechanics& at) {
+Values inverse_mass_entries(Mechanics& at) {
   const std::size_t n = at.size();
   const Values mass = at.mass_matrix();
   Values entries(n * n);
@@ -140,7 +141,7 @@ Values inverse_of_mass(Mechanics& at) {
 /// w.d(B u)/dq y: the slope of w.(M a + bias - B u) at u = 0 minus its slope at u.
 cl_R input_force_slope(Mechanics& at, const Direction& w, const Direction& y) {
   const Displacement along{y, Direction(at.size(), cl_R(0))};
-  const Direction& none = along.y;
+  const Direction& none = along.velocity;
   const Direction no_input(at.state().u.size(), cl_R(0));
   return at.residual_slope(w, along, none, no_input) -
          at.residual_slope(w, along, none, at.state().u);
@@ -157,55 +158,58 @@ Values input_force_slopes(Mechanics& at) {
 }
 
 /// v.dL/dv - L at the velocities computed from the momenta.
-Values hamiltonian_of(const OutputQuery& of) {
-  const State state = state_from_momenta(of);
-  return {Mechanics(of.model, state).energy_function()};
+Values hamiltonian_of(const OutputQuery& query) {
+  const State state = state_from_momenta(query);
+  return {Mechanics(query.model, state).energy_function()};
 }
 
 /// dq/dt, then dp/dt.
-Values canonical_rates(const OutputQuery& of) {
-  const State state = state_from_momenta(of);
-  Values values = rates_of_coordinates({of.model, of.output, state});
-  const Values of_momenta = momentum_rates(of.model, state);
+Values canonical_rates(const OutputQuery& query) {
+  const State state = state_from_momenta(query);
+  Values values = rates_of_coordinates({query.model, query.output, state});
+  const Values of_momenta = momentum_rates(query.model, state);
   values.insert(values.end(), of_momenta.begin(), of_momenta.end());
   return values;
 }
 
 /// w.x for the column x of field `by.field`.
 template <Values (*values)(const OutputQuery&)>
-cl_R contracted_field(const OutputQuery& of, const Contraction& by) {
-  const Values all = values(of);
-  const std::size_t first = first_entry_of(of.model, of.output, by.field);
+cl_R contract_field(const OutputQuery& query, const Contraction& by) {
+  const Values all = values(query);
+  const std::size_t first = first_entry_index(query.model, query.output, by.field);
   cl_R sum = 0;
   for (std::size_t i = 0; i < by.w.size(); ++i) sum = sum + by.w[i] * all[first + i];
   return sum;
 }
 
-Values step_entries(const OutputQuery& of) { return oracle::step(of.model, of.output, of.state); }
-
-Values completed_values(const OutputQuery& of) {
-  return oracle::completed(of.model, of.output.independent, of.state);
+Values step_entries(const OutputQuery& query) {
+  return oracle::take_step(query.model, query.output, query.state);
 }
 
-Values cyclic_rate_entries(const OutputQuery& of) {
-  if (!has_routhian(of.model)) return {};
-  const Motion motion = motion_of(of.state);
+Values completed_values(const OutputQuery& query) {
+  return oracle::complete_motion(query.model, query.output.independent, query.state);
+}
+
+Values cyclic_rate_entries(const OutputQuery& query) {
+  if (!has_routhian(query.model)) return {};
+  const Motion motion = make_motion(query.state);
   Values values;
-  for (const Jet& rate : cyclic_rates(Evaluation(of.model, motion))) values.push_back(rate.real());
+  for (const Jet& rate : cyclic_rates(Evaluation(query.model, motion)))
+    values.push_back(rate.real());
   return values;
 }
 
 /// Adapts a scalar or vector function of Mechanics to OracleRow::values.
 template <auto whole>
-Values entries(const OutputQuery& of) {
-  Mechanics at(of.model, of.state);
+Values all_entries(const OutputQuery& query) {
+  Mechanics at(query.model, query.state);
   return {std::invoke(whole, at)};
 }
 
 /// x_i = e_i.x for each unit vector e_i.
 template <auto product>
-Values column_entries(const OutputQuery& of) {
-  Mechanics at(of.model, of.state);
+Values column_entries(const OutputQuery& query) {
+  Mechanics at(query.model, query.state);
   Values values;
   for (std::size_t i = 0; i < at.size(); ++i) {
     values.push_back(std::invoke(product, at, at.unit(i)));
@@ -215,8 +219,8 @@ Values column_entries(const OutputQuery& of) {
 
 /// Adapts a function of w, of (w, y) or of a Contraction to OracleRow::contraction.
 template <auto product>
-cl_R contracted(const OutputQuery& of, const Contraction& by) {
-  Mechanics at(of.model, of.state);
+cl_R contract(const OutputQuery& query, const Contraction& by) {
+  Mechanics at(query.model, query.state);
   if constexpr (std::is_invocable_v<decltype(product), Mechanics&, const Direction&>) {
     return std::invoke(product, at, by.w);
   } else if constexpr (std::is_invocable_v<decltype(product), Mechanics&, const Contraction&>) {
@@ -227,13 +231,16 @@ cl_R contracted(const OutputQuery& of, const Contraction& by) {
 }
 
 template <auto product>
-constexpr OracleRow column{column_entries<product>, contracted<product>};
+constexpr OracleRow column{column_entries<product>, contract<product>};
 
 namespace rows {
 
-constexpr OracleRow mass_matrix{entries<&Mechanics::mass_matrix>, contracted<&Mechanics::mass>};
-constexpr OracleRow coriolis_matrix{entries<coriolis_entries>, contracted<coriolis>};
-constexpr OracleRow input_matrix{entries<input_entries>, contracted<&Mechanics::input_force>};
+constexpr OracleRow mass_matrix{all_entries<&Mechanics::mass_matrix>,
+                                contract<&Mechanics::mass_product>};
+constexpr OracleRow coriolis_matrix{all_entries<coriolis_entries>,
+                                    contract<coriolis_matrix_product>};
+constexpr OracleRow input_matrix{all_entries<input_matrix_entries>,
+                                 contract<&Mechanics::input_force>};
 
 constexpr OracleRow velocity_force = column<oracle::velocity_force>;
 constexpr OracleRow gravity = column<&Mechanics::gravity>;
@@ -245,67 +252,67 @@ constexpr OracleRow inverse_dynamics = column<oracle::inverse_dynamics>;
 constexpr OracleRow momentum = column<&Mechanics::momentum>;
 constexpr OracleRow position_gradient = column<&Mechanics::position_gradient>;
 constexpr OracleRow reaction{
-    [](const OutputQuery& of) { return oracle::reaction(of.model, of.state); }};
+    [](const OutputQuery& of) { return oracle::reaction_forces(of.model, of.state); }};
 
-constexpr OracleRow potential_energy{entries<&Mechanics::potential_energy_at_rest>};
-constexpr OracleRow kinetic_energy{entries<&Mechanics::kinetic_energy>};
-constexpr OracleRow total_energy{entries<total_energy_of>};
-constexpr OracleRow energy_function{entries<&Mechanics::energy_function>};
+constexpr OracleRow potential_energy{all_entries<&Mechanics::potential_energy_at_rest>};
+constexpr OracleRow kinetic_energy{all_entries<&Mechanics::kinetic_energy>};
+constexpr OracleRow total_energy{all_entries<total_energy_of>};
+constexpr OracleRow energy_function{all_entries<&Mechanics::energy_function>};
 
-constexpr OracleRow forward_dynamics{entries<forward_dynamics_entries>,
-                                     contracted_field<entries<forward_dynamics_entries>>};
-constexpr OracleRow linearization{entries<state_matrices>, contracted<state_contraction>};
-constexpr OracleRow inverse_dynamics_derivatives{entries<inverse_derivatives>,
-                                                 contracted<inverse_contraction>};
-constexpr OracleRow forward_dynamics_derivatives{entries<forward_derivatives>,
-                                                 contracted<forward_contraction>};
+constexpr OracleRow forward_dynamics{all_entries<forward_dynamics_entries>,
+                                     contract_field<all_entries<forward_dynamics_entries>>};
+constexpr OracleRow linearization{all_entries<state_matrices>, contract<state_contraction>};
+constexpr OracleRow inverse_dynamics_derivatives{all_entries<inverse_derivatives>,
+                                                 contract<inverse_contraction>};
+constexpr OracleRow forward_dynamics_derivatives{all_entries<forward_derivatives>,
+                                                 contract<forward_contraction>};
 
-constexpr OracleRow input_force_derivatives{entries<input_force_slopes>,
-                                            contracted<input_force_slope>};
-constexpr OracleRow inverse_mass_matrix{entries<inverse_of_mass>};
+constexpr OracleRow input_force_derivatives{all_entries<input_force_slopes>,
+                                            contract<input_force_slope>};
+constexpr OracleRow inverse_mass_matrix{all_entries<inverse_mass_entries>};
 
 constexpr OracleRow hamiltonian{hamiltonian_of};
 constexpr OracleRow velocities_of_momenta{[](const OutputQuery& of) {
   return oracle::velocities_of_momenta(of.model, of.state, of.state.momenta);
 }};
-constexpr OracleRow hamilton_equations{canonical_rates, contracted_field<canonical_rates>};
+constexpr OracleRow hamilton_equations{canonical_rates, contract_field<canonical_rates>};
 
 constexpr OracleRow coordinate_rates{rates_of_coordinates};
 constexpr OracleRow normalized{
-    [](const OutputQuery& of) { return oracle::normalized(of.model, of.state.q); }};
+    [](const OutputQuery& of) { return oracle::normalize_quaternions(of.model, of.state.q); }};
 
 constexpr OracleRow cyclic_rates{cyclic_rate_entries};
 
 template <Values (*values)(const Model&, const State&)>
-Values of_constraints(const OutputQuery& of) {
-  return values(of.model, of.state);
+Values constraint_entries(const OutputQuery& query) {
+  return values(query.model, query.state);
 }
 
 template <Values (*values)(const Model&, const State&)>
-constexpr OracleRow columns_of_constraints{of_constraints<values>,
-                                           contracted_field<of_constraints<values>>};
+constexpr OracleRow constraint_columns{constraint_entries<values>,
+                                       contract_field<constraint_entries<values>>};
 
-constexpr OracleRow constraint_residual = columns_of_constraints<oracle::constraint_residual>;
-constexpr OracleRow constraint_jacobian{of_constraints<oracle::constraint_jacobian>};
-constexpr OracleRow constraint_bias = columns_of_constraints<oracle::constraint_bias>;
-constexpr OracleRow projected = columns_of_constraints<oracle::projected>;
+constexpr OracleRow constraint_residual = constraint_columns<oracle::constraint_residual>;
+constexpr OracleRow constraint_jacobian{constraint_entries<oracle::constraint_jacobian>};
+constexpr OracleRow constraint_bias = constraint_columns<oracle::constraint_bias>;
+constexpr OracleRow projected = constraint_columns<oracle::project_state>;
 constexpr OracleRow constrained_inverse_dynamics =
-    columns_of_constraints<oracle::constrained_inverse>;
+    constraint_columns<oracle::constrained_inverse_dynamics>;
 
-constexpr OracleRow completed{completed_values, contracted_field<completed_values>};
+constexpr OracleRow completed{completed_values, contract_field<completed_values>};
 
-constexpr OracleRow regressor{regressor_entries, contracted_regressor};
+constexpr OracleRow regressor{regressor_entries, contract_regressor};
 constexpr OracleRow regressor_reference = regressor;
 constexpr OracleRow regressor_parameters{
     [](const OutputQuery& of) { return oracle::regressor_parameters(of.model, of.state); }};
 
-constexpr OracleRow user_value{values_of_user};
-constexpr OracleRow user_jacobian{jacobian_of_user};
-constexpr OracleRow user_bias{bias_of_user};
-constexpr OracleRow user_derivatives{all_derivatives_of_user, contracted_derivatives};
-constexpr OracleRow user_operational{operational_of_user, contracted_operational};
+constexpr OracleRow user_value{user_output_values};
+constexpr OracleRow user_jacobian{user_output_jacobian};
+constexpr OracleRow user_bias{user_output_bias};
+constexpr OracleRow user_derivatives{user_output_derivatives, contract_user_derivatives};
+constexpr OracleRow user_operational{user_operational_dynamics, contract_user_operational};
 
-constexpr OracleRow step{step_entries, contracted_field<step_entries>};
+constexpr OracleRow step{step_entries, contract_field<step_entries>};
 constexpr OracleRow step_derivatives{
     [](const OutputQuery& of) { return oracle::step_derivatives(of.model, of.output, of.state); },
     [](const OutputQuery& of, const Contraction& by) {
@@ -332,11 +339,11 @@ Values output_values(const Model& model, const OutputRequest& output, const Stat
   return oracle_row(output).values({model, output, state});
 }
 
-cl_R contracted_values(const Model& model, const OutputRequest& output, const State& state,
-                       const Contraction& by) {
+cl_R contract_output(const Model& model, const OutputRequest& output, const State& state,
+                     const Contraction& by) {
   const OutputQuery of{model, output, state};
   if (oracle_row(output).contraction != nullptr) return oracle_row(output).contraction(of, by);
-  return contracted_entries(oracle_row(output).values(of), by);
+  return contract_entries(oracle_row(output).values(of), by);
 }
 
 }  // namespace elgen::oracle

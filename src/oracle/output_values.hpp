@@ -17,14 +17,14 @@ namespace elgen::oracle {
 /// w.x of a column or w.X y of a matrix. Computed by directional derivatives if the output supports
 /// them, else from the list of entries, of which only the first size(w) * size(y) are used. Throws
 /// OutsideDomain.
-[[nodiscard]] cln::cl_R contracted_values(const Model& model, const OutputRequest& output,
-                                          const State& state, const Contraction& by);
+[[nodiscard]] cln::cl_R contract_output(const Model& model, const OutputRequest& output,
+                                        const State& state, const Contraction& by);
 
 /// One step of a method by its definition: q and v at t + h, then the residual of an implicit
 /// method. u is constant; quaternions have length 1. Throws OutsideDomain. Cost in linear solves:
 /// rk4 four; verlet two per substep; midpoint one per iteration and one more.
-[[nodiscard]] std::vector<cln::cl_R> step(const Model& model, const OutputRequest& output,
-                                          const State& state);
+[[nodiscard]] std::vector<cln::cl_R> take_step(const Model& model, const OutputRequest& output,
+                                               const State& state);
 
 /// A, then B, of dx(t + h) = A dx + B du, dx = (dq, dv) with rotation vectors in dq. Computed by
 /// differences of step(), correct to 80 digits. Cost: at least four steps per column.

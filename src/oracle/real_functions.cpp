@@ -24,46 +24,46 @@ const cl_R largest_exponent = 1'000'000;
 
 /// For |x| beyond this, tanh(x) is +-1 to working precision: 1 - tanh(x) < 2 exp(-2 x). Each
 /// further digit adds 2 to the bound on |x|, and exp(-4) < 0.1.
-cl_R tanh_saturation() { return 200 + 2 * MoreDigits::count(); }
+cl_R tanh_saturation() { return 200 + 2 * ExtraDigits::requested_digits(); }
 
-/// A binary exponent. Larger angles throw BeyondReach; 2^20000 exceeds every built-in scalar.
+/// A binary exponent. Larger angles throw NumberTooLarge; 2^20000 exceeds every built-in scalar.
 constexpr long largest_angle_exponent = 20'000;
 
-unsigned all_digits() { return working_digits + MoreDigits::count(); }
+unsigned current_digits() { return working_digits + ExtraDigits::requested_digits(); }
 
-cln::float_format_t working_format() { return cln::float_format(all_digits()); }
+cln::float_format_t working_format() { return cln::float_format(current_digits()); }
 
 /// `x` as a float of working precision, plus as many digits as `x` has before the decimal point.
-cl_F widen(const cl_R& x) {
+cl_F extend_precision(const cl_R& x) {
   if (is_rational(x)) {
     const cl_I integer_part = cln::truncate1(x);
     const auto digits = static_cast<unsigned>(cln::integer_length(integer_part)) / 3 + 1;
-    return cln::cl_float(x, cln::float_format(all_digits() + digits));
+    return cln::cl_float(x, cln::float_format(current_digits() + digits));
   }
   const cl_F f = cln::the<cl_F>(x);
   const auto bits = cln::float_exponent(f);
   if (bits <= 0) return f;
-  if (bits > largest_angle_exponent) throw BeyondReach("argument too large to reduce");
+  if (bits > largest_angle_exponent) throw NumberTooLarge("argument too large to reduce");
   const unsigned digits = static_cast<unsigned>(bits) / 3 + 1;
-  MoreDigits::report_lost(digits);
-  return cln::cl_float(f, cln::float_format(all_digits() + digits));
+  ExtraDigits::report_lost(digits);
+  return cln::cl_float(f, cln::float_format(current_digits() + digits));
 }
 
-cl_R rounded(const cl_R& x) {
+cl_R round_to_working(const cl_R& x) {
   return is_rational(x) ? x : cl_R(cln::cl_float(cln::the<cl_F>(x), working_format()));
 }
 
 /// Reports |x| as the number of digits that e^x may hide in a sum. e^x is 10^(0.43 x), so even the
 /// square of e^x hides fewer than |x| digits.
-void hide_exponential(const cl_R& x) {
+void report_hidden_digits(const cl_R& x) {
   const cl_R size = cln::min(cln::abs(x), largest_exponent);
-  MoreDigits::report_hidden(cln::cl_I_to_uint(cln::ceiling1(size)));
+  ExtraDigits::report_hidden(cln::cl_I_to_uint(cln::ceiling1(size)));
 }
 
-cl_R checked_exponent(const cl_R& x) {
-  if (cln::abs(x) > largest_exponent) throw BeyondReach("exponential too large");
-  hide_exponential(x);
-  return widen(x);
+cl_R widen_exponent(const cl_R& x) {
+  if (cln::abs(x) > largest_exponent) throw NumberTooLarge("exponential too large");
+  report_hidden_digits(x);
+  return extend_precision(x);
 }
 
 cl_R root_of_one_minus_square(const cl_R& x) {
@@ -79,9 +79,9 @@ cl_R angle(const cl_R& sine, const cl_R& cosine) {
 }
 
 cl_R hyperbolic_tangent(const cl_R& x) {
-  hide_exponential(x);
+  report_hidden_digits(x);
   if (cln::abs(x) > tanh_saturation()) return as_float(cln::signum(x));
-  return cln::tanh(widen(x));
+  return cln::tanh(extend_precision(x));
 }
 
 cl_R logarithm(const cl_R& x) {
@@ -91,7 +91,7 @@ cl_R logarithm(const cl_R& x) {
 
 /// log(1 + x). For small x, 1 + x would lose digits, so the series 2 (z + z^3/3 + z^5/5 + …), z =
 /// x/(2 + x), is summed.
-cl_R logarithm_of_sum(const cl_R& x) {
+cl_R log_one_plus(const cl_R& x) {
   if (cln::abs(x) > cl_RA(1) / 2) return logarithm(1 + x);
   const cl_R z = as_float(x / (2 + x));
   cl_R power = z;
@@ -107,10 +107,10 @@ cl_R logarithm_of_sum(const cl_R& x) {
 /// e^x - 1. For small x the difference would lose digits, so the series x + x^2/2! + … is summed.
 cl_R exponential_less_one(const cl_R& x) {
   if (x < -largest_exponent) {
-    hide_exponential(x);
+    report_hidden_digits(x);
     return as_float(-1);
   }
-  if (cln::abs(x) > cl_RA(1) / 2) return cln::exp(checked_exponent(x)) - 1;
+  if (cln::abs(x) > cl_RA(1) / 2) return cln::exp(widen_exponent(x)) - 1;
   cl_R term = as_float(x);
   cl_R sum = term;
   for (int n = 2;; ++n) {
@@ -122,7 +122,7 @@ cl_R exponential_less_one(const cl_R& x) {
 }
 
 /// c_0 = cos(x) or c_1 = sin(x)/x; if hyperbolic, the same functions of i x.
-cl_R first_of_series(const cl_F& x, bool is_odd, bool is_hyperbolic) {
+cl_R base_stumpff_value(const cl_F& x, bool is_odd, bool is_hyperbolic) {
   if (is_hyperbolic) return is_odd ? cln::sinh(x) / x : cln::cosh(x);
   return is_odd ? cln::sin(x) / x : cln::cos(x);
 }
@@ -137,14 +137,14 @@ cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
   if (x == 0) return reciprocal_factorial(k);
   const unsigned widest = 3 * k + 100;
   if (cln::abs(x) > widest) {
-    const cl_F argument = cln::the<cl_F>(is_hyperbolic ? checked_exponent(x) : widen(x));
+    const cl_F argument = cln::the<cl_F>(is_hyperbolic ? widen_exponent(x) : extend_precision(x));
     const cl_R square = is_hyperbolic ? -argument * argument : argument * argument;
-    cl_R value = first_of_series(argument, k % 2 != 0, is_hyperbolic);
+    cl_R value = base_stumpff_value(argument, k % 2 != 0, is_hyperbolic);
     for (unsigned n = k % 2; n < k; n += 2) value = (reciprocal_factorial(n) - value) / square;
     return value;
   }
-  const cl_R argument = cln::cl_float(x, cln::float_format(all_digits() + widest));
-  cl_R term = cln::cl_float(reciprocal_factorial(k), cln::float_format(all_digits() + widest));
+  const cl_R argument = cln::cl_float(x, cln::float_format(current_digits() + widest));
+  cl_R term = cln::cl_float(reciprocal_factorial(k), cln::float_format(current_digits() + widest));
   cl_R sum = term;
   for (unsigned n = k + 1;; n += 2) {
     term = term * (is_hyperbolic ? argument : -argument) * argument / (n * (n + 1));
@@ -161,7 +161,7 @@ cl_R uncached_value(FunctionId function, const cl_R& x, const cl_R& y) {
     case FunctionId::cos:
       break;
     case FunctionId::tan:
-      return cln::tan(widen(x));
+      return cln::tan(extend_precision(x));
     case FunctionId::asin:
       return angle(x, root_of_one_minus_square(x));
     case FunctionId::acos:
@@ -171,17 +171,17 @@ cl_R uncached_value(FunctionId function, const cl_R& x, const cl_R& y) {
     case FunctionId::atan2:
       return angle(x, y);
     case FunctionId::sinh:
-      return cln::sinh(checked_exponent(x));
+      return cln::sinh(widen_exponent(x));
     case FunctionId::cosh:
-      return cln::cosh(checked_exponent(x));
+      return cln::cosh(widen_exponent(x));
     case FunctionId::tanh:
       return hyperbolic_tangent(x);
     case FunctionId::exp:
-      return cln::exp(checked_exponent(x));
+      return cln::exp(widen_exponent(x));
     case FunctionId::log:
       return logarithm(x);
     case FunctionId::log1p:
-      return logarithm_of_sum(x);
+      return log_one_plus(x);
     case FunctionId::expm1:
       return exponential_less_one(x);
     case FunctionId::hypot:
@@ -206,7 +206,7 @@ cl_R as_float(const cl_R& x) {
   return is_rational(x) ? cl_R(cln::cl_float(x, working_format())) : x;
 }
 
-cl_R shortened(const cl_R& x, unsigned longest) {
+cl_R shorten_rationals(const cl_R& x, unsigned longest) {
   if (!is_rational(x)) return x;
   const cl_RA rational = cln::the<cl_RA>(x);
   const auto bits = cln::integer_length(cln::numerator(rational)) +
@@ -237,21 +237,22 @@ cl_R real_power(const cl_R& x, const cl_RA& exponent) {
 cl_R RealFunctions::value(FunctionId function, const cl_R& x, const cl_R& y) {
   const FunctionRow& row = function_row(function);
   if (row.arity == 1 && is_rational(x) && cln::zerop(x)) {
-    if (row.exact_at == 0) return row.exact_value;
+    if (row.exact_argument == 0) return row.exact_value;
     if (function == FunctionId::acos) return real_pi() / 2;
   }
-  const auto entry = known_.find(Call{function, x, y});
-  return entry != known_.end() ? entry->second : compute_and_store(function, x, y);
+  const auto entry = memoised_values_.find(Call{function, x, y});
+  return entry != memoised_values_.end() ? entry->second : compute_and_store(function, x, y);
 }
 
 /// Computes and stores a value; sine and cosine together: the derivative of one is the other.
 cl_R RealFunctions::compute_and_store(FunctionId function, const cl_R& x, const cl_R& y) {
   if (!is_circular(function)) {
-    return known_[Call{function, x, y}] = rounded(uncached_value(function, x, y));
+    return memoised_values_[Call{function, x, y}] =
+               round_to_working(uncached_value(function, x, y));
   }
-  const cln::cos_sin_t both = cos_sin_of(widen(x));
-  const cl_R sine = known_[Call{FunctionId::sin, x, y}] = rounded(both.sin);
-  const cl_R cosine = known_[Call{FunctionId::cos, x, y}] = rounded(both.cos);
+  const cln::cos_sin_t both = cos_sin_of(extend_precision(x));
+  const cl_R sine = memoised_values_[Call{FunctionId::sin, x, y}] = round_to_working(both.sin);
+  const cl_R cosine = memoised_values_[Call{FunctionId::cos, x, y}] = round_to_working(both.cos);
   return function == FunctionId::sin ? sine : cosine;
 }
 

@@ -33,7 +33,7 @@ struct OutsideDomain : std::runtime_error {
 };
 
 /// The quantity may have a value, but a number in it is too large to be computed.
-struct BeyondReach : OutsideDomain {
+struct NumberTooLarge : OutsideDomain {
   using OutsideDomain::OutsideDomain;
 };
 
@@ -41,14 +41,15 @@ struct BeyondReach : OutsideDomain {
 [[nodiscard]] cln::cl_R as_float(const cln::cl_R& x);
 
 /// Rationals of more bits become floats, because their gcds would dominate all other costs.
-inline constexpr unsigned longest_rational = 4096;
+inline constexpr unsigned max_rational_bits = 4096;
 /// The same limit for leaves of a state. Decimals of 14 digits and the rationals of exact states
 /// are shorter. Random doubles have about 106 bits and become floats: as rationals they would make
 /// sums and products 2 to 4 times slower.
-inline constexpr unsigned longest_leaf = 96;
+inline constexpr unsigned max_leaf_bits = 96;
 
-/// `x` itself, or a float if it is a rational of more bits than `longest`.
-[[nodiscard]] cln::cl_R shortened(const cln::cl_R& x, unsigned longest = longest_rational);
+/// `x` itself, or a float if it is a rational of more bits than `max_bits`.
+[[nodiscard]] cln::cl_R shorten_rationals(const cln::cl_R& x,
+                                          unsigned max_bits = max_rational_bits);
 
 /// pi in working precision.
 [[nodiscard]] cln::cl_R real_pi();
@@ -69,7 +70,7 @@ class RealFunctions {
   using Call = std::tuple<FunctionId, cln::cl_R, cln::cl_R>;
   cln::cl_R compute_and_store(FunctionId function, const cln::cl_R& x, const cln::cl_R& y);
 
-  std::map<Call, cln::cl_R> known_ = {};
+  std::map<Call, cln::cl_R> memoised_values_ = {};
 };
 
 /// The computed value; empty if CLN or the oracle throws because the value does not exist.

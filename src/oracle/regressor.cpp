@@ -13,9 +13,9 @@ using Values = std::vector<cl_R>;
 
 /// A copy of the model with given inertial parameters. Terms of T and V replace its bodies, masses
 /// and armatures.
-class ModelOfParameters {
+class ParametrisedModel {
  public:
-  ModelOfParameters(const Model& model, const Values& values) : source_(model), model_(model) {
+  ParametrisedModel(const Model& model, const Values& values) : source_(model), model_(model) {
     for (Body& body : model_.bodies) {
       body.mass.reset();
       body.inertia.clear();
@@ -24,61 +24,66 @@ class ModelOfParameters {
     for (Coordinate& coordinate : model_.coordinates) coordinate.armature.reset();
     const std::vector<InertialParameter> parameters = inertial_parameters(model);
     for (std::size_t k = 0; k < values.size(); ++k) {
-      if (!cln::zerop(values[k])) add(parameters[k], number(cln::rational(values[k])));
+      if (!cln::zerop(values[k]))
+        add_parameter(parameters[k], append_number(cln::rational(values[k])));
     }
-    add_to(model_.energies.T, kinetic_);
-    add_to(model_.energies.V, potential_);
+    add_terms(model_.energies.T, kinetic_);
+    add_terms(model_.energies.V, potential_);
   }
 
   [[nodiscard]] const Model& model() const { return model_; }
 
  private:
-  void add(const InertialParameter& parameter, ExpressionId value) {
+  void add_parameter(const InertialParameter& parameter, ExpressionId value) {
     value_ = value;
     switch (parameter.owner) {
       case InertialOwner::body:
         return add_body(source_.bodies[parameter.index], parameter.component);
       case InertialOwner::point:
-        return add_mass(source_.points[parameter.index].at);
+        return add_mass(source_.points[parameter.index].position);
       case InertialOwner::coordinate:
-        return add_half_square(leaf(source_.coordinates[parameter.index].velocity));
+        return add_half_square(append_velocity(source_.coordinates[parameter.index].velocity));
       case InertialOwner::parameter:
         break;
     }
   }
 
-  ExpressionId append(Expression node) {
+  ExpressionId append_expression(Expression node) {
     model_.expressions.push_back(std::move(node));
     return static_cast<ExpressionId>(model_.expressions.size() - 1);
   }
-  ExpressionId number(const cln::cl_RA& value) { return append({.number = value}); }
-  ExpressionId product(std::vector<ExpressionId> factors) {
-    return append({.kind = ExpressionKind::multiply, .operands = std::move(factors)});
+  ExpressionId append_number(const cln::cl_RA& value) {
+    return append_expression({.number = value});
   }
-  void add_to(std::optional<ExpressionId>& energy, std::vector<ExpressionId> terms) {
+  ExpressionId append_product(std::vector<ExpressionId> factors) {
+    return append_expression({.kind = ExpressionKind::multiply, .operands = std::move(factors)});
+  }
+  void add_terms(std::optional<ExpressionId>& energy, std::vector<ExpressionId> terms) {
     if (energy) terms.push_back(*energy);
     if (!terms.empty())
-      energy = append({.kind = ExpressionKind::add, .operands = std::move(terms)});
+      energy = append_expression({.kind = ExpressionKind::add, .operands = std::move(terms)});
   }
-  ExpressionId rate(ExpressionId value) {
-    return append({.kind = ExpressionKind::time_derivative, .operands = {value}});
+  ExpressionId append_rate(ExpressionId value) {
+    return append_expression({.kind = ExpressionKind::time_derivative, .operands = {value}});
   }
-  ExpressionId leaf(std::uint32_t velocity) {
-    return append({.kind = ExpressionKind::leaf, .leaf = Opcode::velocity, .index = velocity});
+  ExpressionId append_velocity(std::uint32_t velocity) {
+    return append_expression(
+        {.kind = ExpressionKind::leaf, .leaf = Opcode::velocity, .index = velocity});
   }
   void add_half_square(ExpressionId rate) {
-    kinetic_.push_back(product({value_, number(cln::cl_RA(1) / 2), rate, rate}));
+    kinetic_.push_back(append_product({value_, append_number(cln::cl_RA(1) / 2), rate, rate}));
   }
 
   void add_weight(const Vector3& place) {
     if (!source_.gravity) return;
     for (std::size_t c = 0; c < 3; ++c) {
-      potential_.push_back(product({value_, number(-1), (*source_.gravity)[c], place[c]}));
+      potential_.push_back(
+          append_product({value_, append_number(-1), (*source_.gravity)[c], place[c]}));
     }
   }
 
   void add_mass(const Vector3& place) {
-    for (const ExpressionId component : place) add_half_square(rate(component));
+    for (const ExpressionId component : place) add_half_square(append_rate(component));
     add_weight(place);
   }
 
@@ -86,7 +91,8 @@ class ModelOfParameters {
     Vector3 direction{};
     for (std::uint32_t c = 0; c < 3; ++c) {
       direction[c] = frame.rotation[3 * c + axis];
-      kinetic_.push_back(product({value_, rate(frame.origin[c]), rate(direction[c])}));
+      kinetic_.push_back(
+          append_product({value_, append_rate(frame.origin[c]), append_rate(direction[c])}));
     }
     add_weight(direction);
   }
@@ -99,7 +105,7 @@ class ModelOfParameters {
       add_half_square(spin[component]);
     } else {
       const auto& [i, j] = products[component - 3];
-      kinetic_.push_back(product({value_, spin[i], spin[j]}));
+      kinetic_.push_back(append_product({value_, spin[i], spin[j]}));
     }
   }
 
@@ -125,7 +131,7 @@ class ModelOfParameters {
 
 /// w.(M a + C(q, v) r + drift(r) + g + dD/dv(r) - Q(v)), r the reference velocity
 cl_R force_by_reference(Mechanics& at, Mechanics& at_reference, const Direction& w) {
-  return at.mass(w, at.state().a) + coriolis(at, w, at_reference.state().v) +
+  return at.mass_product(w, at.state().a) + coriolis_matrix_product(at, w, at_reference.state().v) +
          drift(at_reference, w) + at.gravity(w) + at_reference.dissipation_force(w) -
          at.applied_force(w);
 }
@@ -133,17 +139,17 @@ cl_R force_by_reference(Mechanics& at, Mechanics& at_reference, const Direction&
 /// A parameter of a body in a frame; moments are about the frame's origin.
 cl_R parameter_of_framed_body(Evaluation& at, const Body& body, std::uint32_t component) {
   const auto value = [&at](ExpressionId id) { return at.value(id).real(); };
-  const BodyInFrame& local = *body.local;
+  const LocalBody& local = *body.local;
   const cl_R mass = body.mass ? value(*body.mass) : cl_R(0);
   if (component == 0) return mass;
   std::array<cl_R, 3> c{0, 0, 0};
-  for (std::size_t i = 0; body.mass && i < 3; ++i) c[i] = value(local.com.at[i]);
+  for (std::size_t i = 0; body.mass && i < 3; ++i) c[i] = value(local.com.position[i]);
   if (component < first_inertia_component) return mass * c[component - first_moment_component];
   const std::uint32_t entry = component - first_inertia_component;
   const bool is_planar = local.inertia.size() == 1;
   const bool has_entry = is_planar ? entry == 2 : !local.inertia.empty();
   const cl_R own = has_entry ? value(local.inertia[is_planar ? 0 : entry]) : cl_R(0);
-  if (local.about_origin) return own;
+  if (local.is_about_origin) return own;
   const cl_R square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
   const std::array<cl_R, 6> shift{square - c[0] * c[0], square - c[1] * c[1], square - c[2] * c[2],
                                   -c[0] * c[1],         -c[0] * c[2],         -c[1] * c[2]};
@@ -160,7 +166,7 @@ cl_R parameter_of_body(Evaluation& at, const Body& body, const InertialParameter
 
 Values forces_of_parameters(const Model& model, State state, const Values& values,
                             const std::vector<Direction>& directions, bool by_reference) {
-  const ModelOfParameters given(model, values);
+  const ParametrisedModel given(model, values);
   const std::size_t first = values.size() - model.affine_parameters.size();
   for (std::size_t k = 0; k < model.affine_parameters.size(); ++k) {
     state.parameters[model.affine_parameters[k]] = values[first + k];
@@ -178,7 +184,7 @@ Values forces_of_parameters(const Model& model, State state, const Values& value
 }
 
 Values regressor_parameters(const Model& model, const State& state) {
-  const Motion motion = motion_of(state);
+  const Motion motion = make_motion(state);
   Evaluation at(model, motion);
   Values values;
   for (const InertialParameter& parameter : inertial_parameters(model)) {

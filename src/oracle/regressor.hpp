@@ -15,11 +15,11 @@
 namespace elgen::oracle {
 
 /// d.tau = d.(Y pi + rest) for each direction d, at inertial parameters pi = `values`.
-/// `by_reference`: C(q, v) r, drift and friction use the reference velocity r of the state.
+/// `uses_reference`: C(q, v) r, drift and friction use the reference velocity r of the state.
 [[nodiscard]] std::vector<cln::cl_R> forces_of_parameters(const Model& model, State state,
                                                           const std::vector<cln::cl_R>& values,
                                                           const std::vector<Direction>& directions,
-                                                          bool by_reference);
+                                                          bool uses_reference);
 
 /// pi at the parameters of the state. For a body in a frame the moments of inertia are about the
 /// frame's origin: I + m (c.c 1 - c c^T).

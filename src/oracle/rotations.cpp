@@ -8,7 +8,7 @@ namespace elgen::oracle {
 
 using cln::cl_R;
 
-Quaternion rate_of(const Quaternion& e, const Spin& w) {
+Quaternion quaternion_derivative(const Quaternion& e, const Spin& w) {
   const Jet half = Jet(cln::cl_RA(1) / 2);
   return {-(half * (e[1] * w[0] + e[2] * w[1] + e[3] * w[2])),
           half * (e[0] * w[0] + e[2] * w[2] - e[3] * w[1]),
@@ -31,7 +31,7 @@ std::vector<Jet> coordinate_rates(const Model& model, const std::vector<Jet>& q,
   std::vector<Jet> rates;
   for (const Coordinate& coordinate : model.coordinates) rates.push_back(v[coordinate.velocity]);
   for (const Rotation& rotation : model.rotations) {
-    const Quaternion rate = rate_of(quaternion_of(rotation, q), spin_of(rotation, v));
+    const Quaternion rate = quaternion_derivative(quaternion_of(rotation, q), spin_of(rotation, v));
     for (std::uint32_t i = 0; i < quaternion_size; ++i) {
       rates[rotation.first_coordinate + i] = rate[i];
     }
@@ -39,7 +39,7 @@ std::vector<Jet> coordinate_rates(const Model& model, const std::vector<Jet>& q,
   return rates;
 }
 
-std::vector<cl_R> normalized(const Model& model, std::vector<cl_R> q) {
+std::vector<cl_R> normalize_quaternions(const Model& model, std::vector<cl_R> q) {
   for (const Rotation& rotation : model.rotations) {
     const std::uint32_t first = rotation.first_coordinate;
     cl_R square = 0;
@@ -60,7 +60,7 @@ std::vector<cl_R> normalized(const Model& model, std::vector<cl_R> q) {
 namespace elgen {
 
 /// Sets e = (1 - p.p, 2 p) / (1 + p.p), with p the last three components of the given e.
-void make_unit_quaternions(const Model& model, State& state) {
+void set_rational_quaternions(const Model& model, State& state) {
   for (const Rotation& rotation : model.rotations) {
     cln::cl_R* e = &state.q[rotation.first_coordinate];
     const cln::cl_R square = e[1] * e[1] + e[2] * e[2] + e[3] * e[3];

@@ -12,7 +12,7 @@ using Quaternion = std::array<Jet, quaternion_size>;  ///< w, x, y, z
 using Spin = std::array<Jet, axis_count>;             ///< in the axes of the body
 
 /// 1/2 e (0, w): the rate of e at angular velocity w in body axes.
-[[nodiscard]] Quaternion rate_of(const Quaternion& e, const Spin& w);
+[[nodiscard]] Quaternion quaternion_derivative(const Quaternion& e, const Spin& w);
 
 [[nodiscard]] Quaternion quaternion_of(const Rotation& rotation, const std::vector<Jet>& q);
 [[nodiscard]] Spin spin_of(const Rotation& rotation, const std::vector<Jet>& v);
@@ -39,6 +39,7 @@ template <class Number>
 }
 
 /// q with every quaternion divided by its length.
-[[nodiscard]] std::vector<cln::cl_R> normalized(const Model& model, std::vector<cln::cl_R> q);
+[[nodiscard]] std::vector<cln::cl_R> normalize_quaternions(const Model& model,
+                                                           std::vector<cln::cl_R> q);
 
 }  // namespace elgen::oracle

@@ -26,15 +26,15 @@ using cln::cl_R;
 using oracle::working_digits;
 
 /// Digits in addition to working_digits.
-constexpr unsigned digits_of_first_look = 60;
-constexpr unsigned digits_of_last_look = 1920;
-static_assert(working_digits + digits_of_last_look >= max_stable_digits);
+constexpr unsigned first_trial_digits = 60;
+constexpr unsigned last_trial_digits = 1920;
+static_assert(working_digits + last_trial_digits >= max_stable_digits);
 
 /// Two looks agree if this many digits agree: two more than elgen prints.
-constexpr int digits_that_stay = 62;
+constexpr int required_equal_digits = 62;
 
 /// Pads the floats of a state with zeros to more digits than a look computes with.
-State lengthened(const State& state, unsigned digits) {
+State extend_floats(const State& state, unsigned digits) {
   constexpr unsigned spare_digits = 45;
   const cln::float_format_t format = cln::float_format(working_digits + digits + spare_digits);
   return map_leaves(
@@ -49,18 +49,18 @@ double size_in_digits(const cl_R& x) {
   return std::max(decimal_exponent(cln::numerator(r)), decimal_exponent(cln::denominator(r)));
 }
 
-/// A state has 100 digits. The difference to 100 must exceed the 20 digits of share_of_a_zero().
+/// A state has 100 digits. The difference to 100 must exceed the 20 digits of zero_shrink_ratio().
 constexpr unsigned digits_of_rounded_state = 60;
 
 /// A value is taken for rounding errors if it shrinks by at least this factor from one look to the
 /// next.
-const cl_R& share_of_a_zero() {
+const cl_R& zero_shrink_ratio() {
   static const cl_R share = power_of_ten(-20);
   return share;
 }
 
 /// The state with its floats rounded to 60 digits; empty if all of its numbers are rational.
-std::optional<State> rounded(const State& state) {
+std::optional<State> round_floats(const State& state) {
   static const cln::float_format_t format = cln::float_format(digits_of_rounded_state);
   bool has_floats = false;
   const State result = map_leaves(
@@ -85,55 +85,59 @@ unsigned digits_of_powers(const Model& model, const State& state) {
   return static_cast<unsigned>(std::min(8 * most, 1e6));
 }
 
-struct Look {
+struct PrecisionTrial {
   OracleValues values = {};
-  bool is_beyond = false;  ///< a number is too large to compute
-  unsigned hidden = 0;     ///< digits that exponentials may hide
+  bool is_too_large = false;   ///< a number is too large to compute
+  unsigned hidden_digits = 0;  ///< digits that exponentials may hide
 };
 
 using Computation = std::function<std::vector<cl_R>(const State&)>;
 
-Look look_at(const Computation& values, const State& state, unsigned digits) {
-  Look look;
-  (void)MoreDigits::hidden();
-  const State longer = lengthened(state, digits);
-  const auto noting = [&] {
+PrecisionTrial evaluate_with_digits(const Computation& values, const State& state,
+                                    unsigned digits) {
+  PrecisionTrial look;
+  (void)ExtraDigits::take_hidden();
+  const State longer = extend_floats(state, digits);
+  const auto guarded_values = [&] {
     try {
       return values(longer);
-    } catch (const oracle::BeyondReach&) {
-      look.is_beyond = true;
+    } catch (const oracle::NumberTooLarge&) {
+      look.is_too_large = true;
       throw;
     }
   };
-  look.values = with_digits(digits, [&] { return oracle::attempt_with_enough_digits(noting); });
-  look.hidden = MoreDigits::hidden();
+  look.values =
+      with_digits(digits, [&] { return oracle::attempt_with_enough_digits(guarded_values); });
+  look.hidden_digits = ExtraDigits::take_hidden();
   return look;
 }
 
-struct LookPair {
+struct TrialPair {
   bool is_conclusive = false;  ///< the first look has enough digits to show a non-zero value
   bool is_last = false;
 };
 
 /// The value from two looks; empty if it is not settled.
-std::optional<cl_R> settled_value(const cl_R& before, const cl_R& now, const LookPair& looks) {
-  static const cl_R share_that_stays = power_of_ten(-digits_that_stay);
+std::optional<cl_R> stable_value(const cl_R& before, const cl_R& now, const TrialPair& looks) {
+  static const cl_R share_that_stays = power_of_ten(-required_equal_digits);
   const bool stays = cln::abs(now - before) <= cln::abs(now) * share_that_stays;
   const bool is_zero = cln::zerop(now) || cln::zerop(before) ||
-                       cln::abs(now) <= cln::abs(before) * share_of_a_zero();
+                       cln::abs(now) <= cln::abs(before) * zero_shrink_ratio();
   if (is_rational(now) && stays) return now;
   if (is_zero) return looks.is_conclusive ? std::optional<cl_R>(0) : std::nullopt;
   return stays && (looks.is_conclusive || looks.is_last) ? std::optional(now) : std::nullopt;
 }
 
 /// All values from two looks; empty if one is not settled.
-std::optional<StableValues> settled_by(const Look& before, const Look& now, const LookPair& looks) {
+std::optional<StableValues> stable_values_of_trials(const PrecisionTrial& before,
+                                                    const PrecisionTrial& now,
+                                                    const TrialPair& looks) {
   const bool has_no_value = !before.values && !now.values;
   if (has_no_value && looks.is_conclusive) return StableValues{};
   if (!before.values || !now.values) return std::nullopt;
   std::vector<cl_R> values;
   for (std::size_t i = 0; i < now.values->size(); ++i) {
-    const auto value = settled_value((*before.values)[i], (*now.values)[i], looks);
+    const auto value = stable_value((*before.values)[i], (*now.values)[i], looks);
     if (!value) return std::nullopt;
     values.push_back(*value);
   }
@@ -141,30 +145,34 @@ std::optional<StableValues> settled_by(const Look& before, const Look& now, cons
 }
 
 /// Sets to 0 each value that is far smaller than its value at the rounded state.
-void clear_rounding(std::vector<cl_R>& settled, const OracleValues& at_rounded) {
+void clear_rounding_errors(std::vector<cl_R>& settled, const OracleValues& at_rounded) {
   if (!at_rounded) return;
   for (std::size_t i = 0; i < settled.size(); ++i) {
     const cl_R& there = (*at_rounded)[i];
-    if (cln::abs(settled[i]) <= cln::abs(there) * share_of_a_zero()) settled[i] = 0;
+    if (cln::abs(settled[i]) <= cln::abs(there) * zero_shrink_ratio()) settled[i] = 0;
   }
 }
 
-StableValues settled(const Model& model, const State& state, const Computation& values) {
+StableValues evaluate_until_stable(const Model& model, const State& state,
+                                   const Computation& values) {
   const StableValues undecided{.is_decided = false};
   const unsigned needed_digits = digits_of_powers(model, state);
   // With too few digits, both looks may agree on the wrong value 1 for 1 + (1 - cos(e))/e^2.
-  unsigned digits = digits_of_first_look;
-  while (2 * digits < digits_of_last_look && working_digits + digits < needed_digits) digits *= 2;
-  Look before = look_at(values, state, digits);
-  for (; digits < digits_of_last_look; digits *= 2) {
-    Look now = look_at(values, state, 2 * digits);
-    if (before.is_beyond || now.is_beyond) return undecided;
-    const LookPair looks{.is_conclusive = working_digits + digits >=
-                                          std::max({needed_digits, before.hidden, now.hidden}),
-                         .is_last = 2 * digits >= digits_of_last_look};
-    if (auto found = settled_by(before, now, looks)) {
-      const std::optional<State> rough = found->values ? rounded(state) : std::nullopt;
-      if (rough) clear_rounding(*found->values, look_at(values, *rough, 2 * digits).values);
+  unsigned digits = first_trial_digits;
+  while (2 * digits < last_trial_digits && working_digits + digits < needed_digits) digits *= 2;
+  PrecisionTrial before = evaluate_with_digits(values, state, digits);
+  for (; digits < last_trial_digits; digits *= 2) {
+    PrecisionTrial now = evaluate_with_digits(values, state, 2 * digits);
+    if (before.is_too_large || now.is_too_large) return undecided;
+    const TrialPair looks{
+        .is_conclusive = working_digits + digits >=
+                         std::max({needed_digits, before.hidden_digits, now.hidden_digits}),
+        .is_last = 2 * digits >= last_trial_digits};
+    if (auto found = stable_values_of_trials(before, now, looks)) {
+      const std::optional<State> rough = found->values ? round_floats(state) : std::nullopt;
+      if (rough)
+        clear_rounding_errors(*found->values,
+                              evaluate_with_digits(values, *rough, 2 * digits).values);
       return *found;
     }
     before = std::move(now);
@@ -175,14 +183,14 @@ StableValues settled(const Model& model, const State& state, const Computation& 
 }  // namespace
 
 StableValues stable_values(const Model& model, const OutputRequest& output, const State& state) {
-  return settled(model, state,
-                 [&](const State& at) { return oracle::output_values(model, output, at); });
+  return evaluate_until_stable(
+      model, state, [&](const State& at) { return oracle::output_values(model, output, at); });
 }
 
 StableValues stable_expression_value(const Model& model, ExpressionId expression,
                                      const State& state) {
-  return settled(model, state, [&](const State& at) {
-    const oracle::Motion motion = oracle::motion_of(at);
+  return evaluate_until_stable(model, state, [&](const State& at) {
+    const oracle::Motion motion = oracle::make_motion(at);
     return std::vector<cl_R>{oracle::Evaluation(model, motion).value(expression).real()};
   });
 }

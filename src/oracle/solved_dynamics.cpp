@@ -17,14 +17,14 @@ namespace {
 using cln::cl_R;
 
 /// A pivot D_i counts as zero if |D_i / M_ii| is below this.
-const cl_R& least_pivot_share() {
+const cl_R& min_relative_pivot() {
   static const cl_R share = cln::expt(cl_R(10), -75);
   return share;
 }
 
-cl_R pivot_share(const cl_R& pivot, const cl_R& diagonal) {
+cl_R checked_relative_pivot(const cl_R& pivot, const cl_R& diagonal) {
   const cl_R share = quotient(pivot, diagonal);
-  if (cln::abs(share) < least_pivot_share()) throw OutsideDomain("singular matrix");
+  if (cln::abs(share) < min_relative_pivot()) throw OutsideDomain("singular matrix");
   return share;
 }
 
@@ -40,16 +40,16 @@ std::vector<cl_R> factorise(std::vector<cl_R>& m, std::size_t n) {
       m[i * n + j] = m[i * n + j] / m[j * n + j];
       m[i * n + i] = m[i * n + i] - m[i * n + j] * m[i * n + j] * m[j * n + j];
     }
-    shares.push_back(pivot_share(m[i * n + i], diagonal));
+    shares.push_back(checked_relative_pivot(m[i * n + i], diagonal));
   }
   return shares;
 }
 
 }  // namespace
 
-Solution solve_symmetric(std::vector<cl_R> matrix, const std::vector<cl_R>& right_side) {
+SymmetricSolution solve_symmetric(std::vector<cl_R> matrix, const std::vector<cl_R>& right_side) {
   const std::size_t n = right_side.size();
-  Solution solution{right_side, factorise(matrix, n)};
+  SymmetricSolution solution{right_side, factorise(matrix, n)};
   std::vector<cl_R>& x = solution.x;
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < i; ++j) x[i] = x[i] - matrix[i * n + j] * x[j];
@@ -61,17 +61,18 @@ Solution solve_symmetric(std::vector<cl_R> matrix, const std::vector<cl_R>& righ
   return solution;
 }
 
-Solution solve_mass(const Model& model, std::vector<cl_R> mass,
-                    const std::vector<cl_R>& right_side) {
-  if (!eliminates_last_first(model)) return solve_symmetric(std::move(mass), right_side);
+SymmetricSolution solve_mass(const Model& model, std::vector<cl_R> mass,
+                             const std::vector<cl_R>& right_side) {
+  if (!eliminates_backward(model)) return solve_symmetric(std::move(mass), right_side);
   std::reverse(mass.begin(), mass.end());
-  Solution solution = solve_symmetric(std::move(mass), {right_side.rbegin(), right_side.rend()});
+  SymmetricSolution solution =
+      solve_symmetric(std::move(mass), {right_side.rbegin(), right_side.rend()});
   std::reverse(solution.x.begin(), solution.x.end());
   std::reverse(solution.relative_pivots.begin(), solution.relative_pivots.end());
   return solution;
 }
 
-std::vector<cl_R> negative(std::vector<cl_R> values) {
+std::vector<cl_R> negate(std::vector<cl_R> values) {
   for (cl_R& value : values) value = -value;
   return values;
 }
@@ -113,7 +114,7 @@ std::vector<cl_R> momentum_rates(const Model& model, const State& state) {
 }
 
 /// B_ij = e_i.B e_j
-std::vector<cl_R> input_entries(Mechanics& at) {
+std::vector<cl_R> input_matrix_entries(Mechanics& at) {
   const std::size_t inputs = at.state().u.size();
   std::vector<cl_R> values;
   for (std::size_t k = 0; k < at.size() * inputs; ++k) {

@@ -11,22 +11,22 @@
 
 namespace elgen::oracle {
 
-struct Solution {
+struct SymmetricSolution {
   std::vector<cln::cl_R> x = {};
   std::vector<cln::cl_R> relative_pivots = {};  ///< D_i / M_ii, in (0, 1] if M is positive definite
 };
 
 /// Solves M x = `right_side` for M = `matrix`, n x n row-major; only the lower triangle is read.
 /// OutsideDomain if |D_i / M_ii| of a pivot is below 1e-75.
-[[nodiscard]] Solution solve_symmetric(std::vector<cln::cl_R> matrix,
-                                       const std::vector<cln::cl_R>& right_side);
+[[nodiscard]] SymmetricSolution solve_symmetric(std::vector<cln::cl_R> matrix,
+                                                const std::vector<cln::cl_R>& right_side);
 
 /// Solves M x = r in the model's order of elimination. The relative pivots are in the order of the
 /// velocities.
-[[nodiscard]] Solution solve_mass(const Model& model, std::vector<cln::cl_R> mass,
-                                  const std::vector<cln::cl_R>& right_side);
+[[nodiscard]] SymmetricSolution solve_mass(const Model& model, std::vector<cln::cl_R> mass,
+                                           const std::vector<cln::cl_R>& right_side);
 
-[[nodiscard]] std::vector<cln::cl_R> negative(std::vector<cln::cl_R> values);
+[[nodiscard]] std::vector<cln::cl_R> negate(std::vector<cln::cl_R> values);
 
 /// B u - bias.
 [[nodiscard]] std::vector<cln::cl_R> net_forces(Mechanics& at);
@@ -44,6 +44,6 @@ struct Solution {
 [[nodiscard]] std::vector<cln::cl_R> momentum_rates(const Model& model, const State& state);
 
 /// B = dQ/du: n x m for n velocities and m inputs, row-major.
-[[nodiscard]] std::vector<cln::cl_R> input_entries(Mechanics& at);
+[[nodiscard]] std::vector<cln::cl_R> input_matrix_entries(Mechanics& at);
 
 }  // namespace elgen::oracle

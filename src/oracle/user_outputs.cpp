@@ -16,10 +16,10 @@ using cln::cl_R;
 
 /// The state as a motion. If the output uses the motion, the accelerations and multipliers of the
 /// dynamics are set.
-Motion motion_of_user(const OutputQuery& of) {
-  Motion motion = motion_of(of.state);
-  if (!of.of_user().motion) return motion;
-  Mechanics at(of.model, of.state);
+Motion make_user_motion(const OutputQuery& query) {
+  Motion motion = make_motion(query.state);
+  if (!query.user_output().solves_motion) return motion;
+  Mechanics at(query.model, query.state);
   const ConstrainedMotion own = constrained_motion(at, constrained_system(at));
   motion.a.assign(own.x.begin(), own.x.end());
   motion.multipliers.assign(own.y.begin(), own.y.end());
@@ -35,63 +35,66 @@ struct MotionChange {
 
 /// The derivative of y along a change. If the output uses the motion, accelerations and multipliers
 /// change with the state.
-Values slopes_along(const OutputQuery& of, Motion motion, const MotionChange& change) {
+Values directional_derivatives(const OutputQuery& query, Motion motion,
+                               const MotionChange& change) {
   constexpr Generators moving = generator(0);
-  displace_position(of.model, motion, change.along.x, moving);
-  displace(motion.v, change.along.y, moving);
+  displace_position(query.model, motion, change.along.position, moving);
+  displace(motion.v, change.along.velocity, moving);
   displace(motion.a, change.a, moving);
   displace(motion.u, change.inputs, moving);
-  if (of.of_user().motion) {
-    Mechanics at(of.model, of.state);
+  if (query.user_output().solves_motion) {
+    Mechanics at(query.model, query.state);
     const ConstrainedMotion own = motion_slope(at, change.along, change.inputs);
     displace(motion.a, own.x, moving);
     displace(motion.multipliers, own.y, moving);
   }
-  Evaluation at(of.model, motion);
+  Evaluation at(query.model, motion);
   Values values;
-  for (const ExpressionId id : of.differentiated()) {
+  for (const ExpressionId id : query.differentiated_values()) {
     values.push_back(at.value(id).coefficient(moving));
   }
   return values;
 }
 
 /// The derivatives of y along each unit vector of one member of MotionChange, row-major.
-Values slopes_by(const OutputQuery& of, std::size_t count, Direction& (*part)(MotionChange&)) {
-  const std::size_t n = of.state.v.size();
+Values derivatives_by_member(const OutputQuery& query, std::size_t count,
+                             Direction& (*member)(MotionChange&)) {
+  const std::size_t n = query.state.v.size();
   const MotionChange still{
-      {Direction(n), Direction(n)}, Direction(n), Direction(of.state.u.size())};
-  const Motion motion = motion_of_user(of);
-  Values values(of.differentiated().size() * count);
+      {Direction(n), Direction(n)}, Direction(n), Direction(query.state.u.size())};
+  const Motion motion = make_user_motion(query);
+  Values values(query.differentiated_values().size() * count);
   for (std::size_t j = 0; j < count; ++j) {
     MotionChange change = still;
-    part(change)[j] = 1;
-    const Values column = slopes_along(of, motion, change);
+    member(change)[j] = 1;
+    const Values column = directional_derivatives(query, motion, change);
     for (std::size_t i = 0; i < column.size(); ++i) values[i * count + j] = column[i];
   }
   return values;
 }
 
-Direction& position_of(MotionChange& change) { return change.along.x; }
-Direction& velocity_of(MotionChange& change) { return change.along.y; }
+Direction& position_of(MotionChange& change) { return change.along.position; }
+Direction& velocity_of(MotionChange& change) { return change.along.velocity; }
 Direction& acceleration_of(MotionChange& change) { return change.a; }
 Direction& inputs_of(MotionChange& change) { return change.inputs; }
 
 /// One field of the derivatives: dy/dq along N, dy/dv, dy/da or dy/du. dy/da is empty if the output
 /// uses the motion, because a is then no argument.
-Values derivative_of_user(const OutputQuery& of, std::size_t field) {
+Values user_output_derivative(const OutputQuery& query, std::size_t field) {
   constexpr std::size_t acceleration = 2;
   constexpr std::array parts{position_of, velocity_of, acceleration_of, inputs_of};
-  if (field == acceleration && of.of_user().motion) return {};
+  if (field == acceleration && query.user_output().solves_motion) return {};
   const bool is_by_input = field + 1 == parts.size();
-  return slopes_by(of, is_by_input ? of.state.u.size() : of.state.v.size(), parts.at(field));
+  return derivatives_by_member(query, is_by_input ? query.state.u.size() : query.state.v.size(),
+                               parts.at(field));
 }
 
-/// The fields of operational_of_user().
-std::array<Values, 4> operational_fields(const OutputQuery& of) {
-  Mechanics at(of.model, of.state);
+/// The fields of user_operational_dynamics().
+std::array<Values, 4> operational_fields(const OutputQuery& query) {
+  Mechanics at(query.model, query.state);
   const std::size_t n = at.size();
-  const Values jacobian = jacobian_of_user(of);
-  const Values bias_of_task = bias_of_user(of);
+  const Values jacobian = user_output_jacobian(query);
+  const Values bias_of_task = user_output_bias(query);
   const std::size_t k = bias_of_task.size();
   const Values mass = at.mass_matrix();
   Values forces;
@@ -100,7 +103,7 @@ std::array<Values, 4> operational_fields(const OutputQuery& of) {
   for (std::size_t j = 0; j <= k; ++j) {
     const auto begin = jacobian.begin() + static_cast<std::ptrdiff_t>(j * n);
     const Values right = j == k ? forces : Values(begin, begin + static_cast<std::ptrdiff_t>(n));
-    responses.push_back(solve_mass(of.model, mass, right).x);
+    responses.push_back(solve_mass(query.model, mass, right).x);
   }
   const auto along = [&](std::size_t i, const Values& response) {
     cl_R sum = 0;
@@ -122,13 +125,13 @@ std::array<Values, 4> operational_fields(const OutputQuery& of) {
       entry = entry + responses[l % k][l / k] * column[l % k];
     }
   }
-  Solution solution = solve_symmetric(mobility, acceleration);
+  SymmetricSolution solution = solve_symmetric(mobility, acceleration);
   fields[2] = std::move(solution.x);
   fields[3] = std::move(solution.relative_pivots);
   return fields;
 }
 
-Values joined(const std::array<Values, 4>& fields) {
+Values concatenate_fields(const std::array<Values, 4>& fields) {
   Values all;
   for (const Values& field : fields) all.insert(all.end(), field.begin(), field.end());
   return all;
@@ -136,7 +139,7 @@ Values joined(const std::array<Values, 4>& fields) {
 
 }  // namespace
 
-cl_R contracted_entries(const Values& values, const Contraction& by) {
+cl_R contract_entries(const Values& values, const Contraction& by) {
   const std::size_t columns = by.y.empty() ? 1 : by.y.size();
   cl_R sum = 0;
   for (std::size_t k = 0; k < by.w.size() * columns; ++k) {
@@ -145,42 +148,44 @@ cl_R contracted_entries(const Values& values, const Contraction& by) {
   return sum;
 }
 
-Values values_of_user(const OutputQuery& of) {
-  const Motion motion = motion_of_user(of);
+Values user_output_values(const OutputQuery& of) {
+  const Motion motion = make_user_motion(of);
   Evaluation at(of.model, motion);
   Values values;
-  for (const ExpressionId id : of.of_user().values) values.push_back(at.value(id).real());
+  for (const ExpressionId id : of.user_output().values) values.push_back(at.value(id).real());
   return values;
 }
 
-Values jacobian_of_user(const OutputQuery& of) {
-  return slopes_by(of, of.state.v.size(), of.is_twist() ? velocity_of : position_of);
+Values user_output_jacobian(const OutputQuery& of) {
+  return derivatives_by_member(of, of.state.v.size(), of.is_twist() ? velocity_of : position_of);
 }
 
-Values bias_of_user(const OutputQuery& of) {
-  Motion motion = motion_of(of.state);
+Values user_output_bias(const OutputQuery& of) {
+  Motion motion = make_motion(of.state);
   motion.a.assign(of.state.v.size(), Jet());
   Evaluation at(of.model, motion);
   Values values;
-  for (const ExpressionId id : of.differentiated()) {
+  for (const ExpressionId id : of.differentiated_values()) {
     values.push_back((of.is_twist() ? at.rate(id) : at.second_rate(id)).real());
   }
   return values;
 }
 
-Values all_derivatives_of_user(const OutputQuery& of) {
-  return joined({derivative_of_user(of, 0), derivative_of_user(of, 1), derivative_of_user(of, 2),
-                 derivative_of_user(of, 3)});
+Values user_output_derivatives(const OutputQuery& of) {
+  return concatenate_fields({user_output_derivative(of, 0), user_output_derivative(of, 1),
+                             user_output_derivative(of, 2), user_output_derivative(of, 3)});
 }
 
-cl_R contracted_derivatives(const OutputQuery& of, const Contraction& by) {
-  return contracted_entries(derivative_of_user(of, by.field), by);
+cl_R contract_user_derivatives(const OutputQuery& of, const Contraction& by) {
+  return contract_entries(user_output_derivative(of, by.field), by);
 }
 
-Values operational_of_user(const OutputQuery& of) { return joined(operational_fields(of)); }
+Values user_operational_dynamics(const OutputQuery& of) {
+  return concatenate_fields(operational_fields(of));
+}
 
-cl_R contracted_operational(const OutputQuery& of, const Contraction& by) {
-  return contracted_entries(operational_fields(of).at(by.field), by);
+cl_R contract_user_operational(const OutputQuery& of, const Contraction& by) {
+  return contract_entries(operational_fields(of).at(by.field), by);
 }
 
 }  // namespace elgen::oracle

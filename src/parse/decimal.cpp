@@ -14,12 +14,12 @@ namespace elgen {
 
 namespace {
 
-char at(std::string_view text, std::size_t position) {
+char byte_at(std::string_view text, std::size_t position) {
   return position < text.size() ? text[position] : '\0';
 }
 
 std::size_t skip_digits(std::string_view text, std::size_t position) {
-  while (is_digit(at(text, position))) ++position;
+  while (is_digit(byte_at(text, position))) ++position;
   return position;
 }
 
@@ -27,20 +27,20 @@ std::size_t skip_digits(std::string_view text, std::size_t position) {
 /// shows all of it.
 NumberExtent malformed_extent(std::string_view text, std::size_t position) {
   const auto belongs = [](char c) { return is_word_character(c) || c == '.'; };
-  while (belongs(at(text, position))) ++position;
+  while (belongs(byte_at(text, position))) ++position;
   return {position, false};
 }
 
 bool is_radix_prefix(std::string_view text, std::size_t begin) {
-  const char letter = at(text, begin + 1);
+  const char letter = byte_at(text, begin + 1);
   const bool radix = letter == 'x' || letter == 'X' || letter == 'b' || letter == 'o';
-  return at(text, begin) == '0' && radix && is_digit(at(text, begin + 2));
+  return byte_at(text, begin) == '0' && radix && is_digit(byte_at(text, begin + 2));
 }
 
 /// True if the character at `end` must not follow a number directly.
 bool has_invalid_continuation(std::string_view text, std::size_t end) {
-  const char next = at(text, end);
-  const char after = at(text, end + 1);
+  const char next = byte_at(text, end);
+  const char after = byte_at(text, end + 1);
   const bool second_exponent = (next == 'e' || next == 'E') && is_digit(after);
   return next == '.' || next == '_' || second_exponent;
 }
@@ -63,15 +63,16 @@ NumberExtent number_extent(std::string_view text, std::size_t begin) {
   const std::size_t point = skip_digits(text, begin);
   if (point == begin || is_radix_prefix(text, begin)) return malformed_extent(text, begin);
   std::size_t end = point;
-  if (at(text, point) == '.') {
+  if (byte_at(text, point) == '.') {
     end = skip_digits(text, point + 1);
     if (end == point + 1) return malformed_extent(text, begin);
   }
-  if (at(text, end) == 'e' || at(text, end) == 'E') {
-    const bool sign = at(text, end + 1) == '+' || at(text, end + 1) == '-';
+  if (byte_at(text, end) == 'e' || byte_at(text, end) == 'E') {
+    const bool sign = byte_at(text, end + 1) == '+' || byte_at(text, end + 1) == '-';
     const std::size_t first = end + 1 + (sign ? 1 : 0);
     const std::size_t last = skip_digits(text, first);
-    const bool starts_name = !sign && (is_letter(at(text, first)) || at(text, first) == '_');
+    const bool starts_name =
+        !sign && (is_letter(byte_at(text, first)) || byte_at(text, first) == '_');
     if (last == first && !starts_name) return {first, false};
     if (last != first) end = last;
   }
@@ -87,7 +88,7 @@ DecimalParts decimal_parts(std::string_view text) {
     if (text[position] == '.') in_fraction = true;
     if (!is_digit(text[position])) continue;
     parts.digits += text[position];
-    if (in_fraction) ++parts.fraction;
+    if (in_fraction) ++parts.fraction_digits;
   }
   for (; position < text.size(); ++position) {
     if (text[position] == '-') parts.negative_exponent = true;
@@ -123,7 +124,7 @@ cln::cl_RA decimal_value(const DecimalParts& parts) {
   std::size_t exponent = 0;
   std::from_chars(parts.exponent.data(), parts.exponent.data() + parts.exponent.size(), exponent);
   const auto power = static_cast<long>(exponent);
-  const auto fraction = static_cast<long>(parts.fraction);
+  const auto fraction = static_cast<long>(parts.fraction_digits);
   return digits * power_of_ten((parts.negative_exponent ? -power : power) - fraction);
 }
 

@@ -32,9 +32,9 @@ struct ExceededLimit {
 
 /// Digits, fraction and exponent of a number, before any big-integer arithmetic.
 struct DecimalParts {
-  std::string digits;        ///< of integer part and fraction, without leading zeros
-  std::size_t fraction = 0;  ///< number of `digits` after the point
-  std::string exponent;      ///< without leading zeros
+  std::string digits;               ///< of integer part and fraction, without leading zeros
+  std::size_t fraction_digits = 0;  ///< number of `digits` after the point
+  std::string exponent;             ///< without leading zeros
   bool negative_exponent = false;
 };
 

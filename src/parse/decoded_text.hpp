@@ -20,14 +20,14 @@ struct TextPiece {
   std::size_t begin = 0;  ///< in the decoded text
   std::size_t file_begin = 0;
   std::size_t file_length = 0;
-  bool copied = true;
+  bool is_verbatim = true;
 };
 
 struct DecodedText {
   const SourceText* source = nullptr;
   std::string text = {};
   std::vector<TextPiece> pieces = {};
-  Span whole = {};  ///< inside the quotes
+  Span content_span = {};  ///< inside the quotes
 
   /// The bytes of the file behind the decoded bytes [begin, end). The span of an empty range is
   /// just behind the preceding byte, so that an error about a missing token points behind the last
@@ -41,7 +41,7 @@ struct DecodedText {
 };
 
 /// The text of a span, copied byte by byte.
-[[nodiscard]] DecodedText text_of_span(const Span& span);
+[[nodiscard]] DecodedText verbatim_text(const Span& span);
 
 /// Decodes a TOML string of any of the four forms. `token` includes the quotes and must be
 /// well-formed (toml++ has accepted it).

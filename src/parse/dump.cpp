@@ -12,7 +12,7 @@ namespace elgen {
 
 namespace {
 
-std::string_view operator_text(SyntaxKind kind) {
+std::string_view operand_separator(SyntaxKind kind) {
   switch (kind) {
     case SyntaxKind::add:
       return " + ";
@@ -32,7 +32,7 @@ void print_operands(const ExpressionSyntax& expression, std::string& text) {
   for (const ExpressionSyntax& operand : expression.operands) {
     text += separator;
     text += dump(operand);
-    separator = operator_text(expression.kind);
+    separator = operand_separator(expression.kind);
   }
 }
 
@@ -109,10 +109,11 @@ std::string dump(const FileSyntax& syntax) {
   return result;
 }
 
-std::string stamped_text(const FileSyntax& model) {
+std::string canonical_model_text(const FileSyntax& model) {
   FileSyntax kept = model;
   for (EntrySyntax& entry : kept.entries) {
-    std::erase_if(entry.keys, [&](const KeySyntax& key) { return is_drawn(entry.name, key.key); });
+    std::erase_if(entry.keys,
+                  [&](const KeySyntax& key) { return is_drawing_key(entry.name, key.key); });
   }
   return dump(kept);
 }

@@ -27,27 +27,27 @@ bool is_array_of_tables(const TomlValue& value) {
 }
 
 /// The header of a table, or of the first table of an array.
-const Span& header_of(const TomlValue& value) {
+const Span& header_span(const TomlValue& value) {
   return is_array_of_tables(value) ? value.items.front().span : value.span;
 }
 
 class EntryReader {
  public:
-  EntryReader(FileKind kind, FileReading& reading)
+  EntryReader(FileKind kind, FileReadState& reading)
       : kind_(kind), rows_(entry_rows_of(kind)), reading_(reading) {}
 
   std::vector<EntrySyntax> read(const TomlValue& root) {
     std::vector<TomlEntry> keys;
     for (const TomlEntry& entry : root.entries) {
       if (const EntryRow* row = find(entry.key)) {
-        read_known(*row, entry);
+        read_known_entry(*row, entry);
       } else if (is_unknown_table(entry)) {
-        report_unknown(entry);
+        report_unknown_entry(entry);
       } else {
         keys.push_back(entry);
       }
     }
-    report_missing(root);
+    report_missing_entries(root);
     std::ranges::sort(entries_, [](const EntrySyntax& a, const EntrySyntax& b) {
       return a.span.begin < b.span.begin;
     });
@@ -69,15 +69,15 @@ class EntryReader {
     return entry.value.kind == TomlKind::table || is_array_of_tables(entry.value);
   }
 
-  void read_known(const EntryRow& row, const TomlEntry& entry) {
+  void read_known_entry(const EntryRow& row, const TomlEntry& entry) {
     const TomlValue& value = entry.value;
     if (!row.supported) {
-      reading_.report(Code::E108, header_of(value),
+      reading_.report(Code::E108, header_span(value),
                       header_text(row.entry, row.repeated) + " is not yet supported");
     } else if (row.repeated && is_array_of_tables(value)) {
-      for (const TomlValue& table : value.items) add(row, table);
+      for (const TomlValue& table : value.items) append_entry(row, table);
     } else if (!row.repeated && value.kind == TomlKind::table) {
-      add(row, value);
+      append_entry(row, value);
     } else {
       report_wrong_kind(row, entry);
     }
@@ -89,24 +89,24 @@ class EntryReader {
       report_wrong_type(entry.value, row.repeated ? "an array of tables" : "a table", reading_);
       return;
     }
-    reading_.report(Code::E107, header_of(entry.value),
+    reading_.report(Code::E107, header_span(entry.value),
                     header_text(row.entry, !is_table) + " is the wrong kind of table",
                     "write " + header_text(row.entry, row.repeated));
   }
 
-  void report_unknown(const TomlEntry& entry) {
+  void report_unknown_entry(const TomlEntry& entry) {
     std::vector<std::string> candidates;
     for (const EntryRow& row : rows_) {
       if (row.supported) candidates.emplace_back(row.entry);
     }
-    const std::string near = nearest(entry.key, candidates);
+    const std::string near = nearest_word(entry.key, candidates);
     const EntryRow* row = find(near);
     reading_.report(
-        Code::E106, header_of(entry.value), "unknown entry " + in_backticks(entry.key),
+        Code::E106, header_span(entry.value), "unknown entry " + quote_text(entry.key),
         row == nullptr ? "" : fmt::format("did you mean {}?", header_text(near, row->repeated)));
   }
 
-  void report_missing(const TomlValue& root) {
+  void report_missing_entries(const TomlValue& root) {
     for (const EntryRow& row : rows_) {
       if (!row.required || find_entry(root.entries, row.entry) != nullptr) continue;
       reading_.report(Code::E105, {root.span.source, 0, 0},
@@ -114,16 +114,16 @@ class EntryReader {
     }
   }
 
-  void add(const EntryRow& row, const TomlValue& table) {
-    const TableContext context{table_entry(kind_, row), header_text(row.entry, row.repeated),
-                               table.span};
+  void append_entry(const EntryRow& row, const TomlValue& table) {
+    const TableContext context{qualified_entry_name(kind_, row),
+                               header_text(row.entry, row.repeated), table.span};
     entries_.push_back(
         {std::string(row.entry), table.span, read_keys(table.entries, context, reading_)});
   }
 
   FileKind kind_;
   std::vector<EntryRow> rows_;
-  FileReading& reading_;
+  FileReadState& reading_;
   std::vector<EntrySyntax> entries_ = {};
 };
 
@@ -140,18 +140,19 @@ std::vector<EntryRow> entry_rows_of(FileKind kind) {
   return result;
 }
 
-std::string table_entry(FileKind kind, const EntryRow& row) {
+std::string qualified_entry_name(FileKind kind, const EntryRow& row) {
   return fmt::format("{}{}", kind == FileKind::scene ? scene_prefix : "", row.entry);
 }
 
-std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind, FileReading& reading) {
+std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind,
+                                      FileReadState& reading) {
   return EntryReader(kind, reading).read(root);
 }
 
 namespace {
 
 /// The span of the top-level key `model` if its value has this kind.
-std::optional<Span> model_of_kind(const SourceText& source, TomlKind kind) {
+std::optional<Span> find_model_key(const SourceText& source, TomlKind kind) {
   const Result<TomlValue> root = read_toml(source);
   if (!root) return std::nullopt;
   const TomlEntry* const model = find_entry(root->entries, "model");
@@ -161,12 +162,12 @@ std::optional<Span> model_of_kind(const SourceText& source, TomlKind kind) {
 
 }  // namespace
 
-std::optional<Span> model_key(const SourceText& source) {
-  return model_of_kind(source, TomlKind::string);
+std::optional<Span> find_model_key(const SourceText& source) {
+  return find_model_key(source, TomlKind::string);
 }
 
 bool declares_model(const SourceText& source) {
-  return model_of_kind(source, TomlKind::table).has_value();
+  return find_model_key(source, TomlKind::table).has_value();
 }
 
 }  // namespace elgen

@@ -9,12 +9,12 @@ namespace elgen {
 [[nodiscard]] std::vector<EntryRow> entry_rows_of(FileKind kind);
 
 /// The name of the row's entry in the key table: "scene.outputs".
-[[nodiscard]] std::string table_entry(FileKind kind, const EntryRow& row);
+[[nodiscard]] std::string qualified_entry_name(FileKind kind, const EntryRow& row);
 
 /// Top-level keys and entries in file order. Reports E103–E109 and the errors of the values to
 /// `reading`.
 [[nodiscard]] std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind,
-                                                    FileReading& reading);
+                                                    FileReadState& reading);
 
 /// A table whose keys are the rows of `entry`. `label` is its name in messages: "`[[coordinate]]`".
 /// A missing key is reported at `header`.
@@ -25,6 +25,6 @@ struct TableContext {
 };
 
 [[nodiscard]] std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries,
-                                               const TableContext& table, FileReading& reading);
+                                               const TableContext& table, FileReadState& reading);
 
 }  // namespace elgen

@@ -32,7 +32,7 @@ struct Subtree {
 };
 
 /// A parsed subtree; none after an error, which `problem_` then holds.
-using Step = std::optional<Subtree>;
+using MaybeSubtree = std::optional<Subtree>;
 
 class ExpressionParser {
  public:
@@ -40,207 +40,208 @@ class ExpressionParser {
                    const Limits& limits)
       : tokens_(text, begin, end),
         limits_(limits),
-        whole_(text.span(begin, end)),
-        deepest_(std::min(limits.expression_depth, deepest_expression)) {}
+        whole_span_(text.span(begin, end)),
+        max_depth_(std::min(limits.expression_depth, max_expression_depth)) {}
 
   Result<ExpressionSyntax> parse();
 
  private:
-  Step sum();
-  Step product();
-  Step quotient(const Token& token, Subtree numerator, Subtree denominator);
-  Step unary();
-  Step power();
-  Step primary();
-  Step number();
-  Step name();
-  Step parse_index(Subtree named);
-  Step call(Subtree named);
-  Step parse_brackets();
-  bool arguments(Subtree& call);
+  MaybeSubtree parse_sum();
+  MaybeSubtree parse_product();
+  MaybeSubtree make_quotient(const Token& token, Subtree numerator, Subtree denominator);
+  MaybeSubtree parse_unary();
+  MaybeSubtree parse_power();
+  MaybeSubtree parse_primary();
+  MaybeSubtree parse_number();
+  MaybeSubtree parse_name();
+  MaybeSubtree parse_index(Subtree named);
+  MaybeSubtree parse_call(Subtree named);
+  MaybeSubtree parse_brackets();
+  bool parse_arguments(Subtree& call);
 
-  [[nodiscard]] bool at(TokenKind kind) const { return tokens_.at(kind); }
+  [[nodiscard]] bool is_at(TokenKind kind) const { return tokens_.is_at(kind); }
 
-  Subtree node(SyntaxKind kind, const Token& token, std::deque<Subtree> operands) const;
+  Subtree make_node(SyntaxKind kind, const Token& token, std::deque<Subtree> operands) const;
   Subtree negate_node(const Token& minus, Subtree operand) const;
 
   // The functions that return bool return true if parsing can continue.
-  bool enter(const Token& token);
-  void leave() { --depth_; }
-  bool close(TokenKind kind, const Token& opened);
-  bool too_deep(const Token& token);
+  bool enter_level(const Token& token);
+  void leave_level() { --depth_; }
+  bool expect_bracket(TokenKind kind, const Token& opened);
+  bool fail_too_deep(const Token& token);
   bool fail(Diagnostic problem);
 
   Lexer tokens_;
   const Limits& limits_;
-  Span whole_;
-  std::uint64_t deepest_;
+  Span whole_span_;
+  std::uint64_t max_depth_;
   std::uint64_t depth_ = 0;
   std::optional<Diagnostic> problem_ = {};
 };
 
 Result<ExpressionSyntax> ExpressionParser::parse() {
-  if (at(TokenKind::end)) {
-    return Diagnostic{Code::E310, whole_, "empty expression", "write `0` for nothing"};
+  if (is_at(TokenKind::end)) {
+    return Diagnostic{Code::E310, whole_span_, "empty expression", "write `0` for nothing"};
   }
-  Step result = sum();
-  if (result && !at(TokenKind::end)) fail(misplaced_token(tokens_));
+  MaybeSubtree result = parse_sum();
+  if (result && !is_at(TokenKind::end)) fail(misplaced_token_error(tokens_));
   if (problem_) return *problem_;
   return std::move(result->tree);
 }
 
-Step ExpressionParser::sum() {
-  Step first = product();
-  if (!first || !(at(TokenKind::plus) || at(TokenKind::minus))) return first;
+MaybeSubtree ExpressionParser::parse_sum() {
+  MaybeSubtree first = parse_product();
+  if (!first || !(is_at(TokenKind::plus) || is_at(TokenKind::minus))) return first;
   const Token token = tokens_.current();
   std::deque<Subtree> terms;
   terms.push_back(*std::move(first));
-  while (at(TokenKind::plus) || at(TokenKind::minus)) {
+  while (is_at(TokenKind::plus) || is_at(TokenKind::minus)) {
     const Token sign = tokens_.advance();
-    Step term = product();
+    MaybeSubtree term = parse_product();
     if (!term) return std::nullopt;
     terms.push_back(sign.kind == TokenKind::minus ? negate_node(sign, *std::move(term))
                                                   : *std::move(term));
   }
-  return node(SyntaxKind::add, token, std::move(terms));
+  return make_node(SyntaxKind::add, token, std::move(terms));
 }
 
-Step ExpressionParser::product() {
-  Step first = unary();
-  if (!first || !(at(TokenKind::times) || at(TokenKind::divide))) return first;
+MaybeSubtree ExpressionParser::parse_product() {
+  MaybeSubtree first = parse_unary();
+  if (!first || !(is_at(TokenKind::times) || is_at(TokenKind::divide))) return first;
   std::deque<Subtree> factors;
   factors.push_back(*std::move(first));
   Token star = tokens_.current();
-  while (at(TokenKind::times) || at(TokenKind::divide)) {
+  while (is_at(TokenKind::times) || is_at(TokenKind::divide)) {
     const Token token = tokens_.advance();
-    Step factor = unary();
+    MaybeSubtree factor = parse_unary();
     if (!factor) return std::nullopt;
     if (token.kind == TokenKind::times) {
       if (factors.size() == 1) star = token;
       factors.push_back(*std::move(factor));
       continue;
     }
-    Step divided =
-        quotient(token, node(SyntaxKind::multiply, star, std::move(factors)), *std::move(factor));
+    MaybeSubtree divided = make_quotient(
+        token, make_node(SyntaxKind::multiply, star, std::move(factors)), *std::move(factor));
     if (!divided) return std::nullopt;
     factors.clear();
     factors.push_back(*std::move(divided));
   }
-  return node(SyntaxKind::multiply, star, std::move(factors));
+  return make_node(SyntaxKind::multiply, star, std::move(factors));
 }
 
 /// The node numerator / denominator; none if it is too deep: a/b/c nests to the left, and the
 /// recursive descent does not count these levels.
-Step ExpressionParser::quotient(const Token& token, Subtree numerator, Subtree denominator) {
+MaybeSubtree ExpressionParser::make_quotient(const Token& token, Subtree numerator,
+                                             Subtree denominator) {
   std::deque<Subtree> operands;
   operands.push_back(std::move(numerator));
   operands.push_back(std::move(denominator));
-  Subtree result = node(SyntaxKind::divide, token, std::move(operands));
+  Subtree result = make_node(SyntaxKind::divide, token, std::move(operands));
   ++result.levels;
-  if (depth_ + result.levels > deepest_) {
-    too_deep(token);
+  if (depth_ + result.levels > max_depth_) {
+    fail_too_deep(token);
     return std::nullopt;
   }
   return result;
 }
 
-Step ExpressionParser::unary() {
-  if (!at(TokenKind::minus)) return power();
-  if (!enter(tokens_.current())) return std::nullopt;
+MaybeSubtree ExpressionParser::parse_unary() {
+  if (!is_at(TokenKind::minus)) return parse_power();
+  if (!enter_level(tokens_.current())) return std::nullopt;
   const Token minus = tokens_.advance();
-  Step operand = unary();
-  leave();
+  MaybeSubtree operand = parse_unary();
+  leave_level();
   if (!operand) return std::nullopt;
   Subtree result = negate_node(minus, *std::move(operand));
   ++result.levels;
   return result;
 }
 
-Step ExpressionParser::power() {
-  Step base = primary();
-  if (!base || !at(TokenKind::power)) return base;
-  if (!enter(tokens_.current())) return std::nullopt;
+MaybeSubtree ExpressionParser::parse_power() {
+  MaybeSubtree base = parse_primary();
+  if (!base || !is_at(TokenKind::power)) return base;
+  if (!enter_level(tokens_.current())) return std::nullopt;
   const Token token = tokens_.advance();
-  Step exponent = unary();
-  leave();
+  MaybeSubtree exponent = parse_unary();
+  leave_level();
   if (!exponent) return std::nullopt;
   std::deque<Subtree> operands;
   operands.push_back(*std::move(base));
   operands.push_back(*std::move(exponent));
-  Subtree result = node(SyntaxKind::power, token, std::move(operands));
+  Subtree result = make_node(SyntaxKind::power, token, std::move(operands));
   ++result.levels;
   return result;
 }
 
-Step ExpressionParser::primary() {
+MaybeSubtree ExpressionParser::parse_primary() {
   switch (tokens_.current().kind) {
     case TokenKind::number:
-      return number();
+      return parse_number();
     case TokenKind::name:
-      return name();
-    case TokenKind::open:
+      return parse_name();
+    case TokenKind::left_parenthesis:
       return parse_brackets();
     default:
-      fail(missing_operand(tokens_));
+      fail(missing_operand_error(tokens_));
       return std::nullopt;
   }
 }
 
-Step ExpressionParser::number() {
+MaybeSubtree ExpressionParser::parse_number() {
   const Token token = tokens_.advance();
   const DecimalParts parts = decimal_parts(tokens_.text(token));
   if (std::optional<ExceededLimit> hit = find_exceeded_limit(parts, limits_)) {
     fail({hit->code, tokens_.span(token), std::move(hit->message), std::move(hit->hint)});
     return std::nullopt;
   }
-  Subtree result = node(SyntaxKind::number, token, {});
+  Subtree result = make_node(SyntaxKind::number, token, {});
   result.tree.value = decimal_value(parts);
   return result;
 }
 
-Step ExpressionParser::name() {
+MaybeSubtree ExpressionParser::parse_name() {
   const Token token = tokens_.advance();
-  Subtree result = node(SyntaxKind::name, token, {});
+  Subtree result = make_node(SyntaxKind::name, token, {});
   result.tree.text = tokens_.text(token);
-  if (at(TokenKind::open)) return call(std::move(result));
-  if (at(TokenKind::open_index)) return parse_index(std::move(result));
+  if (is_at(TokenKind::left_parenthesis)) return parse_call(std::move(result));
+  if (is_at(TokenKind::left_bracket)) return parse_index(std::move(result));
   return result;
 }
 
-Step ExpressionParser::parse_index(Subtree named) {
+MaybeSubtree ExpressionParser::parse_index(Subtree named) {
   const Token opened = tokens_.current();
-  if (!enter(opened)) return std::nullopt;
+  if (!enter_level(opened)) return std::nullopt;
   tokens_.advance();
-  Step index = sum();
-  if (!index || !close(TokenKind::close_index, opened)) return std::nullopt;
-  leave();
+  MaybeSubtree index = parse_sum();
+  if (!index || !expect_bracket(TokenKind::right_bracket, opened)) return std::nullopt;
+  leave_level();
   named.levels = index->levels + 1;
   named.tree.operands.push_back(std::move(index->tree));
   named.tree.span = join(named.tree.span, tokens_.span(tokens_.previous()));
   return named;
 }
 
-Step ExpressionParser::call(Subtree named) {
+MaybeSubtree ExpressionParser::parse_call(Subtree named) {
   const Token opened = tokens_.current();
-  if (!enter(opened)) return std::nullopt;
+  if (!enter_level(opened)) return std::nullopt;
   tokens_.advance();
   named.tree.kind = SyntaxKind::call;
-  if (!at(TokenKind::close) && !arguments(named)) return std::nullopt;
-  if (!close(TokenKind::close, opened)) return std::nullopt;
-  leave();
+  if (!is_at(TokenKind::right_parenthesis) && !parse_arguments(named)) return std::nullopt;
+  if (!expect_bracket(TokenKind::right_parenthesis, opened)) return std::nullopt;
+  leave_level();
   ++named.levels;
   named.tree.span = join(named.tree.span, tokens_.span(tokens_.previous()));
   return named;
 }
 
-bool ExpressionParser::arguments(Subtree& call) {
+bool ExpressionParser::parse_arguments(Subtree& call) {
   std::deque<Subtree> operands;
   do {
     if (!operands.empty()) tokens_.advance();
-    Step argument = sum();
+    MaybeSubtree argument = parse_sum();
     if (!argument) return false;
     operands.push_back(*std::move(argument));
-  } while (at(TokenKind::comma));
+  } while (is_at(TokenKind::comma));
   call.tree.operands.reserve(operands.size());
   for (Subtree& operand : operands) {
     call.levels = std::max(call.levels, operand.levels);
@@ -249,13 +250,13 @@ bool ExpressionParser::arguments(Subtree& call) {
   return true;
 }
 
-Step ExpressionParser::parse_brackets() {
+MaybeSubtree ExpressionParser::parse_brackets() {
   const Token opened = tokens_.current();
-  if (!enter(opened)) return std::nullopt;
+  if (!enter_level(opened)) return std::nullopt;
   tokens_.advance();
-  Step inner = sum();
-  if (!inner || !close(TokenKind::close, opened)) return std::nullopt;
-  leave();
+  MaybeSubtree inner = parse_sum();
+  if (!inner || !expect_bracket(TokenKind::right_parenthesis, opened)) return std::nullopt;
+  leave_level();
   ++inner->levels;
   inner->tree.span = join(tokens_.span(opened), tokens_.span(tokens_.previous()));
   return inner;
@@ -263,8 +264,8 @@ Step ExpressionParser::parse_brackets() {
 
 /// The node of `kind`; a sum or product of one operand is the operand itself. The operands are in a
 /// deque, because a growing vector would copy subtrees.
-Subtree ExpressionParser::node(SyntaxKind kind, const Token& token,
-                               std::deque<Subtree> operands) const {
+Subtree ExpressionParser::make_node(SyntaxKind kind, const Token& token,
+                                    std::deque<Subtree> operands) const {
   const bool chain = kind == SyntaxKind::add || kind == SyntaxKind::multiply;
   if (chain && operands.size() == 1) return std::move(operands.front());
   Subtree result;
@@ -285,26 +286,26 @@ Subtree ExpressionParser::negate_node(const Token& minus, Subtree operand) const
   const Span whole = join(tokens_.span(minus), operand.tree.span);
   std::deque<Subtree> operands;
   operands.push_back(std::move(operand));
-  Subtree result = node(SyntaxKind::negate, minus, std::move(operands));
+  Subtree result = make_node(SyntaxKind::negate, minus, std::move(operands));
   result.tree.span = whole;
   return result;
 }
 
-bool ExpressionParser::enter(const Token& token) {
+bool ExpressionParser::enter_level(const Token& token) {
   ++depth_;
-  return depth_ <= deepest_ || too_deep(token);
+  return depth_ <= max_depth_ || fail_too_deep(token);
 }
 
-bool ExpressionParser::too_deep(const Token& token) {
-  const bool own_limit = limits_.expression_depth > deepest_expression;
+bool ExpressionParser::fail_too_deep(const Token& token) {
+  const bool own_limit = limits_.expression_depth > max_expression_depth;
   return fail({Code::E902, tokens_.span(token),
-               fmt::format("expression is nested deeper than {}", deepest_),
+               fmt::format("expression is nested deeper than {}", max_depth_),
                own_limit ? "name parts of it in `[define]`"
                          : "`--limit expression_depth=N` raises the limit"});
 }
 
-bool ExpressionParser::close(TokenKind kind, const Token& opened) {
-  if (!at(kind)) return fail(unclosed_bracket(tokens_, opened));
+bool ExpressionParser::expect_bracket(TokenKind kind, const Token& opened) {
+  if (!is_at(kind)) return fail(unclosed_bracket_error(tokens_, opened));
   tokens_.advance();
   return true;
 }

@@ -42,7 +42,7 @@ Json list_schema(Json item, std::string_view doc = {}) {
 }
 
 /// Schema of a value that matches any of the choices.
-Json choice_schema(const std::vector<Json>& choices) {
+Json any_of_schema(const std::vector<Json>& choices) {
   Json schema;
   schema["anyOf"] = choices;
   return schema;
@@ -79,7 +79,7 @@ Json expression_schema() {
 }
 
 /// Schema of a list of `count` expressions; if `count` is 0, of a list of any length.
-Json expressions_schema(std::size_t count = 0) {
+Json expression_list_schema(std::size_t count = 0) {
   Json schema = list_schema(expression_schema());
   if (count == 0) return schema;
   schema["maxItems"] = count;
@@ -96,7 +96,7 @@ Json name_schema() {
 
 /// Schema of [[axis, angle], ...]; an axis is a letter, or three expressions.
 Json turns_schema() {
-  Json axis = choice_schema({value_schema("string"), expressions_schema(3)});
+  Json axis = any_of_schema({value_schema("string"), expression_list_schema(3)});
   Json turn{{"type", "array"}};
   turn["items"] = {std::move(axis), expression_schema()};
   turn["maxItems"] = 2;
@@ -111,33 +111,33 @@ Json word_list_schema(const KeyRow& row) {
 }
 
 Json matrix_schema() {
-  return list_schema(choice_schema({expression_schema(), expressions_schema()}));
+  return list_schema(any_of_schema({expression_schema(), expression_list_schema()}));
 }
 
 Json inner_table_schema(const KeyRow& row) {
   return table_schema(fmt::format("{}.{}", row.entry, row.key), {});
 }
 
-Json schema_of(const KeyRow& row) {
+Json key_schema(const KeyRow& row) {
   const auto or_table = [&row](Json other) {
-    return choice_schema({std::move(other), inner_table_schema(row)});
+    return any_of_schema({std::move(other), inner_table_schema(row)});
   };
   const Json text = value_schema("string");
   switch (row.type) {
     case KeyType::expression:
       return expression_schema();
     case KeyType::expression_list:
-      return expressions_schema();
+      return expression_list_schema();
     case KeyType::expression_or_list:
-      return choice_schema({expression_schema(), expressions_schema()});
+      return any_of_schema({expression_schema(), expression_list_schema()});
     case KeyType::expression_or_table:
       return or_table(expression_schema());
     case KeyType::closed_form:
-      return choice_schema({expression_schema(), matrix_schema(), inner_table_schema(row)});
+      return any_of_schema({expression_schema(), matrix_schema(), inner_table_schema(row)});
     case KeyType::name:
       return name_schema();
     case KeyType::text:
-    case KeyType::symbol:
+    case KeyType::latex_symbol:
     case KeyType::unit:
     case KeyType::condition:
       return text;
@@ -147,13 +147,13 @@ Json schema_of(const KeyRow& row) {
       return word_list_schema(row);
     case KeyType::equations:
     case KeyType::repetition:
-      return choice_schema({text, list_schema(text)});
+      return any_of_schema({text, list_schema(text)});
     case KeyType::integer:
       return value_schema("integer");
     case KeyType::boolean:
       return value_schema("boolean");
     case KeyType::range:
-      return expressions_schema(2);
+      return expression_list_schema(2);
     case KeyType::turns:
       return turns_schema();
     case KeyType::table:
@@ -161,7 +161,7 @@ Json schema_of(const KeyRow& row) {
     case KeyType::boolean_or_table:
       return or_table(value_schema("boolean"));
     case KeyType::boolean_or_expression:
-      return choice_schema({value_schema("boolean"), expression_schema()});
+      return any_of_schema({value_schema("boolean"), expression_schema()});
     case KeyType::text_or_table:
       return or_table(text);
   }
@@ -170,10 +170,10 @@ Json schema_of(const KeyRow& row) {
 
 /// Adds the standard outputs by name, so that editors offer them. The names of [[output]]s differ
 /// from model to model.
-void add_outputs(std::vector<SchemaKey>& keys) {
+void add_output_keys(std::vector<SchemaKey>& keys) {
   const Json wanted{{"$ref", "#/properties/outputs/additionalProperties"}};
   for (const OutputRow& output : output_table()) {
-    if (output.of_user) continue;
+    if (output.is_user_output) continue;
     // Draft 7 ignores keys next to `$ref`, so `allOf` wraps the reference.
     Json schema;
     schema["allOf"] = Json::array({wanted});
@@ -205,11 +205,11 @@ std::string description_of(const Row& row) {
   return row.details.empty() ? std::string(row.doc) : fmt::format("{}. {}", row.doc, row.details);
 }
 
-TableKeys keys_of(std::string_view entry) {
+TableKeys table_keys(std::string_view entry) {
   TableKeys keys;
   for (const KeyRow& row : key_table()) {
     if (row.entry != entry || !row.supported) continue;
-    Json schema = schema_of(row);
+    Json schema = key_schema(row);
     schema["description"] = description_of(row);
     if (has_default_value(row)) schema["default"] = default_json(row);
     if (row.key == "*") {
@@ -218,17 +218,17 @@ TableKeys keys_of(std::string_view entry) {
       keys.named.push_back({row.key, std::move(schema), row.required});
     }
   }
-  if (entry == "scene.outputs") add_outputs(keys.named);
+  if (entry == "scene.outputs") add_output_keys(keys.named);
   return keys;
 }
 
 Json table_schema(const std::string& entry, std::string_view doc) {
-  TableKeys keys = keys_of(entry);
+  TableKeys keys = table_keys(entry);
   return object_schema(std::move(keys.named), doc, std::move(keys.additional));
 }
 
 Json entry_schema(FileKind kind, const EntryRow& row) {
-  const std::string entry = table_entry(kind, row);
+  const std::string entry = qualified_entry_name(kind, row);
   return row.repeated ? list_schema(table_schema(entry, {}), description_of(row))
                       : table_schema(entry, description_of(row));
 }
@@ -237,7 +237,7 @@ Json entry_schema(FileKind kind, const EntryRow& row) {
 
 std::string file_schema(FileKind kind) {
   const bool is_scene = kind == FileKind::scene;
-  TableKeys keys = keys_of(is_scene ? "scene" : "");
+  TableKeys keys = table_keys(is_scene ? "scene" : "");
   for (const EntryRow& row : entry_rows_of(kind)) {
     if (row.supported) keys.named.push_back({row.entry, entry_schema(kind, row), row.required});
   }

@@ -21,26 +21,26 @@ namespace {
 
 /// One part of a text with several parts: its key in the resulting table, and its bytes in the
 /// decoded text.
-struct KeyPart {
+struct TextPart {
   const char* key;
   std::size_t begin = 0;
   std::size_t end = 0;
   ValueKind kind = ValueKind::expression;
 };
 
-using SplitParts = std::vector<KeyPart>;
+using TextParts = std::vector<TextPart>;
 
 /// A kind of text with several parts: the names in messages, and the error for any other text.
-struct SplitText {
+struct SplitTextKind {
   std::string_view noun;
   std::string_view expected;
   Code code;
   const char* hint;
-  SplitParts (*split)(const DecodedText& text);
+  TextParts (*split)(const DecodedText& text);
 };
 
 /// "i in 1..n" to { index = i, low = 1, high = n }
-SplitParts split_repetition(const DecodedText& text) {
+TextParts split_repetition(const DecodedText& text) {
   const std::size_t dots = text.text.find("..");
   if (dots == std::string::npos) return {};
   Lexer lexer(text, 0, dots);
@@ -54,7 +54,7 @@ SplitParts split_repetition(const DecodedText& text) {
 
 /// "a > b" to { left = a, sign = ">", right = b }. A second comparison is reported as an error in
 /// `right`.
-SplitParts split_condition(const DecodedText& text) {
+TextParts split_condition(const DecodedText& text) {
   const std::size_t begin = text.text.find_first_of("<>");
   if (begin == std::string::npos) return {};
   const std::size_t end = text.text.substr(begin + 1).starts_with('=') ? begin + 2 : begin + 1;
@@ -63,56 +63,58 @@ SplitParts split_condition(const DecodedText& text) {
 }
 
 /// "a = b" to { left = a, right = b }
-SplitParts split_equation(const DecodedText& text) {
+TextParts split_equation(const DecodedText& text) {
   const std::size_t sign = text.text.find('=');
   if (sign == std::string::npos || text.text.find('=', sign + 1) != std::string::npos) return {};
   return {{"left", 0, sign}, {"right", sign + 1, text.text.size()}};
 }
 
-constexpr SplitText repetition_text{"repetition", "a repetition (a string)", Code::E210,
-                                    "a repetition is written `i in 1..n`", &split_repetition};
-constexpr SplitText condition_text{
+constexpr SplitTextKind repetition_text{"repetition", "a repetition (a string)", Code::E210,
+                                        "a repetition is written `i in 1..n`", &split_repetition};
+constexpr SplitTextKind condition_text{
     "condition", "a condition (a string)", Code::E320,
     "a condition is written `a > b`, with one of `>`, `>=`, `<` and `<=`", &split_condition};
-constexpr SplitText equation_text{"equation", "an equation (a string)", Code::E321,
-                                  "an equation is written `left = right`, with one `=`",
-                                  &split_equation};
+constexpr SplitTextKind equation_text{"equation", "an equation (a string)", Code::E321,
+                                      "an equation is written `left = right`, with one `=`",
+                                      &split_equation};
 
-KeySyntax part_entry(const KeyPart& part, const DecodedText& text, FileReading& reading) {
+KeySyntax read_part(const TextPart& part, const DecodedText& text, FileReadState& reading) {
   KeySyntax result;
   result.key = part.key;
   result.key_span = result.value.span = text.span(part.begin, part.end);
   result.value.kind = part.kind;
   result.value.text = text.text.substr(part.begin, part.end - part.begin);
   if (part.kind == ValueKind::expression) {
-    keep(read_expression(text, part.begin, part.end, reading.limits), result.value.expression,
-         reading);
+    store_expression(read_expression(text, part.begin, part.end, reading.limits),
+                     result.value.expression, reading);
   }
   return result;
 }
 
 /// The table of the parts. Errors: E104 if the value is no string, the error of the kind, or the
 /// errors of the parts.
-ValueSyntax read_split_text(const TomlValue& value, const SplitText& kind, FileReading& reading) {
-  ValueSyntax result = empty_value(value, ValueKind::table);
+ValueSyntax read_split_text(const TomlValue& value, const SplitTextKind& kind,
+                            FileReadState& reading) {
+  ValueSyntax result = make_value(value, ValueKind::table);
   if (value.kind != TomlKind::string) {
     report_wrong_type(value, kind.expected, reading);
     return result;
   }
-  const SplitParts parts = kind.split(value.text);
+  const TextParts parts = kind.split(value.text);
   if (parts.empty()) {
-    reading.report(kind.code, value.text.whole,
-                   fmt::format("{} is no {}", in_backticks(value.text.text), kind.noun), kind.hint);
+    reading.report(kind.code, value.text.content_span,
+                   fmt::format("{} is no {}", quote_text(value.text.text), kind.noun), kind.hint);
   }
-  for (const KeyPart& part : parts) {
-    result.entries.push_back(part_entry(part, value.text, reading));
+  for (const TextPart& part : parts) {
+    result.entries.push_back(read_part(part, value.text, reading));
   }
   return result;
 }
 
 /// One text, or a list of texts; the result is always a list.
-ValueSyntax read_one_or_list(const TomlValue& value, const SplitText& kind, FileReading& reading) {
-  ValueSyntax result = empty_value(value, ValueKind::list);
+ValueSyntax read_split_texts(const TomlValue& value, const SplitTextKind& kind,
+                             FileReadState& reading) {
+  ValueSyntax result = make_value(value, ValueKind::list);
   if (value.kind != TomlKind::array) {
     result.items.push_back(read_split_text(value, kind, reading));
   }
@@ -122,8 +124,8 @@ ValueSyntax read_one_or_list(const TomlValue& value, const SplitText& kind, File
   return result;
 }
 
-ValueSyntax read_equations(const TomlValue& value, FileReading& reading) {
-  ValueSyntax result = read_one_or_list(value, equation_text, reading);
+ValueSyntax read_equations(const TomlValue& value, FileReadState& reading) {
+  ValueSyntax result = read_split_texts(value, equation_text, reading);
   if (result.items.empty()) {
     report_wrong_type(value, "an equation, or a list of such", reading);
   }
@@ -140,96 +142,96 @@ const KeyRow* find_row(std::string_view entry, std::string_view key) {
   return any;
 }
 
-void report_unknown(const TomlEntry& key, const TableContext& table, FileReading& reading) {
+void report_unknown_key(const TomlEntry& key, const TableContext& table, FileReadState& reading) {
   std::vector<std::string> candidates;
   for (const KeyRow& row : key_table()) {
     if (row.entry == table.entry && row.supported) candidates.emplace_back(row.key);
   }
   reading.report(Code::E103, key.key_span,
-                 fmt::format("unknown key {} in {}", in_backticks(key.key), table.label),
+                 fmt::format("unknown key {} in {}", quote_text(key.key), table.label),
                  suggestion(key.key, candidates));
 }
 
 /// The hint for a missing key: the first line of every file, or the words of a choice; else "".
-std::string hint_of_missing(const KeyRow& row) {
+std::string missing_key_hint(const KeyRow& row) {
   if (row.key == "format") return "a file starts with `format = 1`";
   const std::vector<std::string_view> words = choice_words(row);
   return words.empty() ? "" : fmt::format("it is `\"{}\"`", fmt::join(words, "\"` or `\""));
 }
 
-void report_missing(const std::vector<TomlEntry>& entries, const TableContext& table,
-                    FileReading& reading) {
+void report_missing_keys(const std::vector<TomlEntry>& entries, const TableContext& table,
+                         FileReadState& reading) {
   for (const KeyRow& row : key_table()) {
     if (row.entry != table.entry || !row.required) continue;
     if (find_entry(entries, row.key) != nullptr) continue;
     reading.report(Code::E105, table.header, fmt::format("no `{}` in {}", row.key, table.label),
-                   hint_of_missing(row));
+                   missing_key_hint(row));
   }
 }
 
-void report_choice(const ValueSyntax& value, const std::string& observed, const KeyRow& row,
-                   FileReading& reading) {
+void report_wrong_choice(const ValueSyntax& value, const std::string& observed, const KeyRow& row,
+                         FileReadState& reading) {
   reading.report(
       Reason::unknown_word, value.span,
       fmt::format("{} where `{}` is expected", observed, fmt::join(choice_words(row), "` or `")),
-      std::string(replacement_of_choice(row, value.text)));
+      std::string(former_choice_hint(row, value.text)));
 }
 
 /// A word of the choice table; E104 for any other value.
-ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, FileReading& reading) {
+ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, FileReadState& reading) {
   ValueSyntax result = read_text(value, reading);
   if (value.kind != TomlKind::string) return result;
   const std::vector<std::string_view> words = choice_words(row);
   if (std::ranges::find(words, result.text) == words.end()) {
-    report_choice(result, in_backticks(result.text), row, reading);
+    report_wrong_choice(result, quote_text(result.text), row, reading);
   }
   return result;
 }
 
-ValueSyntax read_choices(const TomlValue& value, const KeyRow& row, FileReading& reading) {
-  ValueSyntax result = empty_value(value, ValueKind::list);
+ValueSyntax read_choices(const TomlValue& value, const KeyRow& row, FileReadState& reading) {
+  ValueSyntax result = make_value(value, ValueKind::list);
   if (value.kind != TomlKind::array) {
     report_wrong_type(value, "a list of strings", reading);
   } else if (value.items.empty()) {
-    report_choice(result, "an empty list", row, reading);
+    report_wrong_choice(result, "an empty list", row, reading);
   }
   for (const TomlValue& item : value.items) result.items.push_back(read_choice(item, row, reading));
   return result;
 }
 
-ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, FileReading& reading) {
-  ValueSyntax result = empty_value(key.value, ValueKind::table);
+ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
+  ValueSyntax result = make_value(key.value, ValueKind::table);
   if (key.value.kind != TomlKind::table) {
     report_wrong_type(key.value, "a table", reading);
     return result;
   }
-  const TableContext table{fmt::format("{}.{}", row.entry, row.key), in_backticks(key.key),
+  const TableContext table{fmt::format("{}.{}", row.entry, row.key), quote_text(key.key),
                            key.key_span};
   result.entries = read_keys(key.value.entries, table, reading);
   return result;
 }
 
-ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& reading) {
+ValueSyntax read_key_value(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
   const TomlValue& value = key.value;
   const bool is_table = value.kind == TomlKind::table;
   switch (row.type) {
     case KeyType::expression:
       return read_expression_value(value, reading);
     case KeyType::expression_list:
-      return read_list(value, 0, reading);
+      return read_expression_list(value, 0, reading);
     case KeyType::expression_or_list:
-      return value.kind == TomlKind::array ? read_list(value, 0, reading)
+      return value.kind == TomlKind::array ? read_expression_list(value, 0, reading)
                                            : read_expression_value(value, reading);
     case KeyType::expression_or_table:
       return is_table ? read_table(key, row, reading) : read_expression_value(value, reading);
     case KeyType::closed_form:
-      return is_table ? read_table(key, row, reading) : read_array_or_expression(value, reading);
+      return is_table ? read_table(key, row, reading) : read_matrix_or_expression(value, reading);
     case KeyType::name:
       return read_name(value, reading);
     case KeyType::text:
       return read_text(value, reading);
-    case KeyType::symbol:
-      return read_symbol(value, reading);
+    case KeyType::latex_symbol:
+      return read_latex_symbol(value, reading);
     case KeyType::choice:
       return read_choice(value, row, reading);
     case KeyType::choice_list:
@@ -237,7 +239,7 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& r
     case KeyType::unit:
       return read_text(value, reading);
     case KeyType::repetition:
-      return read_one_or_list(value, repetition_text, reading);
+      return read_split_texts(value, repetition_text, reading);
     case KeyType::condition:
       return read_split_text(value, condition_text, reading);
     case KeyType::equations:
@@ -247,7 +249,7 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& r
     case KeyType::boolean:
       return read_boolean(value, reading);
     case KeyType::range:
-      return read_list(value, 2, reading);
+      return read_expression_list(value, 2, reading);
     case KeyType::turns:
       return read_turns(value, reading);
     case KeyType::table:
@@ -266,23 +268,23 @@ ValueSyntax read_by_type(const TomlEntry& key, const KeyRow& row, FileReading& r
 }  // namespace
 
 std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries, const TableContext& table,
-                                 FileReading& reading) {
+                                 FileReadState& reading) {
   std::vector<KeySyntax> result;
   bool all_supported = true;
   for (const TomlEntry& entry : entries) {
     const KeyRow* row = find_row(table.entry, entry.key);
     if (row == nullptr) {
-      report_unknown(entry, table, reading);
+      report_unknown_key(entry, table, reading);
     } else if (!row->supported) {
       all_supported = false;
-      reading.report(Code::E108, entry.key_span, in_backticks(entry.key) + " is not yet supported");
+      reading.report(Code::E108, entry.key_span, quote_text(entry.key) + " is not yet supported");
     } else {
-      result.push_back({entry.key, entry.key_span, read_by_type(entry, *row, reading)});
+      result.push_back({entry.key, entry.key_span, read_key_value(entry, *row, reading)});
     }
   }
   // An unsupported key may be meant in place of a required key, so missing keys are reported only
   // if all keys are supported.
-  if (all_supported) report_missing(entries, table, reading);
+  if (all_supported) report_missing_keys(entries, table, reading);
   return result;
 }
 

@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 22> type_words{"expression",
                                                       "true or expression",
                                                       "text or table",
                                                       "symbol"};
-static_assert(type_words.size() == static_cast<std::size_t>(KeyType::symbol) + 1);
+static_assert(type_words.size() == static_cast<std::size_t>(KeyType::latex_symbol) + 1);
 
 constexpr std::string_view introduction = R"(# Reference of model and scene files
 
@@ -52,11 +52,11 @@ constexpr std::size_t page_width = 118;
 
 /// True for the top-level keys of model and scene files. Their sections do not include the keys of
 /// tables.
-bool is_top(std::string_view entry) { return entry.empty() || entry == "scene"; }
+bool is_top_level(std::string_view entry) { return entry.empty() || entry == "scene"; }
 
-bool is_of_entry(const KeyRow& key, std::string_view entry) {
+bool belongs_to_entry(const KeyRow& key, std::string_view entry) {
   if (key.entry == entry) return true;
-  return !is_top(entry) && key.entry.starts_with(fmt::format("{}.", entry));
+  return !is_top_level(entry) && key.entry.starts_with(fmt::format("{}.", entry));
 }
 
 /// The path of a key within `entry`: "start.value" for the key `value` of "coordinate.start" within
@@ -83,7 +83,7 @@ std::string entry_section(const std::string& heading, const EntryRow& entry) {
   std::string rows;
   std::string details;
   for (const KeyRow& key : key_table()) {
-    if (!key.supported || !is_of_entry(key, entry.entry)) continue;
+    if (!key.supported || !belongs_to_entry(key, entry.entry)) continue;
     const std::string path = path_in_entry(key, entry.entry);
     rows +=
         fmt::format("| `{}` | {} | {} | {} |\n", path, type_cell(key), default_cell(key), key.doc);
@@ -116,7 +116,7 @@ std::string header_text(const EntryRow& row) {
                      row.entry.substr(is_of_scene ? scene.size() : 0));
 }
 
-std::string key_reference() {
+std::string reference_page() {
   std::string page(introduction);
   page +=
       "\n## Model files\n" +

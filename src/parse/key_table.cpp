@@ -37,7 +37,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"coordinate", "wrap", boolean, optional, true, "an angle that may turn full circles"},
     {"coordinate", "singular", expression, optional, true, "0 where the chart breaks"},
     {"coordinate", "armature", expression, optional, true, "rotor inertia J: adds 1/2 J v^2 to T"},
-    {"coordinate", "latex", symbol, optional, true, "LaTeX of the symbol in formulas"},
+    {"coordinate", "latex", latex_symbol, optional, true, "LaTeX of the symbol in formulas"},
     {"coordinate", "doc", text, optional, true, "one line of documentation"},
     {"coordinate", "for", repetition, optional, true, "repeats the entry for each index"},
     {"coordinate.start", "value", expression_or_list, optional, true, "q_i at the start"},
@@ -50,7 +50,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"parameters.*", "max", expression, optional, true, "largest value allowed"},
     {"parameters.*", "assume", choice, optional, true, "sign of the value"},
     {"parameters.*", "size", expression, optional, true, "length of an array"},
-    {"parameters.*", "latex", symbol, optional, true, "LaTeX of the symbol in formulas"},
+    {"parameters.*", "latex", latex_symbol, optional, true, "LaTeX of the symbol in formulas"},
     {"parameters.*", "doc", text, optional, true, "one line of documentation"},
 
     {"sizes", "*", integer, optional, true, "an integer"},
@@ -60,13 +60,13 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"function", "of", expression_list, required, true, "its 1 to 4 arguments"},
     {"function", "unit", unit, optional, true, "unit of its value"},
     {"function", "sample", expression, optional, true, "expression for runs"},
-    {"function", "latex", symbol, optional, true, "LaTeX of the symbol in formulas"},
+    {"function", "latex", latex_symbol, optional, true, "LaTeX of the symbol in formulas"},
     {"function", "doc", text, optional, true, "one line of documentation"},
 
     {"prescribed", "name", name, required, true, "name of the function"},
     {"prescribed", "value", expression, required, true, "its value as a function of t"},
     {"prescribed", "unit", unit, optional, true, "unit of the value"},
-    {"prescribed", "latex", symbol, optional, true, "LaTeX of the symbol in formulas"},
+    {"prescribed", "latex", latex_symbol, optional, true, "LaTeX of the symbol in formulas"},
     {"prescribed", "doc", text, optional, true, "one line of documentation"},
     {"prescribed", "for", repetition, optional, true, "repeats the entry for each index"},
 
@@ -233,11 +233,11 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.emit", "files", choice_list, optional, true, "files that are written"},
 });
 
-constexpr std::string_view of_sines = "scene.numeric.trigonometry";
+constexpr std::string_view trigonometry_entry = "scene.numeric.trigonometry";
 
 constexpr auto choice_rows = std::to_array<ChoiceRow>({
-    {of_sines, "scalar", "in-line"},
-    {of_sines, "scalar", "library"},
+    {trigonometry_entry, "scalar", "in-line"},
+    {trigonometry_entry, "scalar", "library"},
     {"coordinate", "kind", "scalar"},
     {"coordinate", "kind", "rotation"},
     {"frame.dh", "convention", "standard"},
@@ -369,9 +369,9 @@ std::span<const KeyRow> key_table() { return documented_keys; }
 std::span<const ChoiceRow> choice_table() { return choice_rows; }
 std::span<const EntryRow> entry_table() { return documented_entries; }
 
-bool is_drawn(std::string_view entry, std::string_view key) {
+bool is_drawing_key(std::string_view entry, std::string_view key) {
   return std::ranges::any_of(key_rows, [&](const KeyRow& row) {
-    return row.is_drawn && row.entry == entry && row.key == key;
+    return row.is_for_drawings && row.entry == entry && row.key == key;
   });
 }
 
@@ -383,7 +383,7 @@ std::vector<std::string_view> choice_words(const KeyRow& row) {
   return words;
 }
 
-std::string_view replacement_of_choice(const KeyRow& row, std::string_view word) {
+std::string_view former_choice_hint(const KeyRow& row, std::string_view word) {
   for (const auto& [choice, hint] : former_choices) {
     if (choice.entry == row.entry && choice.key == row.key && choice.word == word) return hint;
   }

@@ -22,7 +22,7 @@ namespace {
 /// `written`: a text of the language. `characters`: characters of other notations that a user
 /// should replace by `written`.
 struct ReplacementRow {
-  std::string_view written;
+  std::string_view replacement;
   std::u32string_view characters;
 };
 
@@ -103,13 +103,13 @@ std::string_view script_name(char32_t c) {
 }
 
 /// `pi` for U+03C0, `-` for U+2212 …; "" if there is no replacement.
-std::string_view replacement(char32_t character) {
+std::string_view find_replacement(char32_t character) {
   const std::size_t letter = look_alikes.find(character);
   if (letter != std::u32string_view::npos) return latin_letters.substr(letter, 1);
   const auto row = std::ranges::find_if(replacements, [&](const ReplacementRow& r) {
     return r.characters.find(character) != std::u32string_view::npos;
   });
-  return row == replacements.end() ? "" : row->written;
+  return row == replacements.end() ? "" : row->replacement;
 }
 
 /// "write `pi`" for U+03C0.
@@ -117,7 +117,7 @@ std::string replacement_hint(char32_t character) {
   if (is_full_width(character)) {
     return fmt::format("write `{}`", static_cast<char>(character - full_width_distance));
   }
-  const std::string_view written = replacement(character);
+  const std::string_view written = find_replacement(character);
   if (written.empty()) return {};
   if (written == " ") return "write a plain space";
   if (character < 0x80) return fmt::format("write `{}`", written);
@@ -160,16 +160,14 @@ Lexer::Lexer(const DecodedText& text, std::size_t begin, std::size_t end)
       bytes_(std::string_view(text.text).substr(0, end)),
       position_(begin),
       last_end_(begin),
-      current_(next()) {}
+      current_(scan_token()) {}
 
 Token Lexer::advance() {
-  previous_ = std::exchange(current_, next());
+  previous_ = std::exchange(current_, scan_token());
   return previous_;
 }
 
-std::string Lexer::token_in_backticks(const Token& token) const {
-  return in_backticks(text(token));
-}
+std::string Lexer::token_in_backticks(const Token& token) const { return quote_text(text(token)); }
 
 std::string_view Lexer::text(const Token& token) const {
   return bytes_.substr(token.begin, token.end - token.begin);
@@ -179,66 +177,67 @@ char Lexer::peek(std::size_t ahead) const {
   return position_ + ahead < bytes_.size() ? bytes_[position_ + ahead] : '\0';
 }
 
-Token Lexer::take(TokenKind kind, std::size_t bytes) {
+Token Lexer::consume_token(TokenKind kind, std::size_t bytes) {
   const Token token{kind, position_, position_ + bytes};
   position_ = last_end_ = token.end;
   return token;
 }
 
-Token Lexer::invalid(Code code, std::size_t bytes, std::string message, std::string hint) {
+Token Lexer::consume_invalid(Code code, std::size_t bytes, std::string message, std::string hint) {
   problem_ = Diagnostic{code, source_->span(position_, position_ + bytes), std::move(message),
                         std::move(hint)};
-  return take(TokenKind::invalid, bytes);
+  return consume_token(TokenKind::invalid, bytes);
 }
 
-Token Lexer::next() {
+Token Lexer::scan_token() {
   while (position_ < bytes_.size() && is_space(peek())) ++position_;
   if (position_ == bytes_.size()) return {TokenKind::end, last_end_, last_end_};
   const char first = peek();
-  if (is_digit(first) || first == '.') return number();
-  if (is_letter(first)) return name();
-  if (starts_comparison(first) || (first == '!' && peek(1) == '=')) return comparison();
+  if (is_digit(first) || first == '.') return scan_number();
+  if (is_letter(first)) return scan_name();
+  if (starts_comparison(first) || (first == '!' && peek(1) == '=')) return reject_comparison();
   if (first == '*' && peek(1) == '*') {
-    return invalid(Code::E305, 2, "`**` is not an operator", "powers are written `^`");
+    return consume_invalid(Code::E305, 2, "`**` is not an operator", "powers are written `^`");
   }
   const TokenKind kind = symbol_kind(first);
-  return kind == TokenKind::invalid ? unknown_character() : take(kind, 1);
+  return kind == TokenKind::invalid ? reject_character() : consume_token(kind, 1);
 }
 
-Token Lexer::number() {
+Token Lexer::scan_number() {
   const NumberExtent extent = number_extent(bytes_, position_);
   const std::size_t bytes = extent.end - position_;
-  if (extent.well_formed) return take(TokenKind::number, bytes);
-  return invalid(Code::E308, bytes,
-                 in_backticks(bytes_.substr(position_, bytes)) + " is not a number",
-                 "numbers are written `12`, `0.5` or `1e-3`");
+  if (extent.well_formed) return consume_token(TokenKind::number, bytes);
+  return consume_invalid(Code::E308, bytes,
+                         quote_text(bytes_.substr(position_, bytes)) + " is not a number",
+                         "numbers are written `12`, `0.5` or `1e-3`");
 }
 
-Token Lexer::name() {
+Token Lexer::scan_name() {
   std::size_t bytes = 1;
   while (is_word_character(peek(bytes))) ++bytes;
-  return take(TokenKind::name, bytes);
+  return consume_token(TokenKind::name, bytes);
 }
 
-Token Lexer::comparison() {
+Token Lexer::reject_comparison() {
   const std::size_t bytes = peek(1) == '=' ? 2 : 1;
-  return invalid(Code::E317, bytes,
-                 in_backticks(bytes_.substr(position_, bytes)) + " in an expression",
-                 "an expression is a value, without `=` or comparisons");
+  return consume_invalid(Code::E317, bytes,
+                         quote_text(bytes_.substr(position_, bytes)) + " in an expression",
+                         "an expression is a value, without `=` or comparisons");
 }
 
-Token Lexer::unknown_character() {
+Token Lexer::reject_character() {
   const CodePoint point = code_point_at(bytes_, position_);
   if (point.value < 0x80) {
-    return invalid(Code::E301, 1,
-                   in_backticks(bytes_.substr(position_, 1)) + " has no meaning in an expression",
-                   ascii_hint(point.value));
+    return consume_invalid(
+        Code::E301, 1, quote_text(bytes_.substr(position_, 1)) + " has no meaning in an expression",
+        ascii_hint(point.value));
   }
-  return invalid(Code::E307, point.bytes,
-                 in_backticks(bytes_.substr(position_, point.bytes)) +
-                     (is_hidden(point.value) ? "" : " (" + code_point_name(point.value) + ")") +
-                     " is not ASCII",
-                 replacement_hint(point.value));
+  return consume_invalid(
+      Code::E307, point.bytes,
+      quote_text(bytes_.substr(position_, point.bytes)) +
+          (is_hidden(point.value) ? "" : " (" + code_point_name(point.value) + ")") +
+          " is not ASCII",
+      replacement_hint(point.value));
 }
 
 }  // namespace elgen

@@ -20,10 +20,10 @@ enum class TokenKind : std::uint8_t {
   times,
   divide,
   power,
-  open,         ///< (
-  close,        ///< )
-  open_index,   ///< [
-  close_index,  ///< ]
+  left_parenthesis,   ///< (
+  right_parenthesis,  ///< )
+  left_bracket,       ///< [
+  right_bracket,      ///< ]
   comma,
   end,      ///< empty, at the end of the last token
   invalid,  ///< problem() has the error
@@ -43,7 +43,7 @@ class Lexer {
 
   [[nodiscard]] const Token& previous() const { return previous_; }
   [[nodiscard]] const Token& current() const { return current_; }
-  [[nodiscard]] bool at(TokenKind kind) const { return current_.kind == kind; }
+  [[nodiscard]] bool is_at(TokenKind kind) const { return current_.kind == kind; }
 
   /// Reads the next token, and returns the token that was current.
   Token advance();
@@ -59,13 +59,13 @@ class Lexer {
 
  private:
   [[nodiscard]] char peek(std::size_t ahead = 0) const;
-  Token next();
-  Token take(TokenKind kind, std::size_t bytes);
-  Token number();
-  Token name();
-  Token comparison();
-  Token unknown_character();
-  Token invalid(Code code, std::size_t bytes, std::string message, std::string hint);
+  Token scan_token();
+  Token consume_token(TokenKind kind, std::size_t bytes);
+  Token scan_number();
+  Token scan_name();
+  Token reject_comparison();
+  Token reject_character();
+  Token consume_invalid(Code code, std::size_t bytes, std::string message, std::string hint);
 
   const DecodedText* source_;
   std::string_view bytes_;  ///< of the text, up to the end of the expression

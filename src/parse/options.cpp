@@ -41,7 +41,7 @@ class OptionReader {
  public:
   OptionReader(KeyType type, const Limits& limits) : type_(type), limits_(limits) {}
 
-  void read(const Span& word) {
+  void read_word(const Span& word) {
     const std::string_view text = covered_text(word);
     const auto equals = static_cast<std::uint32_t>(std::min(text.find('='), text.size()));
     KeySyntax key;
@@ -49,7 +49,7 @@ class OptionReader {
     key.key = covered_text(key.key_span);
     std::erase(key.key, ' ');
     if (std::ranges::find(keys_, key.key, &KeySyntax::key) != keys_.end()) {
-      return refuse(key.key_span, in_backticks(key.key) + " is given twice");
+      return report_error(key.key_span, quote_text(key.key) + " is given twice");
     }
     key.value.span = {word.source, std::min(word.begin + equals + 1, word.end), word.end};
     key.value.span = trim(key.value.span);
@@ -58,17 +58,17 @@ class OptionReader {
       key.value.kind = ValueKind::boolean;
       key.value.boolean = true;
     } else if (key.value.span.begin == key.value.span.end) {
-      return refuse(word, in_backticks(word) + " has no value");
+      return report_error(word, in_backticks(word) + " has no value");
     } else if (!read_value(key.value)) {
       return;
     }
     keys_.push_back(std::move(key));
   }
 
-  Result<std::vector<KeySyntax>> keys() { return {std::move(keys_), std::move(problems_)}; }
+  Result<std::vector<KeySyntax>> take_keys() { return {std::move(keys_), std::move(problems_)}; }
 
  private:
-  void refuse(const Span& span, std::string message, std::string hint = {}) {
+  void report_error(const Span& span, std::string message, std::string hint = {}) {
     problems_.push_back({Code::E606, span, std::move(message), std::move(hint)});
   }
 
@@ -87,7 +87,7 @@ class OptionReader {
     const auto& [source, begin, end] = value.span;
     const std::size_t dots = covered_text(value.span).find("..");
     if (dots == std::string_view::npos) {
-      refuse(value.span, in_backticks(value.span) + " is no range", "write NAME=LOW..HIGH");
+      report_error(value.span, in_backticks(value.span) + " is no range", "write NAME=LOW..HIGH");
       return false;
     }
     const std::uint32_t middle = begin + static_cast<std::uint32_t>(dots);
@@ -134,8 +134,8 @@ std::vector<Span> option_words(const std::vector<SourcePointer>& options) {
 Result<std::vector<KeySyntax>> parse_options(const std::vector<SourcePointer>& options,
                                              KeyType type, const Limits& limits) {
   OptionReader reader(type, limits);
-  for (const Span& word : option_words(options)) reader.read(word);
-  return reader.keys();
+  for (const Span& word : option_words(options)) reader.read_word(word);
+  return reader.take_keys();
 }
 
 }  // namespace elgen

@@ -50,7 +50,7 @@ std::optional<Diagnostic> format_error(const TomlValue& root) {
   }
   const std::string& text = entry->value.text.text;
   if (text == "1") return std::nullopt;
-  return Diagnostic{Code::E102, entry->value.span, "format " + in_backticks(text),
+  return Diagnostic{Code::E102, entry->value.span, "format " + quote_text(text),
                     "this version reads `format = 1`"};
 }
 
@@ -60,7 +60,7 @@ Result<FileSyntax> read_file(SourcePointer source, FileKind kind, const Limits& 
   const Result<TomlValue> root = read_toml(*source);
   if (!root) return root.diagnostics;
   if (auto error = format_error(*root)) return *std::move(error);
-  FileReading reading{limits};
+  FileReadState reading{limits};
   std::vector<EntrySyntax> entries = read_entries(*root, kind, reading);
   sort_by_position(reading.diagnostics);
   if (has_errors(reading.diagnostics)) return std::move(reading.diagnostics);
@@ -89,7 +89,7 @@ const KeySyntax* find_key(const FileSyntax* file, std::string_view entry, std::s
   return found == nullptr ? nullptr : found->find(key);
 }
 
-const std::vector<KeySyntax>& keys_of(const FileSyntax* file, std::string_view entry) {
+const std::vector<KeySyntax>& entry_keys(const FileSyntax* file, std::string_view entry) {
   static const std::vector<KeySyntax> none;
   const EntrySyntax* found = find_entry(file, entry);
   return found == nullptr ? none : found->keys;
@@ -109,7 +109,7 @@ Result<ExpressionSyntax> parse_expression(const SourcePointer& source, const Lim
 
 Result<ExpressionSyntax> parse_expression(const Span& text, const Limits& limits) {
   if (auto error = encoding_error(text)) return *std::move(error);
-  return read_expression(text_of_span(text), limits);
+  return read_expression(verbatim_text(text), limits);
 }
 
 }  // namespace elgen

@@ -8,88 +8,90 @@ namespace elgen {
 
 namespace {
 
-Diagnostic at_current(const Lexer& tokens, Code code, std::string message, std::string hint = {}) {
+Diagnostic error_at_current(const Lexer& tokens, Code code, std::string message,
+                            std::string hint = {}) {
   return {code, tokens.span(tokens.current()), std::move(message), std::move(hint)};
 }
 
-Diagnostic misplaced_comma(const Lexer& tokens) {
+Diagnostic misplaced_comma_error(const Lexer& tokens) {
   const Token& number = tokens.previous();
   const Token& comma = tokens.current();
   Lexer ahead = tokens;
   ahead.advance();
   const bool touches = number.end == comma.begin && comma.end == ahead.current().begin;
-  if (touches && number.kind == TokenKind::number && ahead.at(TokenKind::number)) {
+  if (touches && number.kind == TokenKind::number && ahead.is_at(TokenKind::number)) {
     const std::string whole(tokens.text(number));
     const std::string fraction(tokens.text(ahead.current()));
-    return at_current(tokens, Code::E306,
-                      fmt::format("`{},{}` has a decimal comma", whole, fraction),
-                      fmt::format("write `{}.{}`", whole, fraction));
+    return error_at_current(tokens, Code::E306,
+                            fmt::format("`{},{}` has a decimal comma", whole, fraction),
+                            fmt::format("write `{}.{}`", whole, fraction));
   }
-  return at_current(tokens, Code::E301, "`,` outside the arguments of a function");
+  return error_at_current(tokens, Code::E301, "`,` outside the arguments of a function");
 }
 
 /// E303 for `2x`, `x y`, `2(x + y)`, `(x)(y)`.
-Diagnostic missing_operator(const Lexer& tokens) {
+Diagnostic missing_operator_error(const Lexer& tokens) {
   const Token& left = tokens.previous();
   const Token& right = tokens.current();
   constexpr std::size_t short_enough = 20;
   const bool both_words = left.kind == TokenKind::number || left.kind == TokenKind::name;
-  const bool shown_whole =
-      both_words && right.end - left.begin <= short_enough && !tokens.at(TokenKind::open);
-  return at_current(tokens, Code::E303,
-                    tokens.token_in_backticks(right) + " follows " +
-                        tokens.token_in_backticks(left) + " without an operator",
-                    shown_whole
-                        ? fmt::format("write `{}*{}`", tokens.text(left), tokens.text(right))
-                        : "a product is written with `*`");
+  const bool shown_whole = both_words && right.end - left.begin <= short_enough &&
+                           !tokens.is_at(TokenKind::left_parenthesis);
+  return error_at_current(tokens, Code::E303,
+                          tokens.token_in_backticks(right) + " follows " +
+                              tokens.token_in_backticks(left) + " without an operator",
+                          shown_whole
+                              ? fmt::format("write `{}*{}`", tokens.text(left), tokens.text(right))
+                              : "a product is written with `*`");
 }
 
 }  // namespace
 
-Diagnostic missing_operand(const Lexer& tokens) {
+Diagnostic missing_operand_error(const Lexer& tokens) {
   switch (tokens.current().kind) {
     case TokenKind::invalid:
       return *tokens.problem();
     case TokenKind::end:
-      return at_current(tokens, Code::E302, "expression ends where an operand is expected");
-    case TokenKind::open_index:
-      return at_current(tokens, Code::E301, "`[` where an operand is expected",
-                        "an index follows a name: `q[i]`");
+      return error_at_current(tokens, Code::E302, "expression ends where an operand is expected");
+    case TokenKind::left_bracket:
+      return error_at_current(tokens, Code::E301, "`[` where an operand is expected",
+                              "an index follows a name: `q[i]`");
     default:
-      return at_current(
+      return error_at_current(
           tokens, Code::E302,
           tokens.token_in_backticks(tokens.current()) + " where an operand is expected");
   }
 }
 
-Diagnostic misplaced_token(const Lexer& tokens) {
+Diagnostic misplaced_token_error(const Lexer& tokens) {
   switch (tokens.current().kind) {
     case TokenKind::invalid:
       return *tokens.problem();
     case TokenKind::comma:
-      return misplaced_comma(tokens);
-    case TokenKind::open_index:
-      return at_current(tokens, Code::E301,
-                        "`[` after " + tokens.token_in_backticks(tokens.previous()),
-                        "a name takes one index: `q[i]`");
-    case TokenKind::close:
-    case TokenKind::close_index:
-      return at_current(tokens, Code::E304,
-                        tokens.token_in_backticks(tokens.current()) + " was never opened");
+      return misplaced_comma_error(tokens);
+    case TokenKind::left_bracket:
+      return error_at_current(tokens, Code::E301,
+                              "`[` after " + tokens.token_in_backticks(tokens.previous()),
+                              "a name takes one index: `q[i]`");
+    case TokenKind::right_parenthesis:
+    case TokenKind::right_bracket:
+      return error_at_current(tokens, Code::E304,
+                              tokens.token_in_backticks(tokens.current()) + " was never opened");
     default:
-      return missing_operator(tokens);
+      return missing_operator_error(tokens);
   }
 }
 
-Diagnostic unclosed_bracket(const Lexer& tokens, const Token& opened) {
-  const bool ends = tokens.at(TokenKind::end);
-  const bool closes = tokens.at(TokenKind::close) || tokens.at(TokenKind::close_index);
-  if (!ends && !closes) return misplaced_token(tokens);
+Diagnostic unclosed_bracket_error(const Lexer& tokens, const Token& opened) {
+  const bool ends = tokens.is_at(TokenKind::end);
+  const bool closes =
+      tokens.is_at(TokenKind::right_parenthesis) || tokens.is_at(TokenKind::right_bracket);
+  if (!ends && !closes) return misplaced_token_error(tokens);
   Diagnostic result =
-      at_current(tokens, Code::E304,
-                 ends ? tokens.token_in_backticks(opened) + " is not closed"
-                      : tokens.token_in_backticks(tokens.current()) + " stands where " +
-                            tokens.token_in_backticks(opened) + " is to be closed");
+      error_at_current(tokens, Code::E304,
+                       ends ? tokens.token_in_backticks(opened) + " is not closed"
+                            : tokens.token_in_backticks(tokens.current()) + " stands where " +
+                                  tokens.token_in_backticks(opened) + " is to be closed");
   result.related = tokens.span(opened);
   result.related_message = "opened here";
   return result;

@@ -105,7 +105,7 @@ bool contains(std::string_view text, std::string_view part) {
 
 /// "Error while parsing key-value pair: cannot redefine existing integer 'a'" to
 /// "cannot redefine existing integer `a`".
-std::string message_of(std::string_view description) {
+std::string short_toml_message(std::string_view description) {
   const std::size_t colon = description.find(": ");
   std::string message(colon == std::string_view::npos ? description
                                                       : description.substr(colon + 2));
@@ -141,7 +141,7 @@ Span redefinition_span(const SourceText& source, std::uint32_t offset) {
 
 /// The span of `key` in the last earlier line that defines `key` in the same table; none if no
 /// earlier line begins with `key`.
-std::optional<Span> first_definition(const SourceText& source, const Span& key) {
+std::optional<Span> find_first_definition(const SourceText& source, const Span& key) {
   const std::string_view name = covered_text(key);
   std::optional<Span> found;
   for (std::size_t line = 0; line < key.begin; ++line) {
@@ -160,10 +160,10 @@ std::optional<Span> first_definition(const SourceText& source, const Span& key) 
   return found;
 }
 
-Diagnostic redefinition(const SourceText& source, std::uint32_t offset,
-                        std::string_view description) {
-  Diagnostic error{Code::E101, redefinition_span(source, offset), message_of(description)};
-  if (const auto first = first_definition(source, error.span)) {
+Diagnostic redefinition_error(const SourceText& source, std::uint32_t offset,
+                              std::string_view description) {
+  Diagnostic error{Code::E101, redefinition_span(source, offset), short_toml_message(description)};
+  if (const auto first = find_first_definition(source, error.span)) {
     error.hint = "rename one of them";
     error.related = *first;
     error.related_message = "first given here";
@@ -171,16 +171,16 @@ Diagnostic redefinition(const SourceText& source, std::uint32_t offset,
   return error;
 }
 
-bool at_line_end(const SourceText& source, std::uint32_t offset) {
+bool is_at_line_end(const SourceText& source, std::uint32_t offset) {
   return offset >= source.text.size() || source.text[offset] == '\n' || source.text[offset] == '\r';
 }
 
-bool is_too_wide(std::string_view description) {
+bool is_range_error(std::string_view description) {
   return contains(description, "not representable") || contains(description, "length limit") ||
          contains(description, "could not be interpreted") || contains(description, "too long");
 }
 
-bool is_unquoted_value(std::string_view description) {
+bool is_missing_quotes_error(std::string_view description) {
   return contains(description, "decimal integer") || contains(description, "floating-point") ||
          contains(description, "could not determine value type");
 }
@@ -201,24 +201,26 @@ bool is_decimal_token(std::string_view token) {
 Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
                       std::string_view description) {
   const Span word = word_at(source, offset);
-  if (is_too_wide(description) && is_decimal_token(covered_text(word))) {
-    return {Code::E109, word, in_backticks(covered_text(word)) + " is wider than TOML's numbers",
+  if (is_range_error(description) && is_decimal_token(covered_text(word))) {
+    return {Code::E109, word, quote_text(covered_text(word)) + " is wider than TOML's numbers",
             "write it as a string, in quotes"};
   }
-  if (contains(description, "parsing string") && at_line_end(source, offset)) {
+  if (contains(description, "parsing string") && is_at_line_end(source, offset)) {
     return {Code::E101, character_at(source, offset), "string is not closed",
             "a string over several lines has three quotes at each end"};
   }
-  if (contains(description, "cannot redefine")) return redefinition(source, offset, description);
-  return {Code::E101, character_at(source, offset), message_of(description),
-          is_unquoted_value(description) ? "texts and expressions are written in quotes" : ""};
+  if (contains(description, "cannot redefine"))
+    return redefinition_error(source, offset, description);
+  return {
+      Code::E101, character_at(source, offset), short_toml_message(description),
+      is_missing_quotes_error(description) ? "texts and expressions are written in quotes" : ""};
 }
 
 class DocumentBuilder {
  public:
   explicit DocumentBuilder(const SourceText& source) : source_(source), positions_(source) {}
 
-  [[nodiscard]] TomlValue value(const toml::node& node) const {
+  [[nodiscard]] TomlValue build_value(const toml::node& node) const {
     TomlValue result;
     result.span = span(node.source());
     if (node.is_string()) {
@@ -229,11 +231,11 @@ class DocumentBuilder {
       result.boolean = boolean->get();
     } else if (const auto* array = node.as_array()) {
       result.kind = TomlKind::array;
-      for (const toml::node& item : *array) result.items.push_back(value(item));
+      for (const toml::node& item : *array) result.items.push_back(build_value(item));
     } else if (const auto* table = node.as_table()) {
-      result.entries = entries(*table);
+      result.entries = build_entries(*table);
     } else {
-      result.text = text_of_span(result.span);
+      result.text = verbatim_text(result.span);
       const bool decimal = node.is_number() && is_decimal_token(result.text.text);
       result.kind = decimal ? TomlKind::number : TomlKind::other;
     }
@@ -248,10 +250,10 @@ class DocumentBuilder {
   [[nodiscard]] Span span(const toml::source_region& region) const {
     return {&source_, offset(region.begin), offset(region.end)};
   }
-  [[nodiscard]] std::vector<TomlEntry> entries(const toml::table& table) const {
+  [[nodiscard]] std::vector<TomlEntry> build_entries(const toml::table& table) const {
     std::vector<TomlEntry> result;
     for (const auto& [key, node] : table) {
-      result.push_back({std::string(key.str()), span(key.source()), value(node)});
+      result.push_back({std::string(key.str()), span(key.source()), build_value(node)});
     }
     std::ranges::sort(result, [](const TomlEntry& a, const TomlEntry& b) {
       return a.key_span.begin < b.key_span.begin;
@@ -279,7 +281,7 @@ Result<TomlValue> read_toml(const SourceText& source) {
   }
   const DocumentBuilder builder(source);
   try {
-    return builder.value(toml::parse(source.text));
+    return builder.build_value(toml::parse(source.text));
   } catch (const toml::parse_error& error) {
     return toml_error(source, builder.offset(error.source().begin), error.description());
   }

@@ -7,7 +7,7 @@
 namespace elgen {
 
 /// The state of reading a file: the limits, and the diagnostics so far.
-struct FileReading {
+struct FileReadState {
   const Limits& limits;
   Diagnostics diagnostics = {};
 
@@ -15,34 +15,35 @@ struct FileReading {
 };
 
 /// A number or a string as an expression; E104, E109 for other types; E3xx, E9xx of the expression.
-[[nodiscard]] ValueSyntax read_expression_value(const TomlValue& value, FileReading& reading);
+[[nodiscard]] ValueSyntax read_expression_value(const TomlValue& value, FileReadState& reading);
 
 /// A string as a name with or without an index; E104, E109, E205, or E3xx and E9xx of the parser.
-[[nodiscard]] ValueSyntax read_name(const TomlValue& value, FileReading& reading);
+[[nodiscard]] ValueSyntax read_name(const TomlValue& value, FileReadState& reading);
 
 /// A list of `count` expressions (0: any number); E104, E109, and the errors of the expressions.
-[[nodiscard]] ValueSyntax read_list(const TomlValue& value, std::size_t count,
-                                    FileReading& reading);
+[[nodiscard]] ValueSyntax read_expression_list(const TomlValue& value, std::size_t count,
+                                               FileReadState& reading);
 
 /// An expression, a list, or a list of lists.
-[[nodiscard]] ValueSyntax read_array_or_expression(const TomlValue& value, FileReading& reading);
+[[nodiscard]] ValueSyntax read_matrix_or_expression(const TomlValue& value, FileReadState& reading);
 
 /// A list of pairs [axis, angle]; the axis is a string or a list of three expressions.
-[[nodiscard]] ValueSyntax read_turns(const TomlValue& value, FileReading& reading);
+[[nodiscard]] ValueSyntax read_turns(const TomlValue& value, FileReadState& reading);
 
-[[nodiscard]] ValueSyntax read_text(const TomlValue& value, FileReading& reading);
-[[nodiscard]] ValueSyntax read_symbol(const TomlValue& value, FileReading& reading);
-[[nodiscard]] ValueSyntax read_boolean(const TomlValue& value, FileReading& reading);
-[[nodiscard]] ValueSyntax read_integer(const TomlValue& value, FileReading& reading);
+[[nodiscard]] ValueSyntax read_text(const TomlValue& value, FileReadState& reading);
+[[nodiscard]] ValueSyntax read_latex_symbol(const TomlValue& value, FileReadState& reading);
+[[nodiscard]] ValueSyntax read_boolean(const TomlValue& value, FileReadState& reading);
+[[nodiscard]] ValueSyntax read_integer(const TomlValue& value, FileReadState& reading);
 
 /// Reports E104, "number `1` where a string is expected", or E109 if the value is a number that is
 /// not decimal.
-void report_wrong_type(const TomlValue& value, std::string_view expected, FileReading& reading);
+void report_wrong_type(const TomlValue& value, std::string_view expected, FileReadState& reading);
 
 /// Moves the parsed expression, if any, to `expression`, and its diagnostics to `reading`.
-void keep(Result<ExpressionSyntax> read, ExpressionSyntax& expression, FileReading& reading);
+void store_expression(Result<ExpressionSyntax> read, ExpressionSyntax& expression,
+                      FileReadState& reading);
 
 /// A value of `kind` with the text of `value` and its span, without the quotes of a string.
-[[nodiscard]] ValueSyntax empty_value(const TomlValue& value, ValueKind kind);
+[[nodiscard]] ValueSyntax make_value(const TomlValue& value, ValueKind kind);
 
 }  // namespace elgen

@@ -39,18 +39,19 @@ bool is_energy(const OutputRequest& output) { return output_row(output.kind).is_
 
 /// Chooses the forms of functions in which V is a leaf: of all functions, or only of the energies
 /// if dV/dq keeps its form.
-Result<Choice> open_choice(const ChoiceInput& input, const std::vector<GiNaC::ex>& variables,
-                           const RewrittenPotential& potential, const Domain& domain) {
+Result<FormChoice> choose_open_forms(const ChoiceInput& input,
+                                     const std::vector<GiNaC::ex>& variables,
+                                     const RewrittenPotential& potential, const Domain& domain) {
   Scene scene = input.scene;
-  if (!potential.has_slopes) std::erase_if(scene.outputs, std::not_fn(is_energy));
-  const Result<Program> open = recursive_program(with_open_potential(input.lagrangian, variables),
-                                                 scene.outputs, input.limits);
+  if (!potential.has_derivatives) std::erase_if(scene.outputs, std::not_fn(is_energy));
+  const Result<Program> open = derive_recursive_program(
+      with_open_potential(input.lagrangian, variables), scene.outputs, input.limits);
   if (!open) return open.diagnostics;
   return choose(*open, present(*open), with_open_potential(domain, potential.program), scene);
 }
 
 /// Derives V by itself. If this gives V another form, inserts the form into all functions.
-Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, Choice& choice) {
+Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, FormChoice& choice) {
   const bool has_second = std::ranges::any_of(
       input.scene.outputs,
       [](const OutputRequest& request) { return output_row(request.kind).differentiates; });
@@ -60,17 +61,17 @@ Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, Choice
   if (!lowered) return lowered.diagnostics;
   const auto potential = rewrite_potential(cancel(std::move(*lowered)), domain, input.scene);
   if (!potential) return {};
-  Result<Choice> open = open_choice(input, derived->variables, *potential, domain);
+  Result<FormChoice> open = choose_open_forms(input, derived->variables, *potential, domain);
   if (!open) return open.diagnostics;
   insert_potential(*potential, *open, domain, choice);
   return {};
 }
 
 /// Chooses the forms of a program's functions.
-Result<Choice> forms_of(const ChoiceInput& input, const Program& recursive,
-                        const ClosedForms& forms) {
+Result<FormChoice> choose_program_forms(const ChoiceInput& input, const Program& recursive,
+                                        const ClosedForms& forms) {
   const Domain domain = domain_of({input.model, input.scene, recursive.leaves});
-  Result<Choice> choice = choose(recursive, forms, domain, input.scene);
+  Result<FormChoice> choice = choose(recursive, forms, domain, input.scene);
   if (!choice) return choice;
   Diagnostics errors = add_potential(input, domain, *choice);
   if (!errors.empty()) return errors;
@@ -78,20 +79,20 @@ Result<Choice> forms_of(const ChoiceInput& input, const Program& recursive,
 }
 
 /// The functions that a step calls, in the forms that a scene would choose for them.
-Result<Program> step_callees(const Lagrangian& lagrangian, const CheckedModel& checked,
-                             const OutputRequest& step, const Limits& limits) {
+Result<Program> derive_step_callees(const Lagrangian& lagrangian, const CheckedModel& checked,
+                                    const OutputRequest& step, const Limits& limits) {
   Scene scene = checked.scene;
   scene.outputs = outputs_for_step(checked.model, step);
-  const Result<Program> recursive = recursive_program(lagrangian, scene.outputs, limits);
+  const Result<Program> recursive = derive_recursive_program(lagrangian, scene.outputs, limits);
   if (!recursive) return recursive.diagnostics;
-  Result<Choice> choice =
-      forms_of({lagrangian, checked.model, scene, limits}, *recursive, present(*recursive));
+  Result<FormChoice> choice = choose_program_forms({lagrangian, checked.model, scene, limits},
+                                                   *recursive, present(*recursive));
   if (!choice) return choice.diagnostics;
   return std::move(choice->program);
 }
 
 /// Adds the costs of the step, which is the last function and has only one form.
-void add_costs(Choice& choice) {
+void add_step_costs(FormChoice& choice) {
   const Function& step = choice.program.functions.back();
   choice.program.readable.emplace_back();
   choice.costs.push_back({step.name, count_operations(step)});
@@ -105,7 +106,7 @@ std::string name_of(const Model& model, const Entity& origin) {
 
 /// Names of points and bodies that have a mass but are not in `shown`, because frames carry them or
 /// a scene expands their energies.
-std::vector<std::string> other_masses(const Model& model, const std::vector<Entity>& shown) {
+std::vector<std::string> omitted_masses(const Model& model, const std::vector<Entity>& shown) {
   std::vector<std::string> names;
   const auto add = [&](EntityKind kind, std::uint32_t index, const auto& placed) {
     const bool is_shown = std::ranges::any_of(
@@ -125,12 +126,13 @@ std::vector<std::string> other_masses(const Model& model, const std::vector<Enti
 /// them. None if it has no quotients, or if the file itself contains Stumpff functions, because
 /// pages then print those functions.
 std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
-  if (checked.model.typed.empty()) return std::nullopt;
+  if (checked.model.original_expressions.empty()) return std::nullopt;
   CheckedModel result = checked;
   Model& model = result.model;
-  for (const auto& [id, quotient] : checked.model.typed) model.expressions[id] = quotient;
-  const bool has_series =
-      std::ranges::any_of(reachable_from(model, all_roots(model)), [&model](ExpressionId id) {
+  for (const auto& [id, quotient] : checked.model.original_expressions)
+    model.expressions[id] = quotient;
+  const bool has_series = std::ranges::any_of(
+      reachable_expressions(model, equation_and_output_roots(model)), [&model](ExpressionId id) {
         const Expression& node = model.expressions[id];
         return node.kind == ExpressionKind::function && node.function == FunctionId::stumpff;
       });
@@ -138,7 +140,7 @@ std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
 }
 
 /// The chosen program in the forms that pages print.
-Program typeset_choice(const ClosedForms& forms, const Choice& choice,
+Program typeset_choice(const ClosedForms& forms, const FormChoice& choice,
                        const CheckedModel& checked) {
   const auto typed = with_quotients(checked);
   if (!typed) return typeset(checked, forms, choice.program);
@@ -156,7 +158,7 @@ bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
       available_requests(checked.model, {OutputKind::inverse_dynamics});
   // Equations of constraints are rows, too.
   if (requests.empty() || !checked.model.constraints.empty()) return true;
-  Result<Program> rows = recursive_program(lagrangian, requests, limits);
+  Result<Program> rows = derive_recursive_program(lagrangian, requests, limits);
   if (!rows) return true;
   const Function all = std::move(rows->functions.front());
   rows->functions.clear();
@@ -180,8 +182,9 @@ bool has_readable_terms(const Program& program, const ClosedForms& forms) {
 
 }  // namespace
 
-Result<Program> recursive_program(const Lagrangian& lagrangian,
-                                  const std::vector<OutputRequest>& outputs, const Limits& limits) {
+Result<Program> derive_recursive_program(const Lagrangian& lagrangian,
+                                         const std::vector<OutputRequest>& outputs,
+                                         const Limits& limits) {
   const Result<EquationsOfMotion> equations = derive(lagrangian, outputs, limits);
   if (!equations) return equations.diagnostics;
   Result<Program> lowered = lower(*equations, outputs, limits);
@@ -189,51 +192,54 @@ Result<Program> recursive_program(const Lagrangian& lagrangian,
   return compose_outputs(cancel(std::move(*lowered)));
 }
 
-Result<Choice> choose_forms(const Lagrangian& lagrangian, const Program& recursive,
-                            const ClosedForms& forms, const CheckedModel& checked,
-                            const Limits& limits) {
-  Result<Choice> choice =
-      forms_of({lagrangian, checked.model, checked.scene, limits}, recursive, forms);
+Result<FormChoice> choose_forms(const Lagrangian& lagrangian, const Program& recursive,
+                                const ClosedForms& forms, const CheckedModel& checked,
+                                const Limits& limits) {
+  Result<FormChoice> choice =
+      choose_program_forms({lagrangian, checked.model, checked.scene, limits}, recursive, forms);
   if (!choice) return choice;
   for (const OutputRequest& output : checked.scene.outputs) {
-    if (!output_row(output.kind).steps) continue;
-    const Result<Program> calls = step_callees(lagrangian, checked, output, limits);
+    if (!output_row(output.kind).is_step) continue;
+    const Result<Program> calls = derive_step_callees(lagrangian, checked, output, limits);
     if (!calls) return calls.diagnostics;
     Diagnostics errors = add_step(checked, output, *calls, choice->program);
     if (!errors.empty()) return errors;
-    add_costs(*choice);
+    add_step_costs(*choice);
   }
   return choice;
 }
 
-Result<std::vector<EquilibriumVerdict>> claims(const Lagrangian& lagrangian,
-                                               const CheckedModel& checked, const Limits& limits) {
+Result<std::vector<EquilibriumVerdict>> check_claims(const Lagrangian& lagrangian,
+                                                     const CheckedModel& checked,
+                                                     const Limits& limits) {
   if (checked.model.equilibria.empty()) return std::vector<EquilibriumVerdict>{};
   const Result<Program> moving =
-      recursive_program(lagrangian, outputs_of_equilibria(checked.model), limits);
+      derive_recursive_program(lagrangian, outputs_for_equilibria(checked.model), limits);
   if (!moving) return moving.diagnostics;
   return check_equilibria(checked, *moving);
 }
 
-Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian, const CheckedModel& checked,
-                                     const Limits& limits) {
-  const Result<Steps> derived = derive_steps(lagrangian);
+Result<ReadableDerivation> make_readable_derivation(const Lagrangian& lagrangian,
+                                                    const CheckedModel& checked,
+                                                    const Limits& limits) {
+  const Result<DerivationSteps> derived = derive_textbook_steps(lagrangian);
   if (!derived) return derived.diagnostics;
   Result<Program> lowered = lower(derived->equations, derived->requests, limits);
   if (!lowered) return lowered.diagnostics;
   const Program recursive = cancel(std::move(*lowered));
   const auto typed = with_quotients(checked);
   const ClosedForms forms = typed ? present_quotients(recursive) : present(recursive);
-  ReadableSteps result{typeset_steps(typed ? *typed : checked, forms, recursive),
-                       {},
-                       other_masses(checked.model, derived->masses)};
+  ReadableDerivation result{typeset_derivation(typed ? *typed : checked, forms, recursive),
+                            {},
+                            omitted_masses(checked.model, derived->masses)};
   for (const Entity& mass : derived->masses) {
     result.masses.push_back(name_of(checked.model, mass));
   }
   return result;
 }
 
-Result<Book> book_or_code(const Program& code, const std::function<Book()>& make) {
+Result<PagePrograms> make_page_or_code(const Program& code,
+                                       const std::function<PagePrograms()>& make) {
   try {
     return make();
   } catch (const std::bad_alloc&) {
@@ -241,21 +247,22 @@ Result<Book> book_or_code(const Program& code, const std::function<Book()>& make
     throw;
   } catch (const std::exception& mistake) {
     const std::string text = fmt::format("the page shows the forms of code: {}", mistake.what());
-    return {Book{code, {}}, Diagnostics{Diagnostic{Code::E915, {}, text}}};
+    return {PagePrograms{code, {}}, Diagnostics{Diagnostic{Code::E915, {}, text}}};
   }
 }
 
-Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms, const Choice& choice,
-                     const CheckedModel& checked, const Limits& limits) {
-  if (!checked.scene.emission.page) return Book{};
-  return book_or_code(choice.program, [&] {
-    Book book{typeset_choice(forms, choice, checked), {}};
+Result<PagePrograms> make_page_programs(const Lagrangian& lagrangian, const ClosedForms& forms,
+                                        const FormChoice& choice, const CheckedModel& checked,
+                                        const Limits& limits) {
+  if (!checked.scene.emission.has_page) return PagePrograms{};
+  return make_page_or_code(choice.program, [&] {
+    PagePrograms book{typeset_choice(forms, choice, checked), {}};
     const bool is_exact = !checked.model.approximation;
     if (!is_exact || !has_readable_terms(choice.program, forms)) return book;
     const bool has_rows = find_function(choice.program, OutputKind::bias) != nullptr ||
                           find_function(choice.program, OutputKind::inverse_dynamics) != nullptr;
     if (!has_rows && !has_short_row(lagrangian, checked, limits)) return book;
-    book.steps = readable_steps(lagrangian, checked, limits).value;
+    book.steps = make_readable_derivation(lagrangian, checked, limits).value;
     return book;
   });
 }

@@ -17,36 +17,39 @@ namespace elgen {
 
 /// The program of some outputs of the Lagrangian, before forms are chosen: the stages derive, lower
 /// and cancel, and the composition of outputs. Errors of derive() and lower().
-[[nodiscard]] Result<Program> recursive_program(const Lagrangian& lagrangian,
-                                                const std::vector<OutputRequest>& outputs,
-                                                const Limits& limits);
+[[nodiscard]] Result<Program> derive_recursive_program(const Lagrangian& lagrangian,
+                                                       const std::vector<OutputRequest>& outputs,
+                                                       const Limits& limits);
 
 /// Chooses the emitted forms of a scene's functions, and adds the integration steps, which call
 /// functions in these forms. Errors of choose() and add_step(). Cost: the functions that a step
 /// calls are derived separately.
-[[nodiscard]] Result<Choice> choose_forms(const Lagrangian& lagrangian, const Program& recursive,
-                                          const ClosedForms& forms, const CheckedModel& checked,
-                                          const Limits& limits);
+[[nodiscard]] Result<FormChoice> choose_forms(const Lagrangian& lagrangian,
+                                              const Program& recursive, const ClosedForms& forms,
+                                              const CheckedModel& checked, const Limits& limits);
 
 /// The verdict on each [[equilibrium]] of the model.
-[[nodiscard]] Result<std::vector<EquilibriumVerdict>> claims(const Lagrangian& lagrangian,
-                                                             const CheckedModel& checked,
-                                                             const Limits& limits);
+[[nodiscard]] Result<std::vector<EquilibriumVerdict>> check_claims(const Lagrangian& lagrangian,
+                                                                   const CheckedModel& checked,
+                                                                   const Limits& limits);
 
 /// The content of the scene's page; an empty book if the scene has no page. If the page cannot be
 /// made, the forms of code with the note E915.
-[[nodiscard]] Result<Book> book_of(const Lagrangian& lagrangian, const ClosedForms& forms,
-                                   const Choice& choice, const CheckedModel& checked,
-                                   const Limits& limits);
+[[nodiscard]] Result<PagePrograms> make_page_programs(const Lagrangian& lagrangian,
+                                                      const ClosedForms& forms,
+                                                      const FormChoice& choice,
+                                                      const CheckedModel& checked,
+                                                      const Limits& limits);
 
 /// The book that `make` returns. If `make` throws, the page shows the forms of `code`, with the
 /// note E915, because a failing page must not prevent code. std::bad_alloc is not caught.
-[[nodiscard]] Result<Book> book_or_code(const Program& code, const std::function<Book()>& make);
+[[nodiscard]] Result<PagePrograms> make_page_or_code(const Program& code,
+                                                     const std::function<PagePrograms()>& make);
 
 /// The derivation step by step, for readers. Its equations are lowered, presented and typeset like
 /// outputs.
-[[nodiscard]] Result<ReadableSteps> readable_steps(const Lagrangian& lagrangian,
-                                                   const CheckedModel& checked,
-                                                   const Limits& limits);
+[[nodiscard]] Result<ReadableDerivation> make_readable_derivation(const Lagrangian& lagrangian,
+                                                                  const CheckedModel& checked,
+                                                                  const Limits& limits);
 
 }  // namespace elgen

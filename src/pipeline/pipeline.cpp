@@ -35,7 +35,7 @@ namespace elgen {
 
 namespace {
 
-struct Syntaxes {
+struct ParsedFiles {
   FileSyntax model;
   std::optional<FileSyntax> scene;
 };
@@ -43,7 +43,7 @@ struct Syntaxes {
 /// The product of the stage inspect, which only reports diagnostics.
 struct Inspection {};
 
-Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
+Result<ParsedFiles> parse(const PipelineSources& inputs, const Limits& limits) {
   Result<FileSyntax> model = parse_model(inputs.model, limits);
   Result<FileSyntax> scene;
   if (inputs.scene != nullptr) scene = parse_scene(inputs.scene, limits);
@@ -54,15 +54,15 @@ Result<Syntaxes> parse(const Inputs& inputs, const Limits& limits) {
 }
 
 /// E539 for each analysis among the goals that does not support constraints, if the model has any.
-Diagnostics refused_analyses(const Model& model, const std::vector<Goal>& goals) {
+Diagnostics check_analyses(const Model& model, const std::vector<Goal>& goals) {
   Diagnostics errors;
   if (model.constraints.empty()) return errors;
   for (const AnalysisRow& row : analysis_table) {
-    const bool is_wanted = std::ranges::find(goals, row.goal) != goals.end();
-    if (!is_wanted || row.instead_of_constraints.empty()) continue;
+    const bool is_wanted = std::ranges::find(goals, row.stage) != goals.end();
+    if (!is_wanted || row.constraint_hint.empty()) continue;
     errors.push_back({Code::E539, model.constraints.front().span,
-                      fmt::format("`{}` does not support constraints", name_of(row.goal)),
-                      std::string(row.instead_of_constraints)});
+                      fmt::format("`{}` does not support constraints", name_of(row.stage)),
+                      std::string(row.constraint_hint)});
   }
   return errors;
 }
@@ -72,7 +72,7 @@ Scene inspected_scene(const CheckedModel& checked, const std::vector<Goal>& goal
   Scene scene = checked.scene;
   // A derivation by steps shows no outputs, so outputs that the model lacks are not reported.
   const auto shows_outputs = [](Goal goal) { return goal != Goal::steps; };
-  if (std::ranges::none_of(goals, shows_outputs)) scene.left_out.clear();
+  if (std::ranges::none_of(goals, shows_outputs)) scene.omitted_outputs.clear();
   const auto needs_scene = [](Goal goal) {
     const AnalysisRow* const row = find_analysis(goal);
     return row == nullptr || !row->inspects_outputs;
@@ -87,13 +87,13 @@ Scene inspected_scene(const CheckedModel& checked, const std::vector<Goal>& goal
 }
 
 /// The model that check() returns, with the values of momenta in `[routh]`. Errors of check(),
-/// find_momenta() and refused_analyses().
-Result<CheckedModel> check_inputs(const Syntaxes& syntaxes, const PipelineOptions& options) {
+/// set_routh_momenta() and check_analyses().
+Result<CheckedModel> check_inputs(const ParsedFiles& syntaxes, const PipelineOptions& options) {
   Result<CheckedModel> result = check(syntaxes.model, syntaxes.scene ? &*syntaxes.scene : nullptr,
                                       options.scene, options.limits);
   if (!result) return result;
-  Diagnostics errors = find_momenta(*result);
-  if (errors.empty()) errors = refused_analyses(result->model, options.goals);
+  Diagnostics errors = set_routh_momenta(*result);
+  if (errors.empty()) errors = check_analyses(result->model, options.goals);
   Diagnostics all = std::move(result.diagnostics);
   all.insert(all.end(), errors.begin(), errors.end());
   if (!errors.empty()) return all;
@@ -112,7 +112,7 @@ Result<SelfCheck> run_self_check(const CheckedModel& checked, const Program& pro
 /// The stages in their order. Each has its product, and names the stages whose products it needs.
 class Compilation {
  public:
-  Compilation(const Inputs& inputs, const PipelineOptions& options)
+  Compilation(const PipelineSources& inputs, const PipelineOptions& options)
       : inputs_(inputs), options_(options), run_(options) {}
 
   /// Starts from a model that is already checked.
@@ -122,9 +122,9 @@ class Compilation {
     inspection_.set({});
   }
 
-  void reach(Goal goal) { run_.reach(goal); }
+  void run_through(Goal goal) { run_.run_through(goal); }
 
-  Products products() && {
+  Products take_products() && {
     Products out;
     out.checked = std::move(checked_.product);
     if (lowered_.product) out.lowered = compose_outputs(std::move(*lowered_.product));
@@ -132,7 +132,7 @@ class Compilation {
     if (choice_.product) out.program = std::move(choice_.product->program);
     if (choice_.product) out.costs = std::move(choice_.product->costs);
     out.steps = std::move(steps_.product);
-    out.book = std::move(book_.product);
+    out.page_programs = std::move(book_.product);
 #define ELGEN_ANALYSIS(id, ...) out.id = std::move(id##_.product);
 #include "elgen/analyses.def"
     out.claims = std::move(claims_.product);
@@ -140,7 +140,7 @@ class Compilation {
     out.self_check = std::move(self_check_.product);
     out.diagnostics = std::move(run_.diagnostics);
     sort_by_position(out.diagnostics);
-    out.dump = std::move(run_.dumped);
+    out.dump = std::move(run_.dump_text);
     out.times = std::move(run_.times);
     return out;
   }
@@ -151,10 +151,10 @@ class Compilation {
   static Result<Found> run_analysis(Goal goal, Result<Found> (*find)(const AnalysisInput&),
                                     const Lagrangian& lagrangian, const CheckedModel& checked,
                                     const PipelineOptions& options) {
-    const Result<Program> recursive =
-        recursive_program(lagrangian, find_analysis(goal)->outputs(checked.model), options.limits);
+    const Result<Program> recursive = derive_recursive_program(
+        lagrangian, find_analysis(goal)->outputs(checked.model), options.limits);
     if (!recursive) return recursive.diagnostics;
-    return find({checked, *recursive, options.about, options.limits});
+    return find({checked, *recursive, options.equilibrium_name, options.limits});
   }
 
   /// Runs an analysis that needs the result of another analysis.
@@ -165,15 +165,15 @@ class Compilation {
     return find(checked, known);
   }
 
-  Inputs inputs_ = {};
+  PipelineSources inputs_ = {};
   const PipelineOptions& options_;
   StageRunner run_;
 
-  Stage<Syntaxes> syntaxes_{run_, Goal::parse, std::tie(),
-                            [this](const Limits& limits) { return parse(inputs_, limits); }};
+  Stage<ParsedFiles> syntaxes_{run_, Goal::parse, std::tie(),
+                               [this](const Limits& limits) { return parse(inputs_, limits); }};
 
   Stage<CheckedModel> checked_{run_, Goal::check, std::tie(syntaxes_),
-                               [this](const Syntaxes& s) { return check_inputs(s, options_); }};
+                               [this](const ParsedFiles& s) { return check_inputs(s, options_); }};
 
   Stage<Inspection> inspection_{run_, Goal::inspect, std::tie(checked_),
                                 [this](const CheckedModel& c) {
@@ -181,14 +181,15 @@ class Compilation {
                                   return Result<Inspection>({}, inspect(c.model, scene));
                                 }};
 
-  Stage<WholeLagrangian> formulated_{
+  Stage<UnreducedLagrangian> formulated_{
       run_, Goal::formulate, std::tie(checked_, inspection_),
       [](const CheckedModel& c, const Inspection&) { return formulate(c.model); }};
 
   Stage<Lagrangian> lagrangian_{run_, Goal::specialise, std::tie(formulated_, checked_),
                                 specialise};
 
-  Stage<ReadableSteps> steps_{run_, Goal::steps, std::tie(lagrangian_, checked_), readable_steps};
+  Stage<ReadableDerivation> steps_{run_, Goal::steps, std::tie(lagrangian_, checked_),
+                                   make_readable_derivation};
 
   Stage<EquationsOfMotion> equations_{
       run_, Goal::derive, std::tie(lagrangian_, checked_),
@@ -206,8 +207,8 @@ class Compilation {
   Stage<ClosedForms> forms_{run_, Goal::present, std::tie(recursive_),
                             [](const Program& p) { return present(p); }};
 
-  Stage<Choice> choice_{run_, Goal::choose, std::tie(lagrangian_, recursive_, forms_, checked_),
-                        choose_forms};
+  Stage<FormChoice> choice_{run_, Goal::choose, std::tie(lagrangian_, recursive_, forms_, checked_),
+                            choose_forms};
 
 #define ELGEN_ANALYSIS(id, name, source, Found, find, ...)                      \
   Stage<Found> id##_{run_, Goal::id, std::tie(source##_, checked_),             \
@@ -217,45 +218,47 @@ class Compilation {
 #include "elgen/analyses.def"
 
   Stage<std::vector<EquilibriumVerdict>> claims_{run_, Goal::claims,
-                                                 std::tie(lagrangian_, checked_), claims};
+                                                 std::tie(lagrangian_, checked_), check_claims};
 
-  Stage<Book> book_{run_, Goal::typeset, std::tie(lagrangian_, forms_, choice_, checked_), book_of};
+  Stage<PagePrograms> book_{run_, Goal::typeset, std::tie(lagrangian_, forms_, choice_, checked_),
+                            make_page_programs};
 
-  Stage<EmittedFiles> files_{run_, Goal::emit, std::tie(checked_, choice_, book_),
-                             [](const CheckedModel& c, const Choice& chosen, const Book& book) {
-                               return emit(c.model, c.scene, chosen.program, book);
-                             }};
+  Stage<EmittedFiles> files_{
+      run_, Goal::emit, std::tie(checked_, choice_, book_),
+      [](const CheckedModel& c, const FormChoice& chosen, const PagePrograms& book) {
+        return emit(c.model, c.scene, chosen.program, book);
+      }};
 
   Stage<SelfCheck> self_check_{
       run_, Goal::self_check, std::tie(checked_, choice_, files_),
-      [](const CheckedModel& c, const Choice& chosen, const EmittedFiles&) {
+      [](const CheckedModel& c, const FormChoice& chosen, const EmittedFiles&) {
         return run_self_check(c, chosen.program);
       }};
 };
 
 }  // namespace
 
-std::optional<Goal> find_goal(std::string_view name) {
-  const auto* const found = std::ranges::find(goal_names, name);
-  if (found == goal_names.end()) return std::nullopt;
-  return static_cast<Goal>(found - goal_names.begin());
+std::optional<Goal> find_stage(std::string_view name) {
+  const auto* const found = std::ranges::find(stage_names, name);
+  if (found == stage_names.end()) return std::nullopt;
+  return static_cast<Goal>(found - stage_names.begin());
 }
 
-Products run_pipeline(const Inputs& inputs, const PipelineOptions& options) {
+Products run_pipeline(const PipelineSources& inputs, const PipelineOptions& options) {
   Compilation compilation(inputs, options);
-  for (const Goal goal : options.goals) compilation.reach(goal);
-  return std::move(compilation).products();
+  for (const Goal goal : options.goals) compilation.run_through(goal);
+  return std::move(compilation).take_products();
 }
 
-std::vector<StageTime> stage_times_of_output(const CheckedModel& checked, std::size_t output,
-                                             const Limits& limits) {
+std::vector<StageTime> output_stage_times(const CheckedModel& checked, std::size_t output,
+                                          const Limits& limits) {
   PipelineOptions options;
   options.limits = limits;
   CheckedModel one = checked;
   one.scene.outputs = {checked.scene.outputs[output]};
   Compilation compilation(std::move(one), options);
-  compilation.reach(Goal::choose);
-  return std::move(compilation).products().times;
+  compilation.run_through(Goal::choose);
+  return std::move(compilation).take_products().times;
 }
 
 }  // namespace elgen

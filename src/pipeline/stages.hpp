@@ -26,7 +26,7 @@ class StageRunner {
   StageRunner& operator=(const StageRunner&) = delete;
 
   Diagnostics diagnostics = {};
-  std::string dumped = {};  ///< the text of the product that options.dump selects
+  std::string dump_text = {};  ///< the text of the product that options.dump selects
   std::vector<StageTime> times = {};
 
   /// Runs a stage and returns its product. None if this or an earlier stage had an error, or if a
@@ -40,16 +40,16 @@ class StageRunner {
     times.push_back({std::string(name_of(goal)), elapsed.count()});
     diagnostics.insert(diagnostics.end(), result.diagnostics.begin(), result.diagnostics.end());
     if constexpr (requires { dump(*result); }) {  // only equations and programs have a text
-      if (result && goal == options_.dump) dumped = dump(*result);
+      if (result && goal == options_.dump) dump_text = dump(*result);
     }
     return std::move(result.value);
   }
 
   /// Registers `reach`, which runs the stage of this goal and the stages that it needs.
-  void add(Goal goal, std::function<void()> reach) {
+  void register_stage(Goal goal, std::function<void()> reach) {
     stages_[static_cast<std::size_t>(goal)] = std::move(reach);
   }
-  void reach(Goal goal) const { stages_[static_cast<std::size_t>(goal)](); }
+  void run_through(Goal goal) const { stages_[static_cast<std::size_t>(goal)](); }
 
  private:
   /// Calls `make`. Exceptions become diagnostics, so that the diagnostics of earlier stages are
@@ -75,7 +75,7 @@ class StageRunner {
   }
 
   const PipelineOptions& options_;
-  std::array<std::function<void()>, goal_names.size()> stages_ = {};
+  std::array<std::function<void()>, stage_names.size()> stages_ = {};
 };
 
 /// A stage: get() makes its product on the first call, from the products of other stages.
@@ -92,7 +92,7 @@ class Stage {
           };
           return std::apply(made, needs);
         }) {
-    run.add(goal, [this] { get(); });
+    run.register_stage(goal, [this] { get(); });
   }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;

@@ -14,22 +14,22 @@ constexpr double indent = 4;
 constexpr std::size_t largest_matrix = 7;  ///< columns of a pmatrix
 
 /// The width of a left side with the equals sign.
-double left_width(const Glyphs& left, const PageShape& shape) {
-  return std::max(shape.left, shape.left_measured(left)) + 3;
+double left_width(const Glyphs& left, const PageMetrics& shape) {
+  return std::max(shape.least_left_width, shape.measure_left(left)) + 3;
 }
 
-double columns_width(const GlyphRows& entries, std::uint32_t columns, const PageShape& shape) {
+double columns_width(const GlyphRows& entries, std::uint32_t columns, const PageMetrics& shape) {
   std::vector<double> widths(columns, shape.between_columns);
   for (std::size_t i = 0; i < entries.size(); ++i) {
     double& column = widths[i % columns];
-    column = std::max(column, shape.measured(entries[i]) + shape.between_columns);
+    column = std::max(column, shape.measure(entries[i]) + shape.between_columns);
   }
   double sum = 2;
   for (const double column : widths) sum += column;
   return sum;
 }
 
-double matrix_width(const SetEquation& equation, const PageShape& shape) {
+double matrix_width(const TypesetEquation& equation, const PageMetrics& shape) {
   return left_width(equation.left, shape) +
          columns_width(equation.entries, equation.columns, shape);
 }
@@ -41,12 +41,12 @@ Glyphs equation_row(Glyphs left, Glyphs right) {
 }
 
 /// Breaks a right side into lines. A left side that takes more than half the width is broken too.
-Display lines_display(const Glyphs& left, const Glyphs& right, const PageShape& shape) {
+DisplayedEquation lines_display(const Glyphs& left, const Glyphs& right, const PageMetrics& shape) {
   const double first = left_width(left, shape);
-  if (first > shape.width / 2 && first + shape.measured(right) > shape.width) {
-    return {{}, 0, break_lines(equation_row(left, right), shape.width - indent, shape.measured)};
+  if (first > shape.width / 2 && first + shape.measure(right) > shape.width) {
+    return {{}, 0, break_lines(equation_row(left, right), shape.width - indent, shape.measure)};
   }
-  return {left, 0, break_lines(right, shape.width - std::max(first, indent), shape.measured)};
+  return {left, 0, break_lines(right, shape.width - std::max(first, indent), shape.measure)};
 }
 
 /// X if the row is \sqrt{X}; null otherwise.
@@ -58,7 +58,8 @@ const Glyphs* radicand(const Glyphs& row) {
 bool is_one(const Glyphs& row) { return row.parts.size() == 1 && row.parts[0].text == "1"; }
 
 /// The first fraction that, with its sign, exceeds `widest` and that split_fraction() can rewrite.
-std::optional<std::size_t> wide_fraction(const Glyphs& row, double widest, const PageShape& shape) {
+std::optional<std::size_t> find_wide_fraction(const Glyphs& row, double widest,
+                                              const PageMetrics& shape) {
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     const Glyphs& fraction = row.parts[i];
     if (fraction.kind != GlyphKind::fraction) continue;
@@ -68,15 +69,15 @@ std::optional<std::size_t> wide_fraction(const Glyphs& row, double widest, const
     Glyphs with_sign;
     if (i > 0) append_sign(with_sign, "-", false);
     append(with_sign, fraction, false);
-    if (has_terms && shape.measured(with_sign) > widest) return i;
+    if (has_terms && shape.measure(with_sign) > widest) return i;
   }
   return std::nullopt;
 }
 
-Glyphs in_brackets(Glyphs content) { return enclosed(std::move(content), "(", ")", true); }
+Glyphs add_brackets(Glyphs content) { return enclose(std::move(content), "(", ")", true); }
 
 /// The parts [first, last) of a row.
-Glyphs part_of(const Glyphs& row, std::size_t first, std::size_t last) {
+Glyphs row_slice(const Glyphs& row, std::size_t first, std::size_t last) {
   const auto begin = row.parts.begin();
   return {GlyphKind::row,
           "",
@@ -85,11 +86,11 @@ Glyphs part_of(const Glyphs& row, std::size_t first, std::size_t last) {
 
 /// The index of the part with which the last factor of a product begins, if this factor is in
 /// brackets; otherwise 0.
-std::size_t last_bracket(const Glyphs& product) {
-  if (bracket_step(product.parts.back()) >= 0) return 0;
+std::size_t last_bracket_start(const Glyphs& product) {
+  if (bracket_depth_change(product.parts.back()) >= 0) return 0;
   int depth = 0;
   for (std::size_t i = product.parts.size(); i-- > 0;) {
-    depth -= bracket_step(product.parts[i]);
+    depth -= bracket_depth_change(product.parts[i]);
     if (depth == 0) return product.parts[i].has_space_before ? i : 0;
   }
   return 0;
@@ -101,23 +102,24 @@ Glyphs split_fraction(const Glyphs& fraction) {
   const Glyphs& below = fraction.parts[1];
   if (is_one(above)) {
     const Glyphs* const square = radicand(below);
-    Glyphs row = in_brackets(square != nullptr ? *square : below);
+    Glyphs row = add_brackets(square != nullptr ? *square : below);
     add_script(row, 2, read_latex(square != nullptr ? "-1/2" : "-1"));
     return row;
   }
-  const std::size_t bracket = is_sum(above) ? 0 : last_bracket(above);
-  Glyphs row = fraction_row(bracket == 0 ? read_latex("1") : part_of(above, 0, bracket), below);
-  append(row, is_sum(above) ? in_brackets(above) : part_of(above, bracket, above.parts.size()),
+  const std::size_t bracket = is_sum(above) ? 0 : last_bracket_start(above);
+  Glyphs row = fraction_row(bracket == 0 ? read_latex("1") : row_slice(above, 0, bracket), below);
+  append(row, is_sum(above) ? add_brackets(above) : row_slice(above, bracket, above.parts.size()),
          true);
   return row;
 }
 
 /// Rewrites fractions that are too wide, so that lines can break inside their numerators.
-Display number_display(const Glyphs& left, const Glyphs& right, const PageShape& shape) {
+DisplayedEquation number_display(const Glyphs& left, const Glyphs& right,
+                                 const PageMetrics& shape) {
   const double widest = std::max(shape.width / 2, shape.width - left_width(left, shape));
   Glyphs row = right;
-  for (auto wide = wide_fraction(row, widest, shape); wide;
-       wide = wide_fraction(row, widest, shape)) {
+  for (auto wide = find_wide_fraction(row, widest, shape); wide;
+       wide = find_wide_fraction(row, widest, shape)) {
     Glyphs split = split_fraction(row.parts[*wide]);
     split.parts.front().has_space_before = row.parts[*wide].has_space_before;
     const auto place = row.parts.begin() + static_cast<std::ptrdiff_t>(*wide);
@@ -134,22 +136,22 @@ bool needs_brackets(const Glyphs& symbol) {
 
 /// The name of an entry: M_{1, 2}; g_{1} of \mathbf{g}; "(C \dot{q})_{1}". A name that has an index
 /// already, such as D_i/M_ii, is put into brackets.
-Glyphs entry_name(const SetEquation& equation, std::size_t entry) {
+Glyphs entry_name(const TypesetEquation& equation, std::size_t entry) {
   const std::size_t row = entry / equation.columns + 1;
   const Glyphs index =
       read_latex(equation.columns > 1 ? fmt::format("{}, {}", row, entry % equation.columns + 1)
                                       : std::to_string(row));
   const Glyphs& last = equation.left.parts.back();
   const bool has_index = last.kind == GlyphKind::scripts && !last.parts[1].parts.empty();
-  Glyphs symbol = needs_brackets(equation.left) || has_index ? in_brackets(equation.left)
-                                                             : without_bold(equation.left);
+  Glyphs symbol = needs_brackets(equation.left) || has_index ? add_brackets(equation.left)
+                                                             : remove_bold(equation.left);
   add_script(symbol, 1, index);
   return symbol;
 }
 
 bool is_zero_entry(const Glyphs& row) { return row.parts.size() == 1 && row.parts[0].text == "0"; }
 
-bool is_symmetric(const SetEquation& equation) {
+bool is_symmetric(const TypesetEquation& equation) {
   if (equation.rows != equation.columns) return false;
   const std::uint32_t n = equation.rows;
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -160,8 +162,9 @@ bool is_symmetric(const SetEquation& equation) {
   return true;
 }
 
-std::vector<Display> entry_displays(const SetEquation& equation, const PageShape& shape) {
-  std::vector<Display> all;
+std::vector<DisplayedEquation> entry_displays(const TypesetEquation& equation,
+                                              const PageMetrics& shape) {
+  std::vector<DisplayedEquation> all;
   const bool is_half = equation.columns > 1 && is_symmetric(equation);
   for (std::size_t i = 0; i < equation.entries.size(); ++i) {
     const std::size_t row = i / equation.columns;
@@ -177,36 +180,36 @@ std::vector<Display> entry_displays(const SetEquation& equation, const PageShape
 }
 
 /// The widths of both sides of an equation.
-struct Sides {
+struct SideWidths {
   double left = 0;
   double right = 0;
 };
 
-Sides wider_of(const Sides& x, const Sides& y) {
+SideWidths larger_widths(const SideWidths& x, const SideWidths& y) {
   return {std::max(x.left, y.left), std::max(x.right, y.right)};
 }
 
 /// The widths of both sides of an equation. A side that takes several lines counts as the full
 /// width.
-Sides sides_of(const SetEquation& equation, const PageShape& shape) {
-  Sides sides;
-  for (const Display& display : displays(equation, shape)) {
-    Sides own{shape.width, shape.width};
+SideWidths side_widths(const TypesetEquation& equation, const PageMetrics& shape) {
+  SideWidths sides;
+  for (const DisplayedEquation& display : lay_out_equation(equation, shape)) {
+    SideWidths own{shape.width, shape.width};
     if (!display.left.parts.empty()) own.left = left_width(display.left, shape);
     if (display.columns > 0) {
       own.right = columns_width(display.rows, display.columns, shape);
     } else if (display.rows.size() == 1) {
-      own.right = shape.measured(display.rows.front());
+      own.right = shape.measure(display.rows.front());
     }
-    sides = wider_of(sides, own);
+    sides = larger_widths(sides, own);
   }
   return sides;
 }
 
 /// The right sides of a display, line by line.
-std::vector<std::string> latex_right_sides(const Display& display) {
+std::vector<std::string> latex_right_sides(const DisplayedEquation& display) {
   std::vector<std::string> texts;
-  for (const Glyphs& row : display.rows) texts.push_back(latex(row));
+  for (const Glyphs& row : display.rows) texts.push_back(to_latex(row));
   if (display.columns == 0) return texts;
   std::string text = "\\begin{pmatrix}\n";
   for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -218,30 +221,31 @@ std::vector<std::string> latex_right_sides(const Display& display) {
 }
 
 /// The equation in a line such as "S = int L dt"; none if words precede the equals sign.
-std::optional<SetEquation> equation_in(const Glyphs& row) {
+std::optional<TypesetEquation> find_equation(const Glyphs& row) {
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     if (row.parts[i].kind == GlyphKind::prose) break;
     if (row.parts[i].text != "=") continue;
-    Glyphs right = part_of(row, i + 1, row.parts.size());
+    Glyphs right = row_slice(row, i + 1, row.parts.size());
     right.parts.front().has_space_before = false;
-    return SetEquation{part_of(row, 0, i), 1, 1, {std::move(right)}};
+    return TypesetEquation{row_slice(row, 0, i), 1, 1, {std::move(right)}};
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-SetEquation set_equation(const PageEquation& equation) {
-  SetEquation set{glyphs_of(equation.left), equation.rows, equation.columns, {}};
+TypesetEquation typeset_equation(const PageEquation& equation) {
+  TypesetEquation set{glyphs_of(equation.left), equation.rows, equation.columns, {}};
   for (const Formula& entry : equation.entries) set.entries.push_back(glyphs_of(entry));
   return set;
 }
 
-SetSection set_section(const PageSection& section) {
-  SetSection set;
+TypesetSection typeset_section(const PageSection& section) {
+  TypesetSection set;
   for (const Formula& line : section.lines) {
     Glyphs row = glyphs_of(line);
-    std::optional<SetEquation> equation = section.is_aligned ? equation_in(row) : std::nullopt;
+    std::optional<TypesetEquation> equation =
+        section.is_aligned ? find_equation(row) : std::nullopt;
     if (equation) {
       set.equations.push_back(std::move(*equation));
     } else {
@@ -249,31 +253,32 @@ SetSection set_section(const PageSection& section) {
     }
   }
   for (const PageEquation& equation : section.equations) {
-    set.equations.push_back(set_equation(equation));
+    set.equations.push_back(typeset_equation(equation));
   }
   return set;
 }
 
-bool fits_as_matrix(const SetEquation& equation, const PageShape& shape) {
+bool fits_as_matrix(const TypesetEquation& equation, const PageMetrics& shape) {
   return equation.columns <= largest_matrix && matrix_width(equation, shape) <= shape.width;
 }
 
-bool is_listed(const SetEquation& equation, const PageShape& shape) {
+bool is_listed(const TypesetEquation& equation, const PageMetrics& shape) {
   return equation.entries.size() > 1 && !fits_as_matrix(equation, shape);
 }
 
-bool omits_zeros(const SetEquation& equation, const PageShape& shape) {
+bool omits_zeros(const TypesetEquation& equation, const PageMetrics& shape) {
   return is_listed(equation, shape) && std::ranges::any_of(equation.entries, is_zero_entry);
 }
 
-std::vector<Display> displays(const SetEquation& equation, const PageShape& shape) {
+std::vector<DisplayedEquation> lay_out_equation(const TypesetEquation& equation,
+                                                const PageMetrics& shape) {
   if (equation.entries.size() == 1) {
     // The symbol of a single number loses its bold type. A definition keeps it, because it contains
     // vectors.
     const bool is_defined = std::ranges::any_of(equation.left.parts, [](const Glyphs& part) {
-      return part.text == "=" || bracket_step(part) != 0;
+      return part.text == "=" || bracket_depth_change(part) != 0;
     });
-    return {number_display(is_defined ? equation.left : without_bold(equation.left),
+    return {number_display(is_defined ? equation.left : remove_bold(equation.left),
                            equation.entries.front(), shape)};
   }
   if (fits_as_matrix(equation, shape)) {
@@ -282,7 +287,7 @@ std::vector<Display> displays(const SetEquation& equation, const PageShape& shap
   return entry_displays(equation, shape);
 }
 
-NamedEntries named_entries(const SetEquation& equation, const PageShape& shape) {
+NamedEntries named_entries(const TypesetEquation& equation, const PageMetrics& shape) {
   NamedEntries result{equation, equation};
   const bool is_half = equation.columns > 1 && is_symmetric(equation);
   for (std::size_t i = 0; i < equation.entries.size(); ++i) {
@@ -290,7 +295,7 @@ NamedEntries named_entries(const SetEquation& equation, const PageShape& shape) 
     const std::size_t column = i % equation.columns;
     const bool is_below = is_half && row > column;
     Glyphs name = entry_name(equation, is_below ? column * equation.columns + row : i);
-    const bool is_wider = shape.measured(equation.entries[i]) > shape.measured(name);
+    const bool is_wider = shape.measure(equation.entries[i]) > shape.measure(name);
     if (is_wider) {
       result.matrix.entries[i] = std::move(name);
     } else {
@@ -300,25 +305,26 @@ NamedEntries named_entries(const SetEquation& equation, const PageShape& shape) 
   return result;
 }
 
-std::vector<DisplayBlock> aligned_blocks(const std::vector<SetEquation>& equations,
-                                         const PageShape& shape) {
+std::vector<DisplayBlock> aligned_blocks(const std::vector<TypesetEquation>& equations,
+                                         const PageMetrics& shape) {
   std::vector<DisplayBlock> blocks;
-  const auto fit_together = [&shape](const Sides& sides) {
+  const auto fit_together = [&shape](const SideWidths& sides) {
     return sides.left <= shape.width / 3 || sides.left + sides.right <= shape.width;
   };
   for (auto first = equations.begin(); first != equations.end();) {
-    Sides sides = sides_of(*first, shape);
+    SideWidths sides = side_widths(*first, shape);
     auto end = first + 1;
     for (; end != equations.end(); ++end) {
-      const Sides wider = wider_of(sides, sides_of(*end, shape));
+      const SideWidths wider = larger_widths(sides, side_widths(*end, shape));
       if (!fit_together(wider)) break;
       sides = wider;
     }
-    PageShape aligned = shape;
-    if (end - first > 1) aligned.left = sides.left - 3;
+    PageMetrics aligned = shape;
+    if (end - first > 1) aligned.least_left_width = sides.left - 3;
     DisplayBlock& block = blocks.emplace_back();
     for (; first != end; ++first) {
-      for (Display& display : displays(*first, aligned)) block.push_back(std::move(display));
+      for (DisplayedEquation& display : lay_out_equation(*first, aligned))
+        block.push_back(std::move(display));
     }
   }
   return blocks;
@@ -326,17 +332,18 @@ std::vector<DisplayBlock> aligned_blocks(const std::vector<SetEquation>& equatio
 
 std::size_t line_count(const DisplayBlock& block) {
   std::size_t count = 0;
-  for (const Display& display : block) count += display.columns > 0 ? 1 : display.rows.size();
+  for (const DisplayedEquation& display : block)
+    count += display.columns > 0 ? 1 : display.rows.size();
   return count;
 }
 
 std::string latex_block(const DisplayBlock& block) {
   const bool is_one_line = line_count(block) == 1;
   std::string text;
-  for (const Display& display : block) {
+  for (const DisplayedEquation& display : block) {
     const std::vector<std::string> rights = latex_right_sides(display);
     const bool is_whole = display.left.parts.empty();
-    const std::string left = latex(display.left);
+    const std::string left = to_latex(display.left);
     if (is_one_line && !is_whole) return fmt::format("{} = {}", left, rights.front());
     text += text.empty() ? "" : " \\\\\n";
     text += is_whole ? "& " : left + " &= ";

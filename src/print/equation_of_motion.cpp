@@ -22,23 +22,23 @@ namespace elgen {
 namespace {
 
 /// A term; `{}` is replaced by ",t" in models with explicit time.
-using Term = std::string_view;
+using TermTemplate = std::string_view;
 
-constexpr Term mass = "M(<q>{}) <a>";
-constexpr Term mass_of_rates = "M(<q>,<v>{}) <a>";
-constexpr Term rest = "<bias>(<q>,<v>{})";
-constexpr Term coriolis = "C(<q>,<v>{}) <v>";
-constexpr Term drift = "<drift>(<q>,<v>{})";
-constexpr Term gravity = "<g>(<q>{})";
-constexpr Term dissipation = "\\frac{{\\partial D}}{{\\partial <v>}}";
-constexpr Term input = "B(<q>{}) <u>";
-constexpr Term force = "<Q>(<q>,<v>{})";
-constexpr Term multipliers = "A(<q>{})^{{\\top}} <lambda>";
-constexpr Term nothing = "<0>";
+constexpr TermTemplate mass = "M(<q>{}) <a>";
+constexpr TermTemplate mass_of_rates = "M(<q>,<v>{}) <a>";
+constexpr TermTemplate bias_term = "<bias>(<q>,<v>{})";
+constexpr TermTemplate coriolis = "C(<q>,<v>{}) <v>";
+constexpr TermTemplate drift = "<drift>(<q>,<v>{})";
+constexpr TermTemplate gravity = "<g>(<q>{})";
+constexpr TermTemplate dissipation = "\\frac{{\\partial D}}{{\\partial <v>}}";
+constexpr TermTemplate input = "B(<q>{}) <u>";
+constexpr TermTemplate force = "<Q>(<q>,<v>{})";
+constexpr TermTemplate multipliers = "A(<q>{})^{{\\top}} <lambda>";
+constexpr TermTemplate zero_vector = "<0>";
 
-constexpr Term drift_at_rest = "<drift>(<q>,<0>{})";
-constexpr Term dissipation_at_rest = "\\frac{{\\partial D}}{{\\partial <v>}}(<q>,<0>{})";
-constexpr Term force_at_rest = "<Q>(<q>,<0>{})";
+constexpr TermTemplate drift_at_rest = "<drift>(<q>,<0>{})";
+constexpr TermTemplate dissipation_at_rest = "\\frac{{\\partial D}}{{\\partial <v>}}(<q>,<0>{})";
+constexpr TermTemplate force_at_rest = "<Q>(<q>,<0>{})";
 
 /// True unless the program has the output and all its entries are 0.
 bool may_be_nonzero(const Program& program, OutputKind kind) {
@@ -48,10 +48,10 @@ bool may_be_nonzero(const Program& program, OutputKind kind) {
   return true;
 }
 
-std::vector<Term> left_side(const Model& model, const Program& program, bool is_at_rest) {
-  if (!model.quadratic) return {mass_of_rates, rest};
-  std::vector<Term> terms;
-  const auto add = [&](bool may_exist, OutputKind kind, const Term& term) {
+std::vector<TermTemplate> left_side(const Model& model, const Program& program, bool is_at_rest) {
+  if (!model.is_quadratic) return {mass_of_rates, bias_term};
+  std::vector<TermTemplate> terms;
+  const auto add = [&](bool may_exist, OutputKind kind, const TermTemplate& term) {
     if (may_exist && may_be_nonzero(program, kind)) terms.push_back(term);
   };
   if (!is_at_rest) terms.push_back(mass);
@@ -63,21 +63,21 @@ std::vector<Term> left_side(const Model& model, const Program& program, bool is_
   return terms;
 }
 
-std::vector<Term> right_side(const Model& model, const Program& program, bool is_at_rest) {
-  std::vector<Term> terms;
+std::vector<TermTemplate> right_side(const Model& model, const Program& program, bool is_at_rest) {
+  std::vector<TermTemplate> terms;
   if (!model.inputs.empty()) terms.push_back(input);
-  const bool has_force = !model.forces.empty() && model.quadratic;
+  const bool has_force = !model.forces.empty() && model.is_quadratic;
   if (has_force && may_be_nonzero(program, OutputKind::applied_force)) {
     terms.push_back(is_at_rest ? force_at_rest : force);
   }
   if (!model.constraints.empty()) terms.push_back(multipliers);
-  if (terms.empty()) terms.push_back(nothing);
+  if (terms.empty()) terms.push_back(zero_vector);
   return terms;
 }
 
-std::string joined(const std::vector<Term>& terms, std::string_view time) {
+std::string join_terms(const std::vector<TermTemplate>& terms, std::string_view time) {
   std::string text;
-  for (const Term term : terms) {
+  for (const TermTemplate term : terms) {
     text += (text.empty() ? "" : " + ") + fmt::format(fmt::runtime(term), time);
   }
   return text;
@@ -86,30 +86,30 @@ std::string joined(const std::vector<Term>& terms, std::string_view time) {
 /// True if some function depends on rates, momenta, accelerations or the mass matrix.
 bool depends_on_motion(const Model& model, const Program& program) {
   const auto knows = [&model](const Function& function) {
-    const LeafSet takes = request_of(model, function.kind, function.user).takes;
+    const LeafSet takes = make_request(model, function.kind, function.user).argument_kinds;
     return takes.has_any(Opcode::velocity | Opcode::momentum | Opcode::acceleration);
   };
   const bool has_mass = find_function(program, OutputKind::mass_matrix) != nullptr;
-  return !model.quadratic || has_mass ||
+  return !model.is_quadratic || has_mass ||
          std::any_of(program.functions.begin(), program.functions.end(), knows);
 }
 
 using Lines = std::vector<std::string>;
 
-std::string with_unit(const std::string& name, const std::string& unit) {
+std::string append_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
 }
 
 template <class List>
-Lines with_units(const List& list) {
+Lines names_with_units(const List& list) {
   Lines names;
-  for (const auto& entry : list) names.push_back(with_unit(entry.name, entry.unit_text));
+  for (const auto& entry : list) names.push_back(append_unit(entry.name, entry.unit_text));
   return names;
 }
 
 /// "(x [m], theta [rad])". If the list is longer than a line, only the first two names and the
 /// last.
-std::string tuple(const Lines& names) {
+std::string tuple_text(const Lines& names) {
   // A line of 100 columns, minus the columns of "v = ", ", a = dv/dt" and the indentation.
   constexpr std::size_t longest = 80;
   const std::string all = fmt::format("({})", fmt::join(names, ", "));
@@ -118,11 +118,11 @@ std::string tuple(const Lines& names) {
 }
 
 /// "dot(x) [m/s]", "attitude[1] [rad/s]"
-Lines rates(const Model& model) {
+Lines velocity_names(const Model& model) {
   Lines names;
   for (const Velocity& velocity : model.velocities) {
     const std::string name = velocity.rotation ? velocity.name : "dot(" + velocity.name + ")";
-    names.push_back(with_unit(name, velocity_unit(model, velocity)));
+    names.push_back(append_unit(name, velocity_unit_text(model, velocity)));
   }
   return names;
 }
@@ -136,7 +136,8 @@ std::string multiplier_unit(const Model& model, std::size_t i) {
 Lines multiplier_names(const Model& model) {
   Lines names;
   for (std::uint32_t i = 0; i < model.constraints.size(); ++i) {
-    names.push_back(with_unit(leaf_text(model, Opcode::multiplier, i), multiplier_unit(model, i)));
+    names.push_back(
+        append_unit(leaf_text(model, Opcode::multiplier, i), multiplier_unit(model, i)));
   }
   return names;
 }
@@ -152,14 +153,14 @@ bool are_constraints_workless(const Model& model, const Program& program) {
 // Constraints.
 
 /// Prints expressions in the symbols of the model, with their names unexpanded.
-class NamedFormulas {
+class ExpressionPrinter {
  public:
-  explicit NamedFormulas(const Model& model) : model_(model), symbols_(model) {}
+  explicit ExpressionPrinter(const Model& model) : model_(model), symbols_(model) {}
 
-  [[nodiscard]] const LeafValues<Formula>& symbols() const { return symbols_.leaves(); }
+  [[nodiscard]] const LeafValues<Formula>& symbols() const { return symbols_.leaf_symbols(); }
 
   [[nodiscard]] Formula operator()(ExpressionId id) const {
-    return formula_of(model_, id, [this](ExpressionId named) { return name(named); });
+    return formula_of(model_, id, [this](ExpressionId named) { return named_formula(named); });
   }
 
   /// "left = right" for the expression left - right; "value = 0" for other expressions.
@@ -174,7 +175,7 @@ class NamedFormulas {
   }
 
  private:
-  [[nodiscard]] Formula name(ExpressionId id) const {
+  [[nodiscard]] Formula named_formula(ExpressionId id) const {
     const Expression& e = model_.expressions[id];
     switch (e.kind) {
       case ExpressionKind::pi:
@@ -182,31 +183,32 @@ class NamedFormulas {
       case ExpressionKind::leaf:
         return leaf_of(symbols(), e.leaf, e.index);
       case ExpressionKind::named:
-        return symbol(id, symbol_of_entry(e));
+        return make_symbol(id, named_symbol(e));
       default: {  // a time derivative; formula_of() prints operations
         Glyphs rate = read_latex("\\frac{d}{dt} \\left( <y> \\right)");
-        return symbol(id, replaced(std::move(rate), "y", glyphs_of((*this)(e.operands[0]))));
+        return make_symbol(id,
+                           replace_vector(std::move(rate), "y", glyphs_of((*this)(e.operands[0]))));
       }
     }
   }
 
-  [[nodiscard]] Glyphs symbol_of_entry(const Expression& e) const {
+  [[nodiscard]] Glyphs named_symbol(const Expression& e) const {
     switch (e.named) {
       case NamedKind::prescribed:
         return symbol_of(model_.prescribed[e.index]);
       case NamedKind::definition:
         return symbol_of(model_.definitions[e.index]);
       case NamedKind::point:
-        return component(model_.points[e.index].name, e.component);
+        return component_symbol(model_.points[e.index].name, e.component);
       case NamedKind::body:
-        return component(model_.bodies[e.index].name, e.component);
+        return component_symbol(model_.bodies[e.index].name, e.component);
       case NamedKind::frame:
         break;
     }
-    return component_of_frame(model_.frames[e.index].name, e.component);
+    return frame_component_symbol(model_.frames[e.index].name, e.component);
   }
 
-  [[nodiscard]] Formula symbol(ExpressionId id, Glyphs glyphs) const {
+  [[nodiscard]] Formula make_symbol(ExpressionId id, Glyphs glyphs) const {
     return symbol_formula(to_string(model_, id), std::move(glyphs));
   }
 
@@ -214,7 +216,7 @@ class NamedFormulas {
     return symbol_of_name(expression.name, expression.latex);
   }
 
-  [[nodiscard]] static Glyphs component(const std::string& point, std::size_t axis) {
+  [[nodiscard]] static Glyphs component_symbol(const std::string& point, std::size_t axis) {
     Glyphs symbol = read_latex(std::string(1, "xyz"[axis]));
     add_script(symbol, 1, symbol_of_name(point));
     return symbol;
@@ -222,8 +224,8 @@ class NamedFormulas {
 
   /// The symbol of component k of the frame F: x_F for the origin, R_{12}^F, omega_x^F in the axes
   /// of the world, or Omega_x^F in the axes of the frame.
-  [[nodiscard]] static Glyphs component_of_frame(const std::string& frame, std::uint32_t k) {
-    if (k >= frame_origin && k < frame_angular_velocity) return component(frame, k % 3);
+  [[nodiscard]] static Glyphs frame_component_symbol(const std::string& frame, std::uint32_t k) {
+    if (k >= frame_origin && k < frame_angular_velocity) return component_symbol(frame, k % 3);
     const std::string_view letter = k < frame_origin           ? "R"
                                     : k < frame_recursive_spin ? "\\omega"
                                                                : "\\Omega";
@@ -239,7 +241,7 @@ class NamedFormulas {
   const ModelSymbols symbols_;
 };
 
-const char* kind_of(const Constraint& constraint) {
+const char* kind_text(const Constraint& constraint) {
   return constraint.is_position ? "position" : "velocity";
 }
 
@@ -252,7 +254,7 @@ std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Pr
   const bool has_momentum = find_function(program, OutputKind::momentum) != nullptr;
   if (energy == nullptr || !has_momentum || model.approximation) return {};
   const Conservation found = find_conservation(model, program, !model.inputs.empty(), true);
-  const LeafValues<Formula> symbols = ModelSymbols(model).leaves();
+  const LeafValues<Formula> symbols = ModelSymbols(model).leaf_symbols();
   std::vector<ConservedQuantity> result;
   if (!found.is_forced && !found.has_time && are_constraints_workless(model, program)) {
     result.push_back({"E", heading(model, *energy).definition});
@@ -267,28 +269,30 @@ std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Pr
 Formula equation_of_motion(const Model& model, const Program& program) {
   const bool is_at_rest = !depends_on_motion(model, program);
   const char* const time = model.uses_time ? ",t" : "";
-  return latex_formula(model,
-                       fmt::format("{} = {}", joined(left_side(model, program, is_at_rest), time),
-                                   joined(right_side(model, program, is_at_rest), time)));
+  return latex_formula(
+      model, fmt::format("{} = {}", join_terms(left_side(model, program, is_at_rest), time),
+                         join_terms(right_side(model, program, is_at_rest), time)));
 }
 
 Lines variable_lines(const Model& model, const Program& program) {
-  Lines lines = {"q = " + tuple(with_units(model.coordinates))};
+  Lines lines = {"q = " + tuple_text(names_with_units(model.coordinates))};
   if (!depends_on_motion(model, program)) {
     lines.emplace_back("at rest");
   } else if (model.rotations.empty()) {
     lines.push_back("v = dq/dt, a = dv/dt");
   } else {
-    lines.push_back("v = " + tuple(rates(model)) + ", a = dv/dt");
+    lines.push_back("v = " + tuple_text(velocity_names(model)) + ", a = dv/dt");
     lines.push_back("dq/dt = N(q) v: coordinate_rates");
   }
-  if (is_passed(program.leaves, Opcode::momentum)) lines.emplace_back("p = dL/dv: momenta");
-  if (!model.inputs.empty()) lines.push_back("u = " + tuple(with_units(model.inputs)));
-  if (!model.constraints.empty()) lines.push_back("lambda = " + tuple(multiplier_names(model)));
+  if (may_be_argument(program.leaves, Opcode::momentum)) lines.emplace_back("p = dL/dv: momenta");
+  if (!model.inputs.empty()) lines.push_back("u = " + tuple_text(names_with_units(model.inputs)));
+  if (!model.constraints.empty())
+    lines.push_back("lambda = " + tuple_text(multiplier_names(model)));
   if (!model.constraints.empty() && depends_on_motion(model, program)) {
     lines.push_back(text_of(constraint_equation(model)) + ", (f, r) = constraint_residual");
   }
-  if (!model.open_values.empty()) lines.push_back("f = " + tuple(with_units(model.open_values)));
+  if (!model.open_values.empty())
+    lines.push_back("f = " + tuple_text(names_with_units(model.open_values)));
   return lines;
 }
 
@@ -302,10 +306,10 @@ Formula constraint_equation(const Model& model) {
 
 std::vector<std::string> constraint_lines(const Model& model) {
   std::vector<std::string> lines;
-  const NamedFormulas formulas(model);
+  const ExpressionPrinter formulas(model);
   for (const Constraint& constraint : model.constraints) {
     std::string& line =
-        lines.emplace_back(fmt::format("{} ({}): {}", constraint.name, kind_of(constraint),
+        lines.emplace_back(fmt::format("{} ({}): {}", constraint.name, kind_text(constraint),
                                        text_of(formulas.equation(constraint.value))));
     if (!has_gains(constraint)) continue;
     line += fmt::format(", omega = {}, zeta = {}", to_string(model, *constraint.omega),
@@ -327,12 +331,12 @@ PageSection constraint_section(const Model& model) {
     heads.push_back(latex_formula("\\zeta"));
   }
   Formulas& cells = section.table.cells;
-  const NamedFormulas formulas(model);
+  const ExpressionPrinter formulas(model);
   for (std::size_t i = 0; i < model.constraints.size(); ++i) {
     const Constraint& constraint = model.constraints[i];
-    const std::string unit = unit_text(multiplier_unit(model, i), " ", small_exponent);
+    const std::string unit = format_unit(multiplier_unit(model, i), " ", small_exponent);
     cells.insert(cells.end(), {formulas.symbols().multipliers[i], prose(unit),
-                               prose(kind_of(constraint)), formulas.equation(constraint.value)});
+                               prose(kind_text(constraint)), formulas.equation(constraint.value)});
     for (const std::optional<ExpressionId>& gain : {constraint.omega, constraint.zeta}) {
       if (are_stabilised) cells.push_back(gain ? formulas(*gain) : number_formula(0));
     }

@@ -34,19 +34,19 @@ bool is_negation(const Formula& formula) {
 }
 
 /// Prints a function over the leaves and the names of some instructions.
-class ReadFunction {
+class FunctionPrinter {
  public:
-  ReadFunction(const Program& program, const Function& function, const LeafValues<Formula>& leaves,
-               const Formulas& names)
+  FunctionPrinter(const Program& program, const Function& function,
+                  const LeafValues<Formula>& leaves, const Formulas& names)
       : program_(program), function_(function), leaves_(leaves), names_(names) {}
 
   /// The formula of an instruction, even if it has a name.
-  [[nodiscard]] Formula definition(std::uint32_t at) const {
+  [[nodiscard]] Formula definition_formula(std::uint32_t at) const {
     return fold_instruction(*this, program_, function_.instructions[at], *this);
   }
   /// The name of an instruction, or its formula if it has no name.
-  [[nodiscard]] Formula entry(std::uint32_t at) const {
-    return is_named(at) ? names_[at] : definition(at);
+  [[nodiscard]] Formula entry_formula(std::uint32_t at) const {
+    return is_named(at) ? names_[at] : definition_formula(at);
   }
 
   // The rules of fold.hpp. Operands are indices of instructions.
@@ -59,29 +59,29 @@ class ReadFunction {
     return leaf_of(leaves_, kind, number);
   }
   [[nodiscard]] Formula add(std::uint32_t x, std::uint32_t y) const {
-    return with_term(entry(x), entry(y));
+    return with_term(entry_formula(x), entry_formula(y));
   }
   [[nodiscard]] Formula subtract(std::uint32_t x, std::uint32_t y) const {
-    return with_term(entry(x), negative(entry(y)));
+    return with_term(entry_formula(x), negative_of(entry_formula(y)));
   }
   [[nodiscard]] Formula divide(std::uint32_t x, std::uint32_t y) const {
-    return quotient_of(entry(x), entry(y));
+    return quotient_of(entry_formula(x), entry_formula(y));
   }
-  [[nodiscard]] Formula square_root(std::uint32_t x) const { return root_of(entry(x)); }
+  [[nodiscard]] Formula square_root(std::uint32_t x) const { return root_of(entry_formula(x)); }
   [[nodiscard]] Formula call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
-    Formulas arguments = {entry(x)};
+    Formulas arguments = {entry_formula(x)};
     if (function == FunctionId::stumpff) {
       arguments.push_back(number_formula(stumpff_order(program_, function_, y)));
     } else if (function_row(function).arity > 1) {
-      arguments.push_back(entry(y));
+      arguments.push_back(entry_formula(y));
     }
     return call_of(function, std::move(arguments));
   }
   /// Negates a formula. A constant keeps its sign in the number: -2, not -(2).
   [[nodiscard]] Formula negate(std::uint32_t x) const {
     const Instruction& i = function_.instructions[x];
-    if (i.opcode != Opcode::constant) return negative(entry(x));
-    return constant_formula(negated(program_.constants[i.a].form));
+    if (i.opcode != Opcode::constant) return negative_of(entry_formula(x));
+    return constant_formula(negated_form(program_.constants[i.a].form));
   }
   [[nodiscard]] Formula multiply(std::uint32_t x, std::uint32_t y) const {
     std::vector<std::uint32_t> factors;
@@ -108,7 +108,7 @@ class ReadFunction {
     Formulas different;
     for (auto factor = all.begin(); factor != all.end(); ++factor) {
       if (std::find(all.begin(), factor, *factor) != factor) continue;
-      Formula base = entry(*factor);
+      Formula base = entry_formula(*factor);
       if (is_negation(base)) base = group(std::move(base));
       const long exponent = std::count(all.begin(), all.end(), *factor);
       different.push_back(exponent == 1 ? std::move(base)
@@ -156,7 +156,7 @@ LeafValues<Formula> leaf_formulas(const LeafNames& leaves) {
 /// Symbols for names, distinct from the symbols of the model.
 Formulas symbols_of(const std::vector<std::string>& names, ModelSymbols symbols) {
   return formulas_of(names, [&symbols](const std::string& name) {
-    return symbol_formula(name, symbols.distinct(symbol_of_name(name)));
+    return symbol_formula(name, symbols.make_distinct(symbol_of_name(name)));
   });
 }
 
@@ -167,18 +167,18 @@ FunctionEquations named_equations(const Program& program, const Function& functi
                                   const LeafValues<Formula>& leaves, const Formulas& names,
                                   const std::vector<std::size_t>& sizes) {
   const Formulas no_names(names.size());
-  const ReadFunction with_names(program, function, leaves, names);
-  const ReadFunction over_leaves(program, function, leaves, no_names);
+  const FunctionPrinter with_names(program, function, leaves, names);
+  const FunctionPrinter over_leaves(program, function, leaves, no_names);
   FunctionEquations result;
   for (std::uint32_t at = 0; at < names.size(); ++at) {
     if (names[at].is_empty()) continue;
-    result.definitions.push_back({names[at], with_names.definition(at)});
+    result.definitions.push_back({names[at], with_names.definition_formula(at)});
   }
   for (const Field& field : function.fields) {
     Formulas& formulas = result.entries.emplace_back();
     for (const std::uint32_t entry : field.entries) {
       const bool is_short = !sizes.empty() && sizes[entry] <= longest_entry;
-      formulas.push_back((is_short ? over_leaves : with_names).entry(entry));
+      formulas.push_back((is_short ? over_leaves : with_names).entry_formula(entry));
     }
   }
   return result;
@@ -210,7 +210,7 @@ std::vector<std::string> readable_names(const Program& program, const Function& 
 
 /// Prints x instead of x + 0/y and x + 0*y, which guard pivots against M_ii = 0. The instructions
 /// remain, so that names are the same as in code.
-Function without_guards(const Program& program, Function function) {
+Function remove_pivot_guards(const Program& program, Function function) {
   const std::vector<Instruction>& all = function.instructions;
   for (Field& field : function.fields) {
     for (std::uint32_t& entry : field.entries) {
@@ -230,8 +230,8 @@ bool has_readable_form(const Program& program, std::size_t index) {
   return index < program.readable.size() && !program.readable[index].fields.empty();
 }
 
-FunctionEquations equations(const Program& program, const Function& function,
-                            const std::vector<std::string>& names) {
+FunctionEquations function_equations(const Program& program, const Function& function,
+                                     const std::vector<std::string>& names) {
   return needed_equations(program, function, leaf_formulas(program.leaves),
                           formulas_of(names, name_formula),
                           expanded_sizes(function, longest_entry));
@@ -240,8 +240,8 @@ FunctionEquations equations(const Program& program, const Function& function,
 FunctionEquations equations(const Program& program, std::size_t index) {
   const Function& function = program.functions[index];
   if (!has_readable_form(program, index)) {
-    return equations(program, without_guards(program, function),
-                     temporary_names(program, function));
+    return function_equations(program, remove_pivot_guards(program, function),
+                              temporary_names(program, function));
   }
   const Function& book = program.readable[index];
   return named_equations(program, book, leaf_formulas(program.leaves),
@@ -252,19 +252,21 @@ FunctionEquations equations(const Model& model, const Program& program, std::siz
   const ModelSymbols symbols(model, program.leaves);
   if (has_readable_form(program, index)) {
     const Function& book = program.readable[index];
-    return named_equations(program, book, symbols.leaves(), symbols_of(book.names, symbols), {});
+    return named_equations(program, book, symbols.leaf_symbols(), symbols_of(book.names, symbols),
+                           {});
   }
   const Function& function = program.functions[index];
   const std::vector<std::size_t> sizes = expanded_sizes(function, longest_entry);
-  return needed_equations(program, without_guards(program, function), symbols.leaves(),
+  return needed_equations(program, remove_pivot_guards(program, function), symbols.leaf_symbols(),
                           symbols_of(readable_names(program, function, sizes), symbols), sizes);
 }
 
-Formula first_entry(const Model& model, const Program& program) {
+Formula first_entry_formula(const Model& model, const Program& program) {
   const ModelSymbols symbols(model, program.leaves);
   const Function& function = program.readable.front();
-  return ReadFunction(program, function, symbols.leaves(), symbols_of(function.names, symbols))
-      .entry(function.fields.front().entries.front());
+  return FunctionPrinter(program, function, symbols.leaf_symbols(),
+                         symbols_of(function.names, symbols))
+      .entry_formula(function.fields.front().entries.front());
 }
 
 }  // namespace elgen

@@ -14,7 +14,8 @@
 namespace elgen {
 namespace {
 
-std::vector<PageVariable> coordinates(const Model& model, const LeafValues<Formula>& symbols) {
+std::vector<PageVariable> coordinate_variables(const Model& model,
+                                               const LeafValues<Formula>& symbols) {
   std::vector<PageVariable> list;
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& c = model.coordinates[i];
@@ -30,7 +31,7 @@ std::vector<PageVariable> coordinates(const Model& model, const LeafValues<Formu
   return list;
 }
 
-std::vector<PageVariable> inputs(const Model& model, const Formulas& symbols) {
+std::vector<PageVariable> input_variables(const Model& model, const Formulas& symbols) {
   std::vector<PageVariable> list;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const Input& input = model.inputs[i];
@@ -39,11 +40,11 @@ std::vector<PageVariable> inputs(const Model& model, const Formulas& symbols) {
   return list;
 }
 
-std::vector<PageVariable> functions(const Model& model, const Formulas& symbols) {
+std::vector<PageVariable> function_variables(const Model& model, const Formulas& symbols) {
   std::vector<PageVariable> list;
   for (std::size_t i = 0; i < symbols.size(); ++i) {
     const OpenValue& value = model.open_values[i];
-    if (!value.by.empty()) continue;
+    if (!value.derivative_arguments.empty()) continue;
     const OpenFunction& function = model.functions[value.function];
     list.push_back({symbols[i], function.name, function.unit_text, "", function.doc});
   }
@@ -68,9 +69,9 @@ std::string value_text(const Model& model, const Scene& scene, const ParameterAr
     const auto fixed = scene.specialisation.fixed.find(i);
     const bool has_value = fixed == scene.specialisation.fixed.end();
     const Parameter& parameter = model.parameters[i];
-    const std::string value = has_value
-                                  ? value_text(model, parameter.value, parameter.form)
-                                  : value_text(model, fixed->second.number, fixed->second.form);
+    const std::string value =
+        has_value ? value_text(model, parameter.value, parameter.exact_expression)
+                  : value_text(model, fixed->second.number, fixed->second.exact_expression);
     if (i == array.first) first = value;
     is_uniform = is_uniform && value == first;
     is_fixed = is_fixed && !has_value;
@@ -80,8 +81,8 @@ std::string value_text(const Model& model, const Scene& scene, const ParameterAr
   return text + (is_fixed ? " (fixed)" : "");
 }
 
-std::vector<PageVariable> parameters(const Model& model, const Scene& scene,
-                                     const Formulas& symbols) {
+std::vector<PageVariable> parameter_variables(const Model& model, const Scene& scene,
+                                              const Formulas& symbols) {
   std::vector<PageVariable> list;
   for (std::size_t i = 0; i < symbols.size(); ++i) {
     const ParameterArray& array = model.parameter_arrays[i];
@@ -94,11 +95,11 @@ std::vector<PageVariable> parameters(const Model& model, const Scene& scene,
 
 /// "Mass matrix"; a user's output keeps its name.
 std::string title_of(const Function& function) {
-  return output_row(function.kind).of_user ? function.name : as_title(function.name);
+  return output_row(function.kind).is_user_output ? function.name : title_from_name(function.name);
 }
 
 /// The definition of an output by other outputs; empty if the output has no definition.
-Formula definition_by_others(const Model& model, const Function& function) {
+Formula output_definition(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
   if (!row.definition.empty()) return latex_formula(model, row.definition);
   const bool is_square = !row.driftless_definition.empty() && !model.may_drift;
@@ -106,15 +107,15 @@ Formula definition_by_others(const Model& model, const Function& function) {
   return heading(model, function).definition;
 }
 
-PageSection by_definition(const Model& model, const Function& function) {
+PageSection definition_section(const Model& model, const Function& function) {
   return {prose(title_of(function)), function.name, function.kind, output_doc(model, function),
-          definition_by_others(model, function)};
+          output_definition(model, function)};
 }
 
-PageSection with_equations(const Model& model, const Program& program, std::size_t index) {
+PageSection section_with_equations(const Model& model, const Program& program, std::size_t index) {
   const Function& function = program.functions[index];
   const Heading heading = elgen::heading(model, function);
-  PageSection result = by_definition(model, function);
+  PageSection result = definition_section(model, function);
   result.definition = heading.definition;
   const FunctionEquations read = equations(model, program, index);
   for (const auto& [name, value] : read.definitions) {
@@ -125,12 +126,12 @@ PageSection with_equations(const Model& model, const Program& program, std::size
     const std::string_view latex = field_row(function.kind, field.name).latex;
     const Formula symbol = field.name.empty()
                                ? heading.symbol
-                               : symbol_formula(field.name, typed_glyphs(model, latex));
+                               : symbol_formula(field.name, latex_glyphs(model, latex));
     if (field.name != "multipliers") {
       result.equations.push_back({symbol, field.rows, field.columns, read.entries[f]});
       continue;
     }
-    const Formulas symbols = ModelSymbols(model).leaves().multipliers;
+    const Formulas symbols = ModelSymbols(model).leaf_symbols().multipliers;
     for (std::uint32_t i = 0; i < field.rows; ++i) {
       result.equations.push_back({symbols[i], 1, 1, {read.entries[f][i]}});
     }
@@ -143,28 +144,28 @@ bool fills_page(const PageSection& section) {
   constexpr std::size_t longest = 3000;
   std::size_t letters = 0;
   for (const PageEquation& equation : section.equations) {
-    for (const Formula& entry : equation.entries) letters += latex(glyphs_of(entry)).size();
+    for (const Formula& entry : equation.entries) letters += to_latex(glyphs_of(entry)).size();
   }
   return letters > longest;
 }
 
 /// The equations of an output. If it has a definition, the definition replaces equations that are
 /// not readable, and equations that fill a page unless the user asked for this output.
-PageSection readable_output(const Model& model, const Program& program, std::size_t index,
-                            bool is_asked_for) {
-  PageSection defined = by_definition(model, program.functions[index]);
+PageSection output_section(const Model& model, const Program& program, std::size_t index,
+                           bool is_asked_for) {
+  PageSection defined = definition_section(model, program.functions[index]);
   const bool is_defined = !defined.definition.is_empty();
   if (is_defined && !has_readable_form(program, index)) return defined;
-  PageSection result = with_equations(model, program, index);
+  PageSection result = section_with_equations(model, program, index);
   return is_defined && !is_asked_for && fills_page(result) ? defined : result;
 }
 
 /// The documentation of an output. If the output takes only independent velocities, the text names
 /// these velocities.
-std::string doc_with_independent(const Model& model, const Function& function) {
+std::string independent_output_doc(const Model& model, const Function& function) {
   std::vector<std::string> names;
   for (const std::uint32_t i : function.independent) {
-    names.push_back(in_backticks(model.velocities[i].name));
+    names.push_back(quote_text(model.velocities[i].name));
   }
   const std::string_view doc = output_row(function.kind).doc;
   if (names.empty()) return fmt::format("{}.", doc);
@@ -172,14 +173,14 @@ std::string doc_with_independent(const Model& model, const Function& function) {
                      fmt::join(names, ", "));
 }
 
-std::string sentence(const std::string& text) {
+std::string end_sentence(const std::string& text) {
   const bool has_end = !text.empty() && (text.back() == '.' || text.back() == '!');
   return has_end ? text : text + ".";
 }
 
 /// The sentence that a step drifts off the constraints, or that it projects back to the
 /// constraints; "" without constraints.
-std::string drift_of_step(const Model& model, const StepSpec& step) {
+std::string step_drift_note(const Model& model, const StepSpec& step) {
   if (model.constraints.empty()) return {};
   return step.projects
              ? " One Newton step back to the constraints follows, as by `projected`."
@@ -191,17 +192,17 @@ std::string drift_of_step(const Model& model, const StepSpec& step) {
 
 Heading heading(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
-  Glyphs symbol = typed_glyphs(model, row.symbol.latex);
-  Glyphs definition = typed_glyphs(model, equation_of(row, setting_of(model)).latex);
-  if (row.of_user) {
+  Glyphs symbol = latex_glyphs(model, row.symbol.latex);
+  Glyphs definition = latex_glyphs(model, equation_of(row, setting_of(model)).latex);
+  if (row.is_user_output) {
     ModelSymbols symbols(model);
     Glyphs y;
     for (std::uint32_t i = 0; i <= function.user; ++i) {
-      y = symbols.distinct(symbol_of_name(model.outputs[i].name));
+      y = symbols.make_distinct(symbol_of_name(model.outputs[i].name));
     }
-    symbol = replaced(std::move(symbol), "y", y);
-    definition = replaced(std::move(definition), "y", y);
-    definition = replaced(std::move(definition), "y''", add_dots(std::move(y), "¨"));
+    symbol = replace_vector(std::move(symbol), "y", y);
+    definition = replace_vector(std::move(definition), "y", y);
+    definition = replace_vector(std::move(definition), "y''", add_dots(std::move(y), "¨"));
   }
   Heading result{symbol_formula(function.name, std::move(symbol))};
   if (!definition.parts.empty()) result.definition = symbol_formula("", std::move(definition));
@@ -210,14 +211,14 @@ Heading heading(const Model& model, const Function& function) {
 
 std::string output_doc(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
-  if (row.steps) {
+  if (row.is_step) {
     const StepSpec& step = *function.step;
     const std::string method =
-        fmt::format(fmt::runtime(step_row(step.method).doc), step_order(step));
-    return fmt::format("{} {}.{}", row.doc, method, drift_of_step(model, step));
+        fmt::format(fmt::runtime(step_method_row(step.method).doc), step_order(step));
+    return fmt::format("{} {}.{}", row.doc, method, step_drift_note(model, step));
   }
-  if (row.options.has(OutputOption::independent)) return doc_with_independent(model, function);
-  if (!row.of_user) {
+  if (row.options.has(OutputOption::independent)) return independent_output_doc(model, function);
+  if (!row.is_user_output) {
     const bool is_without = row.gives_pivots && !has_pivots(function);
     const std::string_view doc = is_without ? row.doc_without_pivots : row.doc;
     const std::string_view constrained =
@@ -225,7 +226,7 @@ std::string output_doc(const Model& model, const Function& function) {
     return std::string(model.constraints.empty() || constrained.empty() ? doc : constrained);
   }
   const UserOutput& output = model.outputs[function.user];
-  return sentence(
+  return end_sentence(
       fmt::format("{} `{}`{}{}", row.doc, output.name, output.doc.empty() ? "" : ": ", output.doc));
 }
 
@@ -235,36 +236,36 @@ Page model_page(const Model& model, const Scene& scene, const Program& program,
   result.notes = scene_notes(model, scene);
   result.equation_of_motion = equation_of_motion(model, program);
   const ModelSymbols symbols(model);
-  result.coordinates = coordinates(model, symbols.leaves());
-  result.inputs = inputs(model, symbols.leaves().u);
-  result.functions = functions(model, symbols.leaves().f);
-  result.parameters = parameters(model, scene, symbols.arrays());
-  if (options.opening != nullptr) {
-    result.sections = steps_sections(model, *options.opening, equations_title);
+  result.coordinates = coordinate_variables(model, symbols.leaf_symbols());
+  result.inputs = input_variables(model, symbols.leaf_symbols().u);
+  result.functions = function_variables(model, symbols.leaf_symbols().f);
+  result.parameters = parameter_variables(model, scene, symbols.parameter_symbols());
+  if (options.opening_steps != nullptr) {
+    result.sections = derivation_sections(model, *options.opening_steps, equations_title);
   }
   if (!model.constraints.empty()) result.sections.push_back(constraint_section(model));
   bool needs_parts = false;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
     const OutputRow& row = output_row(function.kind);
-    if (row.steps) {
+    if (row.is_step) {
       result.sections.push_back(
           {prose(title_of(function)), function.name, function.kind, output_doc(model, function)});
     }
     if (!has_equations(row)) continue;
-    if (!options.zeros && is_zero(program, function)) continue;
+    if (!options.shows_zeros && is_zero(program, function)) continue;
     if (entry_count(function) <= options.most_entries) {
       const bool is_asked_for = options.most_entries == SIZE_MAX;
-      result.sections.push_back(readable_output(model, program, i, is_asked_for));
-      const bool is_basic = !divides_by_mass(row) && !row.differentiates && !row.of_user;
+      result.sections.push_back(output_section(model, program, i, is_asked_for));
+      const bool is_basic = !divides_by_mass(row) && !row.differentiates && !row.is_user_output;
       needs_parts = needs_parts || (is_basic && result.sections.back().equations.empty());
     } else {
-      result.sections.push_back(by_definition(model, function));
+      result.sections.push_back(definition_section(model, function));
       result.sections.back().doc += fmt::format(" {} entries.", entry_count(function));
     }
   }
   if (needs_parts && has_frame_recursion(model)) {
-    const std::vector<PageSection> parts = named_parts(model);
+    const std::vector<PageSection> parts = recursion_sections(model);
     result.sections.insert(result.sections.begin(), parts.begin(), parts.end());
   }
   PageSection conserved{.title = prose("Conserved"), .doc = "Constant along every motion."};

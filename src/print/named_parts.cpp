@@ -1,4 +1,4 @@
-// named_parts: the recursions of src/derive/tree/ in textbook form: motions from the world
+// recursion_sections: the recursions of src/derive/tree/ in textbook form: motions from the world
 // outwards, forces and composite inertias back to the world. Featherstone, Rigid Body Dynamics
 // Algorithms (2008), chapters 5 and 6. For each frame, let V be its twist, S the part of V that the
 // frame's own motion adds, and G the inertia of all bodies that the frame carries. This gives M:
@@ -69,25 +69,25 @@ constexpr std::string_view mass_entry =
 class FrameFormulas {
  public:
   explicit FrameFormulas(const Model& model)
-      : model_(model), symbols_(ModelSymbols(model).leaves()) {}
+      : model_(model), symbols_(ModelSymbols(model).leaf_symbols()) {}
 
-  [[nodiscard]] PageTable frames() const {
+  [[nodiscard]] PageTable frames_table() const {
     PageTable table{{latex_formula("i"), {}, latex_formula("p"), latex_formula("H_{i}")}};
     for (const Frame& frame : model_.frames) {
       const std::size_t number = table.cells.size() / table.heads.size() + 1;
       const std::uint32_t carrier = frame.parent ? *frame.parent + 1 : 0;
       table.cells.insert(table.cells.end(), {number_formula(number),
                                              symbol_formula(frame.name, symbol_of_name(frame.name)),
-                                             number_formula(carrier), pose(frame)});
+                                             number_formula(carrier), pose_formula(frame)});
     }
     return table;
   }
 
-  [[nodiscard]] PageTable bodies() const {
+  [[nodiscard]] PageTable bodies_table() const {
     PageTable table{{latex_formula("i"), latex_formula("m_{b}"), latex_formula("c_{b}"),
                      latex_formula("I_{b}")}};
     for (const Body& body : model_.bodies) {
-      add(table, body.local->com, body.mass);
+      add_body_row(table, body.local->com, body.mass);
       const Formulas x = formulas(body.local->inertia);
       const Formula zero = number_formula(0);
       if (x.size() == 1) table.cells.back() = tuple_of({zero, zero, x[0]});
@@ -96,18 +96,18 @@ class FrameFormulas {
       if (has_products) {
         table.cells.insert(table.cells.end(), {{}, {}, {}, tuple_of({x[3], x[4], x[5]})});
       }
-      if (!body.local->about_origin) continue;
+      if (!body.local->is_about_origin) continue;
       table.cells.back() =
           sum_of({table.cells.back(), latex_formula("m_{b} [c_{b}]_{\\times}^{2}")});
     }
     for (const Point& point : model_.points) {
-      if (point.mass) add(table, *point.local, point.mass);
+      if (point.mass) add_body_row(table, *point.local, point.mass);
     }
     return table;
   }
 
   template <class List>
-  [[nodiscard]] Formula vector(const List& ids) const {
+  [[nodiscard]] Formula vector_formula(const List& ids) const {
     return tuple_of(formulas(ids));
   }
 
@@ -126,11 +126,11 @@ class FrameFormulas {
     return formula.kind == FormulaKind::number && formula.text.empty() && formula.number == value;
   }
 
-  void add(PageTable& table, const PlaceInFrame& place,
-           const std::optional<ExpressionId>& mass) const {
+  void add_body_row(PageTable& table, const PointInFrame& place,
+                    const std::optional<ExpressionId>& mass) const {
     table.cells.insert(table.cells.end(),
                        {number_formula(place.frame + 1), mass ? formula(*mass) : number_formula(0),
-                        vector(place.at), number_formula(0)});
+                        vector_formula(place.position), number_formula(0)});
   }
 
   template <class List>
@@ -140,45 +140,45 @@ class FrameFormulas {
     return result;
   }
 
-  [[nodiscard]] Formula pose(const Frame& frame) const {
+  [[nodiscard]] Formula pose_formula(const Frame& frame) const {
     Formulas motions;
     for (const ElementaryTransform& transform : frame.transforms)
-      motions.push_back(motion(transform));
+      motions.push_back(motion_formula(transform));
     Formula product = row_of(std::move(motions));
     return product.is_empty() ? number_formula(1) : product;
   }
 
   /// The motion of an elementary transform; empty for the identity.
-  [[nodiscard]] Formula motion(const ElementaryTransform& transform) const {
+  [[nodiscard]] Formula motion_formula(const ElementaryTransform& transform) const {
     if (transform.kind == TransformKind::translation) {
-      Formula by = vector(transform.vector);
+      Formula by = vector_formula(transform.vector);
       return std::ranges::all_of(by.parts, is_zero) ? Formula{} : applied("\\mathrm{Trans}", by);
     }
     if (transform.kind == TransformKind::turn) {
       const Formula angle = formula(transform.angle);
       if (is_zero(angle)) return {};
       Glyphs turn = read_latex("\\mathrm{Rot}");
-      add_script(turn, 1, axis(transform));
-      return applied(turn, tuple_of({angle}));
+      add_script(turn, 1, axis_symbol(transform));
+      return apply_symbol(turn, tuple_of({angle}));
     }
-    if (!transform.rotation) return applied("\\mathrm{Rot}", vector(transform.quaternion));
+    if (!transform.rotation) return applied("\\mathrm{Rot}", vector_formula(transform.quaternion));
     const Rotation& rotation = model_.rotations[*transform.rotation];
     const Glyphs symbol = symbol_of_name(rotation.name, rotation.latex);
     return applied("\\mathrm{Rot}", tuple_of({symbol_formula(rotation.name, symbol)}));
   }
 
   /// "Rot(theta)"
-  [[nodiscard]] static Formula applied(Glyphs name, const Formula& arguments) {
+  [[nodiscard]] static Formula apply_symbol(Glyphs name, const Formula& arguments) {
     append(name, glyphs_of(arguments), false);
     return symbol_formula("", std::move(name));
   }
   [[nodiscard]] static Formula applied(std::string_view name, const Formula& arguments) {
-    return applied(read_latex(name), arguments);
+    return apply_symbol(read_latex(name), arguments);
   }
 
   /// "z"; all three components if the axis is not a coordinate axis.
-  [[nodiscard]] Glyphs axis(const ElementaryTransform& turn) const {
-    const Formula unit = vector(turn.vector);
+  [[nodiscard]] Glyphs axis_symbol(const ElementaryTransform& turn) const {
+    const Formula unit = vector_formula(turn.vector);
     const auto one =
         std::ranges::find_if(unit.parts, [](const Formula& part) { return is_number(part, 1); });
     const bool is_axis = one != unit.parts.end() && std::ranges::count_if(unit.parts, is_zero) == 2;
@@ -189,7 +189,7 @@ class FrameFormulas {
   const LeafValues<Formula> symbols_;
 };
 
-PageEquation part(const Model& model, std::string_view left, std::string_view right) {
+PageEquation recursion_equation(const Model& model, std::string_view left, std::string_view right) {
   return {latex_formula(model, left), 1, 1, {latex_formula(model, right)}};
 }
 
@@ -197,7 +197,7 @@ template <class Rows>
 PageSection recursion_section(const Model& model, const std::string& doc, const Rows& rows) {
   PageSection result{.doc = doc};
   for (const RecursionEquation& row : rows)
-    result.equations.push_back(part(model, row.left, row.right));
+    result.equations.push_back(recursion_equation(model, row.left, row.right));
   return result;
 }
 
@@ -207,8 +207,8 @@ std::vector<PageEquation> mass_and_force_equations(const Model& model, const Fra
   std::vector<PageEquation> result;
   const bool has_armature = std::ranges::any_of(
       model.coordinates, [](const Coordinate& c) { return c.armature.has_value(); });
-  result.push_back(
-      part(model, "M_{kl}", std::string(mass_entry) + (has_armature ? " + A_{kl}" : "")));
+  result.push_back(recursion_equation(model, "M_{kl}",
+                                      std::string(mass_entry) + (has_armature ? " + A_{kl}" : "")));
   for (const Coordinate& c : model.coordinates) {
     if (!c.armature) continue;
     result.push_back({latex_formula(fmt::format("A_{{{0}, {0}}}", c.velocity + 1)),
@@ -216,13 +216,14 @@ std::vector<PageEquation> mass_and_force_equations(const Model& model, const Fra
                       1,
                       {writer.formula(*c.armature)}});
   }
-  result.push_back(
-      part(model,
-           fmt::format("(M <a> + C <v>{}{})_{{k}}", model.may_drift ? " + \\mathrm{drift}" : "",
-                       has_weights ? " + g" : ""),
-           fmt::format("\\sum_{{i}} S_{{ik}} \\cdot (n_{{i}}, f_{{i}}){}",
-                       has_armature ? " + (A <a>)_{k}" : "")));
-  if (has_weights) result.push_back(part(model, "V_{0}", "\\gamma_{0} \\cdot h^{c}_{0}"));
+  result.push_back(recursion_equation(
+      model,
+      fmt::format("(M <a> + C <v>{}{})_{{k}}", model.may_drift ? " + \\mathrm{drift}" : "",
+                  has_weights ? " + g" : ""),
+      fmt::format("\\sum_{{i}} S_{{ik}} \\cdot (n_{{i}}, f_{{i}}){}",
+                  has_armature ? " + (A <a>)_{k}" : "")));
+  if (has_weights)
+    result.push_back(recursion_equation(model, "V_{0}", "\\gamma_{0} \\cdot h^{c}_{0}"));
   return result;
 }
 
@@ -232,11 +233,11 @@ bool has_frame_recursion(const Model& model) {
   const auto is_carried = [](const Point& p) { return !p.mass || p.local; };
   return !model.frames.empty() && std::ranges::all_of(model.points, is_carried) &&
          std::ranges::all_of(model.bodies, [](const Body& b) { return b.local.has_value(); }) &&
-         model.quadratic && !model.energies.T && !has_whole_lagrangian(model) &&
+         model.is_quadratic && !model.energies.T && !has_combined_lagrangian(model) &&
          !model.approximation;
 }
 
-std::vector<PageSection> named_parts(const Model& model) {
+std::vector<PageSection> recursion_sections(const Model& model) {
   const FrameFormulas writer(model);
   const bool has_weights = model.gravity && !model.energies.V;
   PageSection opening{.title = prose("Named parts")};
@@ -245,16 +246,17 @@ std::vector<PageSection> named_parts(const Model& model) {
       "them in full.";
   PageSection frames{.doc =
                          "Frame i in its parent frame p (0: the world): pose H, axes R, origin o."};
-  frames.table = writer.frames();
+  frames.table = writer.frames_table();
   PageSection bodies{
       .doc = "Body b in the axes of frame i: mass, centre, inertia (xx, yy, zz; xy, xz, yz)."};
-  bodies.table = writer.bodies();
+  bodies.table = writer.bodies_table();
   PageSection motions = recursion_section(
       model,
       "Motion of frame i in its own axes, accelerations less gravity; s is its angular velocity "
       "relative to p.",
       motion_rows);
-  Formula weight = has_weights ? negative(writer.vector(*model.gravity)) : number_formula(0);
+  Formula weight =
+      has_weights ? negative_of(writer.vector_formula(*model.gravity)) : number_formula(0);
   motions.equations.push_back({latex_formula("\\gamma_{0}"), 1, 1, {std::move(weight)}});
   PageSection results = recursion_section(
       model,

@@ -21,9 +21,9 @@ Lines fixed_parameters(const Model& model, const Scene& scene) {
 
 /// "q1 = 1/6*pi" for each locked coordinate; a rotation gives one text per component.
 Lines locked_coordinates(const Model& model) {
-  const Model& whole = whole_model(model);
+  const Model& whole = unreduced_model(model);
   Lines values;
-  for (const Lock& lock : model.variant.locks) {
+  for (const LockedCoordinate& lock : model.reduction.locks) {
     for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
       values.push_back(fmt::format("{} = {}", whole.coordinates[lock.coordinate + i].name,
                                    to_string(whole, lock.values[i])));
@@ -35,23 +35,23 @@ Lines locked_coordinates(const Model& model) {
 /// "phi at p_phi = 0.6"
 Lines cyclic_coordinates(const Model& model) {
   Lines values;
-  for (const Cyclic& cyclic : model.variant.cyclic) {
+  for (const CyclicCoordinate& cyclic : model.reduction.cyclic) {
     const Parameter& momentum = model.parameters[cyclic.parameter];
     values.push_back(fmt::format("{} at {} = {}",
-                                 whole_model(model).coordinates[cyclic.coordinate].name,
-                                 momentum.name, short_text(momentum.value)));
+                                 unreduced_model(model).coordinates[cyclic.coordinate].name,
+                                 momentum.name, short_number_text(momentum.value)));
   }
   return values;
 }
 
 /// "Left out, with more than 4096 entries: mass_matrix, linearization. …"
-std::string left_out_text(const OmittedOutputs& left_out) {
+std::string omission_text(const OmittedOutputs& left_out) {
   const std::string names = fmt::format("{}", fmt::join(left_out.outputs, ", "));
   if (left_out.reason == OmissionReason::too_many_entries) {
     return fmt::format(
         "Left out, with more than {} entries: {}. To emit one, name it in a scene or with "
         "--outputs.",
-        entries_in_full, names);
+        max_entries_in_full, names);
   }
   return fmt::format("Left out, because forces with abs, sign, min or max have no derivatives: {}.",
                      names);
@@ -59,7 +59,7 @@ std::string left_out_text(const OmittedOutputs& left_out) {
 
 /// The expansion point, as "x = 0" for each small coordinate, and for each input if inputs are
 /// small.
-Lines point(const Model& model) {
+Lines expansion_point_values(const Model& model) {
   const Approximation& approximation = *model.approximation;
   Lines values;
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
@@ -67,7 +67,7 @@ Lines point(const Model& model) {
     values.push_back(fmt::format("{} = {}", model.coordinates[i].name,
                                  to_string(model, *approximation.coordinates[i])));
   }
-  for (std::size_t i = 0; approximation.small_inputs && i < model.inputs.size(); ++i) {
+  for (std::size_t i = 0; approximation.has_small_inputs && i < model.inputs.size(); ++i) {
     const std::optional<ExpressionId>& value = approximation.inputs[i];
     values.push_back(
         fmt::format("{} = {}", model.inputs[i].name, value ? to_string(model, *value) : "0"));
@@ -90,8 +90,9 @@ Lines small_coordinates(const Model& model) {
 std::string expansion_text(const Model& model) {
   if (!model.approximation) return {};
   const Approximation& approximation = *model.approximation;
-  const std::string about = fmt::format("Expanded about {}: ", fmt::join(point(model), ", "));
-  if (approximation.small_inputs) {
+  const std::string about =
+      fmt::format("Expanded about {}: ", fmt::join(expansion_point_values(model), ", "));
+  if (approximation.has_small_inputs) {
     return about + fmt::format(
                        "correct to order {} in the deviations, the rates and the accelerations "
                        "together.",
@@ -115,7 +116,8 @@ std::vector<std::string> scene_notes(const Model& model, const Scene& scene) {
   add("Locked", locked_coordinates(model));
   add("Eliminated, at constant momentum", cyclic_coordinates(model));
   if (model.approximation) notes.push_back(expansion_text(model));
-  for (const OmittedOutputs& left_out : scene.left_out) notes.push_back(left_out_text(left_out));
+  for (const OmittedOutputs& left_out : scene.omitted_outputs)
+    notes.push_back(omission_text(left_out));
   return notes;
 }
 

@@ -14,16 +14,16 @@ namespace {
 
 constexpr std::string_view page_indent = "  ";
 
-template <Alphabet alphabet, Fractions fractions>
+template <Alphabet alphabet, FractionStyle fractions>
 double drawn_width(const Glyphs& glyphs) {
-  return static_cast<double>(drawing(glyphs, alphabet, fractions).width());
+  return static_cast<double>(draw_glyphs(glyphs, alphabet, fractions).width());
 }
 
 template <Alphabet alphabet>
-PageShape shape_of(const Screen& screen) {
+PageMetrics page_shape(const Screen& screen) {
   return {static_cast<double>(screen.columns - page_indent.size()),
-          &drawn_width<alphabet, Fractions::stacked>, &drawn_width<alphabet, Fractions::in_line>,
-          3};
+          &drawn_width<alphabet, FractionStyle::stacked>,
+          &drawn_width<alphabet, FractionStyle::in_line>, 3};
 }
 
 /// Draws formulas in the alphabet of a screen and within its width.
@@ -31,10 +31,10 @@ class ScreenDrawing {
  public:
   explicit ScreenDrawing(const Screen& screen)
       : alphabet_(screen.alphabet),
-        shape_(screen.alphabet == Alphabet::unicode ? shape_of<Alphabet::unicode>(screen)
-                                                    : shape_of<Alphabet::ascii>(screen)) {}
+        shape_(screen.alphabet == Alphabet::unicode ? page_shape<Alphabet::unicode>(screen)
+                                                    : page_shape<Alphabet::ascii>(screen)) {}
 
-  [[nodiscard]] std::string formula(const Formula& formula) const {
+  [[nodiscard]] std::string draw_formula(const Formula& formula) const {
     return text_of(draw(glyphs_of(formula)), page_indent);
   }
 
@@ -44,33 +44,35 @@ class ScreenDrawing {
   [[nodiscard]] bool is_unicode() const { return alphabet_ == Alphabet::unicode; }
 
   /// "kg*m^2" as "kg m²" in Unicode; in ASCII `text` is unchanged.
-  [[nodiscard]] std::string unit(const std::string& text) const {
-    return is_unicode() ? unit_text(text, " ", small_exponent) : text;
+  [[nodiscard]] std::string spell_unit(const std::string& text) const {
+    return is_unicode() ? format_unit(text, " ", small_exponent) : text;
   }
 
-  [[nodiscard]] bool fits(const Block& drawn) const {
+  [[nodiscard]] bool fits_screen(const TextBlock& drawn) const {
     return static_cast<double>(drawn.width()) <= shape_.width && drawn.lines.size() <= most_lines;
   }
 
-  [[nodiscard]] Block equated(const Glyphs& left, const Block& right, std::size_t least = 0) const {
-    const Block drawn = draw(left, Fractions::in_line);
+  [[nodiscard]] TextBlock draw_equation(const Glyphs& left, const TextBlock& right,
+                                        std::size_t least = 0) const {
+    const TextBlock drawn = draw(left, FractionStyle::in_line);
     const std::size_t missing = least - std::min(least, drawn.width());
     return join_blocks(
         join_blocks({{std::string(missing, ' ')}, 0}, join_blocks(drawn, {{" = "}, 0})), right);
   }
 
-  [[nodiscard]] Block draw(const Glyphs& glyphs, Fractions fractions = Fractions::stacked) const {
-    return drawing(glyphs, alphabet_, fractions);
+  [[nodiscard]] TextBlock draw(const Glyphs& glyphs,
+                               FractionStyle fractions = FractionStyle::stacked) const {
+    return draw_glyphs(glyphs, alphabet_, fractions);
   }
 
-  [[nodiscard]] Block matrix_of(const SetEquation& equation,
-                                const std::vector<Block>& cells) const {
+  [[nodiscard]] TextBlock draw_cells(const TypesetEquation& equation,
+                                     const std::vector<TextBlock>& cells) const {
     if (cells.size() == 1) return cells.front();
-    return matrix_drawing(cells, equation.columns, alphabet_);
+    return draw_matrix(cells, equation.columns, alphabet_);
   }
 
   Alphabet alphabet_;
-  PageShape shape_;
+  PageMetrics shape_;
 };
 
 /// Draws the variables and matrices of an overview.
@@ -79,134 +81,136 @@ class Overview : public ScreenDrawing {
   using ScreenDrawing::ScreenDrawing;
 
   /// "q = (x [m], θ [rad])"
-  [[nodiscard]] std::string tuple(std::string_view name,
-                                  const std::vector<PageVariable>& list) const {
+  [[nodiscard]] std::string tuple_text(std::string_view name,
+                                       const std::vector<PageVariable>& list) const {
     std::string text;
     for (const PageVariable& v : list) {
-      const Block symbol = draw(glyphs_of(v.symbol));
-      text +=
-          fmt::format("{}{}{}", text.empty() ? "" : ", ", symbol.lines[symbol.base],
-                      v.unit == "1" || v.unit.empty() ? "" : fmt::format(" [{}]", unit(v.unit)));
+      const TextBlock symbol = draw(glyphs_of(v.symbol));
+      text += fmt::format(
+          "{}{}{}", text.empty() ? "" : ", ", symbol.lines[symbol.base],
+          v.unit == "1" || v.unit.empty() ? "" : fmt::format(" [{}]", spell_unit(v.unit)));
     }
     return fmt::format("{} = ({})", name, text);
   }
 
   /// A matrix that fits the screen. The widest entries are replaced by their widths, one after the
   /// other, until the matrix fits. If the matrix never fits, only its size is shown.
-  [[nodiscard]] std::string folded(const SetEquation& equation) const {
-    std::vector<Block> cells;
+  [[nodiscard]] std::string fold_matrix(const TypesetEquation& equation) const {
+    std::vector<TextBlock> cells;
     for (const Glyphs& entry : equation.entries) cells.push_back(draw(entry));
     for (std::size_t folds = 0; folds <= cells.size(); ++folds) {
-      const Block drawn = equated(equation.left, matrix_of(equation, cells));
-      if (fits(drawn)) return text_of(drawn, page_indent);
-      Block& widest = *std::ranges::max_element(cells, {}, &Block::width);
+      const TextBlock drawn = draw_equation(equation.left, draw_cells(equation, cells));
+      if (fits_screen(drawn)) return text_of(drawn, page_indent);
+      TextBlock& widest = *std::ranges::max_element(cells, {}, &TextBlock::width);
       widest = {{fmt::format("{}{}", is_unicode() ? "…" : "...", widest.width())}, 0};
     }
     const auto zeros = std::ranges::count(equation.entries, read_latex("0"));
     const std::string size =
         fmt::format("{} x {} entries, {} of them 0", equation.rows, equation.columns, zeros);
-    return text_of(equated(equation.left, {{size}, 0}), page_indent);
+    return text_of(draw_equation(equation.left, {{size}, 0}), page_indent);
   }
 };
 
-class ScreenPage : public ScreenDrawing {
+class ScreenPagePrinter : public ScreenDrawing {
  public:
   using ScreenDrawing::ScreenDrawing;
 
-  [[nodiscard]] std::string line(const Formula& formula, std::string_view indent) const {
-    return text_of(draw(glyphs_of(formula), Fractions::in_line), indent);
+  [[nodiscard]] std::string draw_line(const Formula& formula, std::string_view indent) const {
+    return text_of(draw(glyphs_of(formula), FractionStyle::in_line), indent);
   }
 
   /// One line per variable: symbol, value with unit, description.
-  [[nodiscard]] std::string variables(const std::vector<PageVariable>& list) const {
-    std::vector<Block> cells;
+  [[nodiscard]] std::string draw_variables(const std::vector<PageVariable>& list) const {
+    std::vector<TextBlock> cells;
     for (const PageVariable& v : list) {
       const std::string value = v.value.empty() ? "" : "= " + v.value;
-      const std::string in_unit = v.unit == "1" ? "" : unit(v.unit);
+      const std::string in_unit = v.unit == "1" ? "" : spell_unit(v.unit);
       const char* const between = value.empty() || in_unit.empty() ? "" : " ";
       cells.push_back(draw(glyphs_of(v.symbol)));
       cells.push_back({{fmt::format("{}{}{}", value, between, in_unit)}, 0});
       cells.push_back({{v.doc}, 0});
     }
-    return text_of(grid(cells, 3, Alignment::left), page_indent);
+    return text_of(draw_grid(cells, 3, Alignment::left), page_indent);
   }
 
-  [[nodiscard]] std::string table(const PageTable& table) const {
+  [[nodiscard]] std::string draw_table(const PageTable& table) const {
     if (table.heads.empty()) return {};
     const bool has_heads =
         std::ranges::any_of(table.heads, [](const Formula& head) { return !head.is_empty(); });
-    std::vector<Block> cells;
+    std::vector<TextBlock> cells;
     for (const auto* const list : {&table.heads, &table.cells}) {
       if (list == &table.heads && !has_heads) continue;
       for (const Formula& cell : *list) {
-        cells.push_back(draw(glyphs_of(cell), Fractions::in_line));
+        cells.push_back(draw(glyphs_of(cell), FractionStyle::in_line));
       }
     }
-    return text_of(grid(cells, table.heads.size(), Alignment::left), page_indent);
+    return text_of(draw_grid(cells, table.heads.size(), Alignment::left), page_indent);
   }
 
-  [[nodiscard]] std::string equations(const PageSection& section) const {
-    std::vector<SetEquation> all;
-    for (const PageEquation& each : section.equations) all.push_back(set_equation(each));
-    std::string text = section.is_row && !all.empty() ? row(all) : "";
+  [[nodiscard]] std::string draw_equations(const PageSection& section) const {
+    std::vector<TypesetEquation> all;
+    for (const PageEquation& each : section.equations) all.push_back(typeset_equation(each));
+    std::string text = section.is_side_by_side && !all.empty() ? draw_side_by_side(all) : "";
     if (!text.empty()) return text;
     if (!section.is_aligned) {
-      for (const SetEquation& each : all) text += equation(each);
+      for (const TypesetEquation& each : all) text += draw_entries(each);
       return text;
     }
-    for (const DisplayBlock& block : aligned_blocks(all, shape_)) text += aligned(block);
+    for (const DisplayBlock& block : aligned_blocks(all, shape_)) text += draw_aligned_block(block);
     return text;
   }
 
  private:
-  [[nodiscard]] std::string equation(const SetEquation& equation) const {
+  [[nodiscard]] std::string draw_entries(const TypesetEquation& equation) const {
     const bool is_list = is_listed(equation, shape_);
     if (is_list && equation.columns > 1) {
       const auto [matrix, named] = named_entries(equation, shape_);
       if (fits_as_matrix(matrix, shape_)) {
-        const Display names{matrix.left, matrix.columns, matrix.entries};
-        return display(names, Fractions::in_line) + list(named);
+        const DisplayedEquation names{matrix.left, matrix.columns, matrix.entries};
+        return draw_display(names, FractionStyle::in_line) + draw_displays(named);
       }
     }
     const bool leaves_out = omits_zeros(equation, shape_);
-    return list(equation) +
+    return draw_displays(equation) +
            (leaves_out ? fmt::format("{}all other entries are 0\n", page_indent) : "");
   }
 
   /// All equations side by side; "" if they do not fit the screen.
-  [[nodiscard]] std::string row(const std::vector<SetEquation>& equations) const {
-    Block all;
-    for (const SetEquation& equation : equations) {
-      std::vector<Block> cells;
+  [[nodiscard]] std::string draw_side_by_side(const std::vector<TypesetEquation>& equations) const {
+    TextBlock all;
+    for (const TypesetEquation& equation : equations) {
+      std::vector<TextBlock> cells;
       for (const Glyphs& entry : equation.entries) cells.push_back(draw(entry));
       if (all.width() > 0) all = join_blocks(all, {{"  "}, 0});
-      all = join_blocks(all, equated(equation.left, matrix_of(equation, cells)));
+      all = join_blocks(all, draw_equation(equation.left, draw_cells(equation, cells)));
     }
-    return fits(all) ? text_of(all, page_indent) : "";
+    return fits_screen(all) ? text_of(all, page_indent) : "";
   }
 
-  [[nodiscard]] std::string list(const SetEquation& equation) const {
+  [[nodiscard]] std::string draw_displays(const TypesetEquation& equation) const {
     std::string text;
-    for (const Display& part : displays(equation, shape_)) text += display(part);
+    for (const DisplayedEquation& part : lay_out_equation(equation, shape_))
+      text += draw_display(part);
     return text;
   }
 
   /// Draws a display. `left`: width of the longest left side in its block.
-  [[nodiscard]] std::string display(const Display& part, Fractions fractions = Fractions::stacked,
-                                    std::size_t left = 0) const {
-    std::vector<Block> rights;
+  [[nodiscard]] std::string draw_display(const DisplayedEquation& part,
+                                         FractionStyle fractions = FractionStyle::stacked,
+                                         std::size_t left = 0) const {
+    std::vector<TextBlock> rights;
     for (const Glyphs& row : part.rows) {
       const bool continues = part.columns == 0 && !rights.empty();
       rights.push_back(draw(continues ? continuation_row(row) : row, fractions));
     }
-    if (part.columns > 0) rights = {matrix_drawing(rights, part.columns, alphabet_)};
+    if (part.columns > 0) rights = {draw_matrix(rights, part.columns, alphabet_)};
     std::string text;
-    for (const Block& right : rights) {
+    for (const TextBlock& right : rights) {
       const bool is_first = text.empty();
       const bool is_alone = is_first && part.left.parts.empty();
-      const Block behind{{std::string(left + 3, ' ')}, 0};
+      const TextBlock behind{{std::string(left + 3, ' ')}, 0};
       text += text_of(is_alone   ? right
-                      : is_first ? equated(part.left, right, left)
+                      : is_first ? draw_equation(part.left, right, left)
                                  : join_blocks(behind, right),
                       page_indent);
     }
@@ -220,13 +224,14 @@ class ScreenPage : public ScreenDrawing {
     return result;
   }
 
-  [[nodiscard]] std::string aligned(const DisplayBlock& block) const {
+  [[nodiscard]] std::string draw_aligned_block(const DisplayBlock& block) const {
     std::size_t left = 0;
-    for (const Display& part : block) {
-      left = std::max(left, draw(part.left, Fractions::in_line).width());
+    for (const DisplayedEquation& part : block) {
+      left = std::max(left, draw(part.left, FractionStyle::in_line).width());
     }
     std::string text;
-    for (const Display& part : block) text += display(part, Fractions::stacked, left);
+    for (const DisplayedEquation& part : block)
+      text += draw_display(part, FractionStyle::stacked, left);
     return text;
   }
 };
@@ -254,22 +259,23 @@ std::vector<const PageSection*> overview_sections(const Page& page) {
 }  // namespace
 
 std::string screen_page(const Page& page, const Screen& screen) {
-  const ScreenPage printer(screen);
-  std::string text = printer.line(page.title, "");
+  const ScreenPagePrinter printer(screen);
+  std::string text = printer.draw_line(page.title, "");
   for (const std::string& note : page.notes) text += note + "\n";
-  if (!page.equation_of_motion.is_empty()) text += "\n" + printer.formula(page.equation_of_motion);
+  if (!page.equation_of_motion.is_empty())
+    text += "\n" + printer.draw_formula(page.equation_of_motion);
   for (const auto* const list :
        {&page.coordinates, &page.inputs, &page.functions, &page.parameters}) {
-    if (!list->empty()) text += "\n" + printer.variables(*list);
+    if (!list->empty()) text += "\n" + printer.draw_variables(*list);
   }
   for (const PageSection& section : page.sections) {
     text += "\n";
-    if (!section.title.is_empty()) text += printer.line(section.title, "");
+    if (!section.title.is_empty()) text += printer.draw_line(section.title, "");
     if (!section.doc.empty()) text += fmt::format("  {}\n", section.doc);
     const bool is_defined_alone = section.equations.empty() && !section.definition.is_empty();
-    if (is_defined_alone) text += printer.formula(section.definition);
-    for (const Formula& line : section.lines) text += printer.line(line, page_indent);
-    text += printer.equations(section) + printer.table(section.table);
+    if (is_defined_alone) text += printer.draw_formula(section.definition);
+    for (const Formula& line : section.lines) text += printer.draw_line(line, page_indent);
+    text += printer.draw_equations(section) + printer.draw_table(section.table);
   }
   return text;
 }
@@ -277,14 +283,14 @@ std::string screen_page(const Page& page, const Screen& screen) {
 std::string overview(const Page& page, const Screen& screen) {
   const Overview printer(screen);
   std::string text =
-      fmt::format("{}\n\n{}", text_of(page.title), printer.formula(page.equation_of_motion));
-  text += fmt::format("  {}\n", printer.tuple("q", page.coordinates));
-  if (!page.inputs.empty()) text += fmt::format("  {}\n", printer.tuple("u", page.inputs));
+      fmt::format("{}\n\n{}", text_of(page.title), printer.draw_formula(page.equation_of_motion));
+  text += fmt::format("  {}\n", printer.tuple_text("q", page.coordinates));
+  if (!page.inputs.empty()) text += fmt::format("  {}\n", printer.tuple_text("u", page.inputs));
   for (const PageSection* const section : overview_sections(page)) {
     text += "\n";
-    if (section->equations.empty()) text += printer.formula(section->definition);
+    if (section->equations.empty()) text += printer.draw_formula(section->definition);
     for (const PageEquation& equation : section->equations) {
-      text += printer.folded(set_equation(equation));
+      text += printer.fold_matrix(typeset_equation(equation));
     }
   }
   return text;

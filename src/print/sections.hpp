@@ -41,6 +41,6 @@ struct Heading {
 [[nodiscard]] bool has_frame_recursion(const Model& model);
 
 /// The sections of the recursion over frames, from the poses of the frames to M.
-[[nodiscard]] std::vector<PageSection> named_parts(const Model& model);
+[[nodiscard]] std::vector<PageSection> recursion_sections(const Model& model);
 
 }  // namespace elgen

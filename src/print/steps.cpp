@@ -17,14 +17,14 @@ namespace elgen {
 namespace {
 
 /// Builds sections equation by equation. A section ends with the definitions of its functions.
-class Outline {
+class DerivationOutline {
  public:
-  Outline(const Model& model, const ReadableSteps& steps)
+  DerivationOutline(const Model& model, const ReadableDerivation& steps)
       : model_(model), steps_(steps), symbols_(model) {
     for (const std::string& name : steps.masses) {
       Glyphs place = read_latex("<r>");
       add_script(place, 1, symbol_of_name(name));
-      places_.push_back(symbols_.distinct(std::move(place)));
+      places_.push_back(symbols_.make_distinct(std::move(place)));
     }
     for (std::size_t i = 0; i < steps.program.functions.size(); ++i) {
       read_.push_back(equations(model, steps.program, i));
@@ -35,9 +35,10 @@ class Outline {
     add_action();
     std::size_t function = 0;
     if (!steps_.masses.empty()) {
-      add_motions(function, "Positions",
-                  "Positions of the masses as functions of the coordinates." + positions_left_out(),
-                  false);
+      add_motions(
+          function, "Positions",
+          "Positions of the masses as functions of the coordinates." + omitted_positions_text(),
+          false);
       add_motions(function + 1, "Velocities", "Their time derivatives, by the chain rule.", true);
       function += 2;
     }
@@ -46,7 +47,7 @@ class Outline {
     add_energies(function++);
     if (is_constrained()) add_constraints(constraints);
     const std::size_t first = function;
-    for (const Velocity& velocity : model_.velocities) add_velocity(function++, velocity);
+    for (const Velocity& velocity : model_.velocities) add_velocity_equations(function++, velocity);
     add_invariants(function);
     add_equations(first, constraints);
     for (PageSection& section : outline_) section.is_aligned = true;
@@ -55,31 +56,31 @@ class Outline {
 
  private:
   [[nodiscard]] bool is_zero(std::size_t function, std::size_t field) const {
-    const Function& read = read_form(function);
+    const Function& read = readable_function(function);
     return loads_zero(steps_.program, read.instructions[read.fields[field].entries.front()]);
   }
-  [[nodiscard]] bool is_zero(std::size_t function, BookField line) const {
-    return is_zero(function, field_of(line));
+  [[nodiscard]] bool is_zero(std::size_t function, LagrangeStepField line) const {
+    return is_zero(function, field_index(line));
   }
 
   /// True if a multiplier acts on the velocity of the function.
   [[nodiscard]] bool has_multiplier(std::size_t function) const {
-    const Function& read = read_form(function);
+    const Function& read = readable_function(function);
     const std::vector<bool> needed =
-        needed_instructions(read, read.fields[field_of(BookField::force)].entries);
+        needed_instructions(read, read.fields[field_index(LagrangeStepField::force)].entries);
     for (std::size_t at = 0; at < needed.size(); ++at) {
       if (needed[at] && read.instructions[at].opcode == Opcode::multiplier) return true;
     }
     return false;
   }
 
-  [[nodiscard]] const Function& read_form(std::size_t function) const {
+  [[nodiscard]] const Function& readable_function(std::size_t function) const {
     return has_readable_form(steps_.program, function) ? steps_.program.readable[function]
                                                        : steps_.program.functions[function];
   }
 
   /// The number of printed components: two for planar models.
-  [[nodiscard]] std::uint32_t dimension() const {
+  [[nodiscard]] std::uint32_t component_count() const {
     for (const Point& point : model_.points) {
       if (point.dimension == 3) return 3;
     }
@@ -95,7 +96,7 @@ class Outline {
   }
 
   /// Adds the equation `left` = field of a function.
-  void add(Formula left, std::size_t function, std::size_t field, std::uint32_t rows = 1) {
+  void add_equation(Formula left, std::size_t function, std::size_t field, std::uint32_t rows = 1) {
     Formulas entries = read_[function].entries[field];
     entries.resize(rows);
     outline_.back().equations.push_back({std::move(left), rows, 1, std::move(entries)});
@@ -121,19 +122,19 @@ class Outline {
 
   void add_action() {
     PageSection& section = add_section(prose("Action"), std::string(action_doc));
-    if (!model_.rotations.empty()) section.doc += turning_variation;
+    if (!model_.rotations.empty()) section.doc += rotation_variation_note;
     std::ranges::for_each(variation_lines, [this](std::string_view line) { add_line(line); });
-    if (!is_free()) add_line(is_constrained() ? constrained_work : virtual_work);
-    add_line(is_free() ? std::string(stationary)
-                       : fmt::format("{}{}{}", balanced_forces, lagrange,
+    if (!is_free()) add_line(is_constrained() ? constrained_virtual_work : virtual_work);
+    add_line(is_free() ? std::string(stationary_action)
+                       : fmt::format("{}{}{}", virtual_work_balance, lagrange_equation,
                                      is_constrained() ? constraint_forces : ""));
   }
 
-  [[nodiscard]] std::string positions_left_out() const {
-    if (steps_.left_out.empty()) return {};
+  [[nodiscard]] std::string omitted_positions_text() const {
+    if (steps_.omitted_masses.empty()) return {};
     return fmt::format(" Omitted, because the energies use {}: {}.",
                        model_.approximation ? "their expansions" : "the motion of the frames",
-                       fmt::join(steps_.left_out, ", "));
+                       fmt::join(steps_.omitted_masses, ", "));
   }
 
   void add_motions(std::size_t function, const char* title, std::string doc, bool are_rates) {
@@ -142,24 +143,25 @@ class Outline {
       const std::string& name = steps_.masses[i];
       Glyphs place = are_rates ? read_latex("\\frac{d}{dt}") : Glyphs{};
       append(place, places_[i], true);
-      add(symbol_formula(are_rates ? fmt::format("d({})/dt", name) : name, std::move(place)),
-          function, i, dimension());
+      add_equation(
+          symbol_formula(are_rates ? fmt::format("d({})/dt", name) : name, std::move(place)),
+          function, i, component_count());
     }
     end_section();
   }
 
   void add_energies(std::size_t function) {
-    const bool is_whole = has_whole_lagrangian(model_);
+    const bool is_whole = has_combined_lagrangian(model_);
     const char* doc =
         has_routhian(model_)
             ? "Routh's function, which contains the momenta of the cyclic coordinates."
         : is_whole ? "The Lagrangian as given."
                    : "Kinetic and potential energy, L = T - V.";
     PageSection& section = add_section(prose(std::string(energies_title)), doc);
-    if (steps_.masses.empty()) section.doc += positions_left_out();
+    if (steps_.masses.empty()) section.doc += omitted_positions_text();
     const std::string_view names = is_whole ? "L" : "TVL";
     for (std::size_t i = 0; i < names.size(); ++i) {
-      add(latex_formula(names.substr(i, 1)), function, i);
+      add_equation(latex_formula(names.substr(i, 1)), function, i);
     }
     end_section();
   }
@@ -174,63 +176,66 @@ class Outline {
       const Constraint& constraint = model_.constraints[i];
       const std::string name = (constraint.is_position ? "f_" : "phi_") + constraint.name;
       const Formula symbol = symbol_formula(name, symbol_of_name(name));
-      add(symbol, function, i);
+      add_equation(symbol, function, i);
       has_velocities = has_velocities || !constraint.is_position;
       if (!constraint.is_position) continue;
-      sum.push_back(product_of({symbols_.leaves().multipliers[i], symbol}));
+      sum.push_back(product_of({symbols_.leaf_symbols().multipliers[i], symbol}));
     }
     if (sum.size() > 1) {
       section.lines.push_back(
           row_of({sum_of(std::move(sum)), prose("instead of"), latex_formula("L"),
                   prose("gives the same"), latex_formula(model_, "A^{\\top} <lambda>")}));
     }
-    if (has_velocities) add_line(of_velocities);
+    if (has_velocities) add_line(velocity_constraint_note);
     end_section();
   }
 
-  [[nodiscard]] static std::size_t field_of(BookField line) {
+  [[nodiscard]] static std::size_t field_index(LagrangeStepField line) {
     return static_cast<std::size_t>(line);
   }
 
-  void add_velocity(std::size_t function, const Velocity& velocity) {
+  void add_velocity_equations(std::size_t function, const Velocity& velocity) {
     const std::string& q = velocity.name;
     const bool is_angular = velocity.rotation.has_value();
     const Glyphs glyphs =
-        is_angular ? symbol_of_name(q) : glyphs_of(symbols_.leaves().q[velocity.coordinate]);
+        is_angular ? symbol_of_name(q) : glyphs_of(symbols_.leaf_symbols().q[velocity.coordinate]);
     const Formula symbol = symbol_formula(q, glyphs);
     const Formula rate = symbol_formula(fmt::format("dot({})", q), add_dots(glyphs, "˙"));
     const Formula slope = partial_derivative("L", rate);
     PageSection& section = add_section(row_of({prose("Equation of"), symbol}),
-                                       is_angular ? std::string(turning_doc) : "");
-    const bool is_held = has_multiplier(function);
-    if (!is_angular && !is_held && is_zero(function, BookField::partial)) {
-      section.lines.push_back(conservation(function, slope, symbol));
+                                       is_angular ? std::string(rotation_doc) : "");
+    const bool has_constraint_force = has_multiplier(function);
+    if (!is_angular && !has_constraint_force && is_zero(function, LagrangeStepField::partial)) {
+      section.lines.push_back(conservation_line(function, slope, symbol));
     }
-    add(slope, function, field_of(BookField::momentum));
-    add(row_of({latex_formula("\\frac{d}{dt}"), slope}), function,
-        field_of(BookField::momentum_rate));
-    add(partial_derivative("L", symbol), function, field_of(BookField::partial));
-    if (!is_zero(function, BookField::dissipation)) {
-      add(partial_derivative("D", rate), function, field_of(BookField::dissipation));
+    add_equation(slope, function, field_index(LagrangeStepField::momentum));
+    add_equation(row_of({latex_formula("\\frac{d}{dt}"), slope}), function,
+                 field_index(LagrangeStepField::momentum_rate));
+    add_equation(partial_derivative("L", symbol), function,
+                 field_index(LagrangeStepField::partial));
+    if (!is_zero(function, LagrangeStepField::dissipation)) {
+      add_equation(partial_derivative("D", rate), function,
+                   field_index(LagrangeStepField::dissipation));
     }
-    if (!is_zero(function, BookField::force)) {
+    if (!is_zero(function, LagrangeStepField::force)) {
       Glyphs force = read_latex("Q");
       add_script(force, 1, glyphs);
-      Glyphs held = typed_glyphs(model_, "(A^{\\top} <lambda>)");
+      Glyphs held = latex_glyphs(model_, "(A^{\\top} <lambda>)");
       add_script(held, 1, glyphs);
       Formulas terms = {symbol_formula("Q_" + q, std::move(force))};
-      if (is_held) terms.push_back(symbol_formula("(A^T lambda)_" + q, std::move(held)));
-      add(sum_of(std::move(terms)), function, field_of(BookField::force));
+      if (has_constraint_force)
+        terms.push_back(symbol_formula("(A^T lambda)_" + q, std::move(held)));
+      add_equation(sum_of(std::move(terms)), function, field_index(LagrangeStepField::force));
     }
-    add_row(function);
+    add_lagrange_equation(function);
     end_section();
   }
 
   /// Adds Lagrange's equation d/dt dL/dv - dL/dq + dD/dv = Q + A^T lambda of one velocity, in
   /// coordinates.
-  void add_row(std::size_t function) {
-    add(read_[function].entries[field_of(BookField::left)].front(), function,
-        field_of(BookField::force));
+  void add_lagrange_equation(std::size_t function) {
+    add_equation(read_[function].entries[field_index(LagrangeStepField::left)].front(), function,
+                 field_index(LagrangeStepField::force));
   }
 
   /// Adds the equations of all velocities, then the constraints and the solved accelerations.
@@ -242,7 +247,7 @@ class Outline {
       // Without a readable form, definitions of several functions may share a name, so the row has
       // its own section.
       if (has_readable_form(steps_.program, first + i)) {
-        add_row(first + i);
+        add_lagrange_equation(first + i);
       } else {
         long_rows.push_back(model_.velocities[i].name);
       }
@@ -255,22 +260,22 @@ class Outline {
     }
     const bool are_read = has_readable_form(steps_.program, constraints);
     for (std::size_t i = 0; are_read && i < model_.constraints.size(); ++i) {
-      add(read_[constraints].entries[i].front(), constraints, model_.constraints.size());
+      add_equation(read_[constraints].entries[i].front(), constraints, model_.constraints.size());
     }
     const std::size_t accelerations = first + count + 1;
     for (std::uint32_t i = 0; i < count; ++i) {
       if (read_[accelerations].entries[i].empty()) continue;
-      add(symbols_.leaves().a[i], accelerations, i);
+      add_equation(symbols_.leaf_symbols().a[i], accelerations, i);
     }
     end_section();
     if (section.equations.empty() && section.doc.empty()) outline_.pop_back();
   }
 
   /// Noether's theorem: L does not contain the coordinate q, so p_q = `slope` is conserved.
-  [[nodiscard]] Formula conservation(std::size_t function, const Formula& slope,
-                                     const Formula& q) const {
-    const bool is_free =
-        is_zero(function, BookField::force) && is_zero(function, BookField::dissipation);
+  [[nodiscard]] Formula conservation_line(std::size_t function, const Formula& slope,
+                                          const Formula& q) const {
+    const bool is_free = is_zero(function, LagrangeStepField::force) &&
+                         is_zero(function, LagrangeStepField::dissipation);
     const char* condition = is_free ? "" : " if no force and no dissipation act on it";
     Glyphs momentum = read_latex("p");
     add_script(momentum, 1, glyphs_of(q));
@@ -287,29 +292,30 @@ class Outline {
 
   void add_invariants(std::size_t function) {
     const bool is_autonomous = is_zero(function, 1);
-    const char* doc = is_free()          ? energy_of_free
-                      : is_constrained() ? energy_of_constrained
-                                         : energy_of_driven;
+    const char* doc = is_free()          ? free_energy_rate
+                      : is_constrained() ? constrained_energy_rate
+                                         : driven_energy_rate;
     PageSection& section = add_section(prose("Energy function"), doc);
     const char* contains = is_autonomous ? "does not contain" : "contains";
     const char* verdict = !is_autonomous     ? "is not conserved"
                           : is_free()        ? "is conserved"
-                          : is_constrained() ? conserved_unless_constrained
-                                             : conserved_unless_driven;
+                          : is_constrained() ? constrained_conservation
+                                             : driven_conservation;
     section.lines = {row_of({latex_formula("L"), prose(contains), latex_formula("t"), prose(", so"),
                              latex_formula("E"), prose(verdict)})};
     const Glyphs definition =
-        typed_glyphs(model_, R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)");
-    add(symbol_formula("E = sum of v dL/dv - L", definition), function, 0);
+        latex_glyphs(model_, R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)");
+    add_equation(symbol_formula("E = sum of v dL/dv - L", definition), function, 0);
     if (!is_autonomous) {
-      add(symbol_formula("dL/dt at fixed q and v", read_latex("\\frac{\\partial L}{\\partial t}")),
+      add_equation(
+          symbol_formula("dL/dt at fixed q and v", read_latex("\\frac{\\partial L}{\\partial t}")),
           function, 1);
     }
     end_section();
   }
 
   const Model& model_;
-  const ReadableSteps& steps_;
+  const ReadableDerivation& steps_;
   ModelSymbols symbols_;
   std::vector<Glyphs> places_ = {};           ///< symbols of the positions of masses
   std::vector<FunctionEquations> read_ = {};  ///< per function
@@ -319,9 +325,9 @@ class Outline {
 
 }  // namespace
 
-std::vector<PageSection> steps_sections(const Model& model, const ReadableSteps& steps,
-                                        std::string_view title) {
-  std::vector<PageSection> sections = Outline(model, steps)();
+std::vector<PageSection> derivation_sections(const Model& model, const ReadableDerivation& steps,
+                                             std::string_view title) {
+  std::vector<PageSection> sections = DerivationOutline(model, steps)();
   if (!title.empty()) {
     std::erase_if(sections,
                   [title](const PageSection& section) { return text_of(section.title) != title; });
@@ -329,12 +335,13 @@ std::vector<PageSection> steps_sections(const Model& model, const ReadableSteps&
   return sections;
 }
 
-Page steps_page(const Model& model, const Scene& scene, const ReadableSteps& steps,
-                std::string_view title) {
+Page derivation_page(const Model& model, const Scene& scene, const ReadableDerivation& steps,
+                     std::string_view title) {
   Page result = model_page(model, scene, {});
   result.equation_of_motion = latex_formula(
-      model, fmt::format("{}{}", lagrange, model.constraints.empty() ? "" : constraint_forces));
-  result.sections = steps_sections(model, steps, title);
+      model,
+      fmt::format("{}{}", lagrange_equation, model.constraints.empty() ? "" : constraint_forces));
+  result.sections = derivation_sections(model, steps, title);
   return result;
 }
 

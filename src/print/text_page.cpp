@@ -18,9 +18,9 @@ namespace {
 /// Joins functions into one, so that common subexpressions are computed once. Fields keep the order
 /// of the functions. If a marked name is already in use, the name of the function is inserted after
 /// the mark.
-Function joined_functions(const Program& program, const std::vector<std::size_t>& functions) {
+Function join_functions(const Program& program, const std::vector<std::size_t>& functions) {
   Function all;
-  Instructions instructions(all);
+  InstructionBuilder instructions(all);
   for (const std::size_t index : functions) {
     Function each = program.functions[index];
     const std::set<std::string> known(all.names.begin(), all.names.end());
@@ -90,12 +90,13 @@ std::string table_text(const PageTable& table) {
 
 /// True if a page shows the equations of a function.
 bool is_shown(const Program& program, const Function& function, const PageOptions& options) {
-  return has_equations(output_row(function.kind)) && (options.zeros || !is_zero(program, function));
+  return has_equations(output_row(function.kind)) &&
+         (options.shows_zeros || !is_zero(program, function));
 }
 
 /// The digits that `loss` costs a double: "3.1"; "0" if no digit is lost, "all" if no digit
 /// remains, "" if the loss is unknown.
-std::string digits_text(const std::optional<double>& loss) {
+std::string lost_digits_text(const std::optional<double>& loss) {
   if (!loss) return {};
   const double digits = digits_lost(*loss, ScalarKind::double_precision);
   if (digits >= decimal_digits(ScalarKind::double_precision)) return "all";
@@ -131,23 +132,23 @@ std::string text_page(const Model& model, const Scene& scene, const Program& pro
   for (const std::string& line : variable_lines(model, program)) text += "  " + line + "\n";
   if (!model.constraints.empty()) text += "\nconstraints\n";
   for (const std::string& line : constraint_lines(model)) text += "  " + line + "\n";
-  if (options.opening != nullptr) {
-    text += text_of(steps_sections(model, *options.opening, equations_title));
+  if (options.opening_steps != nullptr) {
+    text += text_of(derivation_sections(model, *options.opening_steps, equations_title));
   }
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const bool is_closed = has_readable_form(program, i);
     if (!is_closed && is_shown(program, program.functions[i], options)) open.push_back(i);
   }
-  const Function all = joined_functions(program, open);
+  const Function all = join_functions(program, open);
   const FunctionEquations parts =
-      equations(program, all, temporary_names(program, all, FallbackName::number));
+      function_equations(program, all, temporary_names(program, all, FallbackName::number));
   if (!parts.definitions.empty()) text += "\nnamed parts\n";
   text += definitions_text(parts);
   std::vector<Formulas>::const_iterator next = parts.entries.begin();
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
-    const bool is_step = output_row(function.kind).steps;
+    const bool is_step = output_row(function.kind).is_step;
     if (is_step) text += fmt::format("\n{}\n  {}\n", function.name, output_doc(model, function));
     if (!is_shown(program, function, options)) continue;
     text += fmt::format("\n{}\n", function.name);
@@ -173,16 +174,17 @@ std::string cost_page(const std::vector<FormCosts>& costs) {
       {"function", "form", "add", "mul", "div", "sqrt", "sincos", "other", "cost", "digits", ""}};
   const auto add = [&](const FormCosts& of, Form form, const OperationCounts& n,
                        const std::optional<double>& loss) {
-    std::string mark = form != of.chosen ? "" : of.is_demanded ? "requested" : "emitted";
-    if (form == Form::closed && of.inaccurate) {
-      mark += fmt::format("{}inaccurate in entry {}", mark.empty() ? "" : ", ", *of.inaccurate);
+    std::string mark = form != of.chosen_form ? "" : of.is_demanded ? "requested" : "emitted";
+    if (form == Form::closed && of.inaccurate_entry) {
+      mark +=
+          fmt::format("{}inaccurate in entry {}", mark.empty() ? "" : ", ", *of.inaccurate_entry);
     }
     std::vector<std::string>& row = rows.emplace_back();
     row = {of.function, std::string(name_of(form))};
     for (const std::size_t count : {n.add, n.mul, n.div, n.sqrt, n.sincos, n.other, cost(n)}) {
       row.push_back(std::to_string(count));
     }
-    row.insert(row.end(), {digits_text(loss), mark});
+    row.insert(row.end(), {lost_digits_text(loss), mark});
   };
   for (const FormCosts& function : costs) {
     if (function.closed) add(function, Form::closed, *function.closed, function.closed_loss);

@@ -51,12 +51,12 @@ std::string operation_text(const Program& program, const Instruction& instructio
   return text;
 }
 
-std::string heading(const Function& function) {
+std::string heading_line(const Function& function) {
   const OutputRow& row = output_row(function.kind);
-  if (row.of_user || row.steps) {
+  if (row.is_user_output || row.is_step) {
     const StepSpec step = function.step.value_or(StepSpec());
     std::string numbers =
-        std::to_string(row.steps ? static_cast<std::uint32_t>(step.method) : function.user);
+        std::to_string(row.is_step ? static_cast<std::uint32_t>(step.method) : function.user);
     if (step.iterations > 0) numbers += fmt::format(" {}", step.iterations);
     if (step.composed_order > 0) numbers += fmt::format(" order {}", step.composed_order);
     if (step.projects) numbers += " projected";
@@ -67,7 +67,7 @@ std::string heading(const Function& function) {
 }
 
 std::string function_text(const Program& program, const Function& function) {
-  std::string text = heading(function);
+  std::string text = heading_line(function);
   for (std::size_t at = 0; at < function.instructions.size(); ++at) {
     text += fmt::format("  {} = {}", at, operation_text(program, function.instructions[at]));
     if (!function.names[at].empty()) text += fmt::format("  ; {}", function.names[at]);

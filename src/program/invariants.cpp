@@ -1,4 +1,4 @@
-// check_invariants: properties of every Program after every pass.
+// find_invariant_violation: properties of every Program after every pass.
 //
 // Operands precede their users. Leaves and constants exist. Nothing is computed twice, except in
 // repetitions, which execute the same operations in the same order. No instruction is dead. Every
@@ -22,7 +22,7 @@ std::size_t leaf_count(const Program& program, Opcode opcode) {
   return is_leaf(opcode) ? elgen::leaf_count(program.leaves, opcode) : 1;
 }
 
-std::string broken_instruction(const Program& program, const Function& function, std::size_t at) {
+std::string instruction_error(const Program& program, const Function& function, std::size_t at) {
   const Instruction& instruction = function.instructions[at];
   const std::size_t operands = operand_count(instruction);
   if (operands == 0 && instruction.a >= leaf_count(program, instruction.opcode)) {
@@ -52,7 +52,7 @@ std::vector<bool> used_instructions(const Function& function) {
   return used;
 }
 
-std::string broken_field(const Function& function) {
+std::string field_error(const Function& function) {
   for (const Field& field : function.fields) {
     if (field.entries.size() != std::size_t{field.rows} * field.columns) {
       return fmt::format("field `{}` has {} entries, not {} x {}", field.name, field.entries.size(),
@@ -81,7 +81,7 @@ bool is_arithmetic(const Instruction& instruction) {
 
 /// The first fault of the repetitions; "" if there is none. Operands precede their users, so
 /// operands of the first repetition lie in it or before it.
-std::string broken_repetition(const Function& function) {
+std::string repetition_error(const Function& function) {
   const auto& [length, count] = function.repeated;
   const std::size_t size = std::size_t{length} * count;
   if ((size == 0) != (length + count == 0) || size > function.instructions.size()) {
@@ -105,23 +105,23 @@ std::string broken_repetition(const Function& function) {
   return "";
 }
 
-std::string broken_function(const Program& program, const Function& function) {
+std::string function_error(const Program& program, const Function& function) {
   if (function.names.size() != function.instructions.size()) {
     return fmt::format("{} names for {} instructions", function.names.size(),
                        function.instructions.size());
   }
-  const std::string repetition = broken_repetition(function);
+  const std::string repetition = repetition_error(function);
   if (!repetition.empty()) return repetition;
   std::unordered_set<Instruction, InstructionHash> seen;
   for (std::size_t at = 0; at < function.instructions.size(); ++at) {
-    const std::string broken = broken_instruction(program, function, at);
+    const std::string broken = instruction_error(program, function, at);
     if (!broken.empty()) return fmt::format("instruction {}: {}", at, broken);
     if (at >= first_repeated_instruction(function)) continue;
     if (!seen.insert(function.instructions[at]).second) {
       return fmt::format("instruction {}: computed before", at);
     }
   }
-  const std::string field = broken_field(function);
+  const std::string field = field_error(function);
   if (!field.empty()) return field;
   const std::vector<bool> used = used_instructions(function);
   for (std::size_t at = 0; at < used.size(); ++at) {
@@ -132,16 +132,16 @@ std::string broken_function(const Program& program, const Function& function) {
 
 }  // namespace
 
-std::string check_invariants(const Program& program) {
+std::string find_invariant_violation(const Program& program) {
   for (const Function& function : program.functions) {
-    const std::string broken = broken_function(program, function);
+    const std::string broken = function_error(program, function);
     if (!broken.empty()) return fmt::format("function `{}`: {}", function.name, broken);
   }
   return "";
 }
 
 void require_invariants(const Program& program) {
-  const std::string broken = check_invariants(program);
+  const std::string broken = find_invariant_violation(program);
   if (!broken.empty()) throw std::logic_error(broken);
 }
 

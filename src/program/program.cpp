@@ -68,7 +68,7 @@ std::vector<std::uint32_t> entries_of(const Function& function) {
   return entries;
 }
 
-bool calls(const Program& program, FunctionId function) {
+bool calls_function(const Program& program, FunctionId function) {
   return std::ranges::any_of(program.functions, [function](const Function& each) {
     return std::ranges::any_of(each.instructions, [function](const Instruction& i) {
       return i.opcode == Opcode::call && i.function == function;
@@ -174,8 +174,8 @@ std::vector<bool> needed_instructions(const Function& function,
   return needed;
 }
 
-std::vector<std::uint32_t> cone_of(const Function& function, std::vector<std::uint32_t> wanted,
-                                   std::size_t most) {
+std::vector<std::uint32_t> dependency_cone(const Function& function,
+                                           std::vector<std::uint32_t> wanted, std::size_t most) {
   std::vector<std::uint32_t> cone;
   std::ranges::make_heap(wanted);
   while (!wanted.empty() && cone.size() <= most) {
@@ -213,7 +213,7 @@ bool keeps_repetitions(const Function& function, const std::vector<std::uint32_t
 
 }  // namespace
 
-Function reordered(const Function& function, const std::vector<std::uint32_t>& order) {
+Function reorder_instructions(const Function& function, const std::vector<std::uint32_t>& order) {
   Function result = function;
   if (!keeps_repetitions(function, order)) result.repeated = {};
   result.instructions.clear();
@@ -231,18 +231,18 @@ Function reordered(const Function& function, const std::vector<std::uint32_t>& o
   return result;
 }
 
-Function pruned(const Function& function) {
+Function eliminate_dead_code(const Function& function) {
   const std::vector<bool> needed = needed_instructions(function, entries_of(function));
   std::vector<std::uint32_t> order;
   for (std::uint32_t at = 0; at < needed.size(); ++at) {
     if (needed[at]) order.push_back(at);
   }
-  return reordered(function, order);
+  return reorder_instructions(function, order);
 }
 
 Function with_entries(Function function, const std::vector<std::uint32_t>& entries) {
   function.fields = {{"", static_cast<std::uint32_t>(entries.size()), 1, entries}};
-  return pruned(function);
+  return eliminate_dead_code(function);
 }
 
 }  // namespace elgen

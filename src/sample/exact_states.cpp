@@ -20,7 +20,7 @@ const std::array<cln::cl_RA, 3>& scales() {
   return all;
 }
 
-cl_R exactly_within(const Interval& range, Sampler& draw) {
+cl_R draw_rational_in(const Interval& range, Sampler& draw) {
   return range.low + (range.high - range.low) * cln::abs(draw.number());
 }
 
@@ -31,7 +31,7 @@ void draw_parameters(const Model& model, const FixedParameters& fixed, Sampler& 
     cl_R& parameter = state.parameters[i];
     const auto range = declared_range(model, Opcode::parameter, i);
     if (range && turn % 2 != 0) {
-      parameter = exactly_within(*range, draw);
+      parameter = draw_rational_in(*range, draw);
       continue;
     }
     const cln::cl_RA r = cln::abs(draw.number());
@@ -45,9 +45,9 @@ void draw_parameters(const Model& model, const FixedParameters& fixed, Sampler& 
 void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& state) {
   const cln::cl_RA& scale = scales()[turn % scales().size()];
   const auto set = [&](Opcode kind, std::uint32_t number, cl_R& value) {
-    if (!is_in_state(kind) || leaf_row(kind).passed == Passed::if_used) return;
+    if (!is_in_state(kind) || leaf_row(kind).argument_rule == ArgumentRule::if_used) return;
     if (const auto range = declared_range(model, kind, number)) {
-      value = exactly_within(*range, draw);
+      value = draw_rational_in(*range, draw);
     } else {
       const bool turns = kind == Opcode::coordinate && is_angle(model.coordinates[number]);
       value = draw.number() * (turns ? half_turn : scale);
@@ -58,21 +58,21 @@ void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& sta
   // later.
   Sampler optional_sampler = draw;
   const auto set_used = [&](const LeafRow& row, std::vector<cl_R>& list) {
-    if (row.passed != Passed::if_used) return;
+    if (row.argument_rule != ArgumentRule::if_used) return;
     for (cl_R& value : list) value = optional_sampler.number() * scale;
   };
   for_each_list(set_used, state);
-  make_unit_quaternions(model, state);
+  set_rational_quaternions(model, state);
 }
 
-State drawn_state(const Model& model, const Scene& scene, Sampler& draw, std::size_t turn) {
+State draw_state(const Model& model, const Scene& scene, Sampler& draw, std::size_t turn) {
   State state = nominal_state(model, scene);
   if (turn > 0) draw_parameters(model, scene.specialisation.fixed, draw, turn, state);
   draw_motion(model, draw, turn, state);
   return state;
 }
 
-void scale_to_length_one(const Model& model, State& state) {
+void normalize_state_quaternions(const Model& model, State& state) {
   if (model.rotations.empty()) return;
   OracleValues scaled = oracle_values(model, {.kind = OutputKind::normalized}, state);
   if (scaled) state.q = std::move(*scaled);
@@ -80,7 +80,7 @@ void scale_to_length_one(const Model& model, State& state) {
 
 std::optional<State> move_onto_constraints(const Model& model, const State& state) {
   if (model.constraints.empty()) return state;
-  std::optional<State> there = oracle_assembled(model, state);
+  std::optional<State> there = oracle_assembled_state(model, state);
   if (!there) return std::nullopt;
   const OracleValues moved = oracle_values(model, {.kind = OutputKind::projected}, *there);
   if (!moved) return std::nullopt;
@@ -98,29 +98,29 @@ State compared_state(const Model& model, OutputKind output, const State& drawn, 
   const OutputRow& row = output_row(output);
   // The output computes the dependent rates from the independent rates.
   if (row.options.has(OutputOption::independent)) kept.v = drawn.v;
-  if (row.takes.has_any(Opcode::momentum)) {
+  if (row.argument_kinds.has_any(Opcode::momentum)) {
     OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, kept);
     if (momenta) kept.momenta = std::move(*momenta);
   }
   return kept;
 }
 
-State with_leaves(const Model& model, State state, const std::vector<StatedLeaf>& leaves) {
+State with_leaves(const Model& model, State state, const std::vector<LeafAssignment>& leaves) {
   const auto place = [&leaves](Opcode kind, std::uint32_t number, cl_R& value) {
-    for (const StatedLeaf& leaf : leaves) {
+    for (const LeafAssignment& leaf : leaves) {
       if (leaf.kind == kind && leaf.number == number) value = leaf.value;
     }
   };
   for_each_leaf(place, state);
-  scale_to_length_one(model, state);
+  normalize_state_quaternions(model, state);
   OracleValues momenta = oracle_values(model, {.kind = OutputKind::momentum}, state);
   if (momenta) state.momenta = std::move(*momenta);
   const auto take_velocities = [&state](const LeafRow& row, std::vector<cl_R>& list) {
-    if (row.passed == Passed::if_used && row.id != Opcode::momentum) list = state.v;
+    if (row.argument_rule == ArgumentRule::if_used && row.id != Opcode::momentum) list = state.v;
   };
   for_each_list(take_velocities, state);
   const auto place_used = [&place](Opcode kind, std::uint32_t number, cl_R& value) {
-    if (leaf_row(kind).passed == Passed::if_used) place(kind, number, value);
+    if (leaf_row(kind).argument_rule == ArgumentRule::if_used) place(kind, number, value);
   };
   for_each_leaf(place_used, state);
   return state;

@@ -14,8 +14,8 @@ constexpr double right_angle = 1.5707963267948966;
 constexpr std::size_t mixed_count = 16;
 
 /// Binary logarithms of the largest magnitudes.
-constexpr int wide = 26;
-constexpr int ordinary = 3;
+constexpr int wide_exponent = 26;
+constexpr int ordinary_exponent = 3;
 
 }  // namespace
 
@@ -25,44 +25,44 @@ std::vector<cln::cl_R> Sampler::vector(std::size_t size) {
   return numbers;
 }
 
-LeafValues<cln::cl_RA> Sampler::point(const LeafNames& leaves, Positive positive) {
-  LeafValues<cln::cl_RA> result = draw_leaves(leaves, [this] { return number(); });
+LeafValues<cln::cl_RA> Sampler::point(const LeafNames& leaves, PositiveParameters positive) {
+  LeafValues<cln::cl_RA> result = sample_leaves(leaves, [this] { return number(); });
   for (std::uint32_t i = 0; i < result.parameters.size(); ++i) {
     const bool is_assumed = assumption_of(leaves, i) != Assumption::none;
     cln::cl_RA& parameter = result.parameters[i];
-    if (positive == Positive::parameters || is_assumed) parameter = cln::abs(parameter);
+    if (positive == PositiveParameters::parameters || is_assumed) parameter = cln::abs(parameter);
   }
   return result;
 }
 
-LeafValues<double> Sampler::scaled_point(const LeafNames& leaves, int low, int high) {
-  LeafValues<double> result = draw_leaves(leaves, [&] { return scaled(low, high); });
+LeafValues<double> Sampler::log_uniform_point(const LeafNames& leaves, int low, int high) {
+  LeafValues<double> result = sample_leaves(leaves, [&] { return log_uniform(low, high); });
   for (double& parameter : result.parameters) parameter = std::abs(parameter);
   return result;
 }
 
-void Sampler::set_angles(AnglePlace place, const std::vector<bool>& is_angle,
+void Sampler::set_angles(CancellingAngles place, const std::vector<bool>& is_angle,
                          std::vector<double>& q) {
-  const double common = within({-2 * right_angle, 2 * right_angle});
+  const double common = uniform({-2 * right_angle, 2 * right_angle});
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const double sign = side();
-    const double away = sign * share();
-    const double half_turns = std::floor(within({-1, 2}));
+    const double sign = random_sign();
+    const double away = sign * random_fraction();
+    const double half_turns = std::floor(uniform({-1, 2}));
     if (!is_angle[i]) continue;
     q[i] = away * 1e-8;
-    if (place == AnglePlace::right) q[i] += (2 * half_turns + 1) * right_angle;
-    if (place == AnglePlace::straight) q[i] += 2 * half_turns * right_angle;
-    if (place == AnglePlace::equal) q[i] = common + away * 1e-3;
+    if (place == CancellingAngles::right) q[i] += (2 * half_turns + 1) * right_angle;
+    if (place == CancellingAngles::straight) q[i] += 2 * half_turns * right_angle;
+    if (place == CancellingAngles::equal) q[i] = common + away * 1e-3;
   }
 }
 
-Points mixed_points(const LeafNames& leaves) {
+Points mixed_magnitude_points(const LeafNames& leaves) {
   Sampler draw(1);
   Points points;
   for (std::size_t i = 0; i < mixed_count; ++i) {
     const bool is_ordinary = i % 4 == 0;
-    points.push_back(is_ordinary ? draw.scaled_point(leaves, -ordinary, 0)
-                                 : draw.scaled_point(leaves, -wide, wide));
+    points.push_back(is_ordinary ? draw.log_uniform_point(leaves, -ordinary_exponent, 0)
+                                 : draw.log_uniform_point(leaves, -wide_exponent, wide_exponent));
   }
   return points;
 }

@@ -14,20 +14,21 @@
 namespace elgen {
 
 /// The parameters that an exact point sets to positive values.
-enum class Positive : std::uint8_t {
+enum class PositiveParameters : std::uint8_t {
   parameters,  ///< all, because most masses and lengths must be positive
   assumed,     ///< only parameters that the model assumes to be positive
 };
 
 /// Values of angles at which sums of their sines and cosines cancel.
-enum class AnglePlace : std::uint8_t {
+enum class CancellingAngles : std::uint8_t {
   right,     ///< about 1e-8 from odd multiples of a right angle; (1e-8)^2 is lost next to 1
   straight,  ///< about 1e-8 from even multiples of a right angle
   equal,     ///< all angles are equal to about 1e-3
   tiny,      ///< about 1e-8 from 0
 };
-inline constexpr AnglePlace angle_places[]{AnglePlace::right, AnglePlace::straight,
-                                           AnglePlace::equal, AnglePlace::tiny};
+inline constexpr CancellingAngles all_cancelling_angles[]{
+    CancellingAngles::right, CancellingAngles::straight, CancellingAngles::equal,
+    CancellingAngles::tiny};
 
 /// A generator of random numbers, which are the same for a seed on every machine. A copy returns
 /// the same numbers as the original.
@@ -40,20 +41,23 @@ class Sampler {
   /// A list of `size` results of number().
   [[nodiscard]] std::vector<cln::cl_R> vector(std::size_t size);
   /// number() for every leaf that has a name.
-  [[nodiscard]] LeafValues<cln::cl_RA> point(const LeafNames& leaves,
-                                             Positive positive = Positive::parameters);
+  [[nodiscard]] LeafValues<cln::cl_RA> point(
+      const LeafNames& leaves, PositiveParameters positive = PositiveParameters::parameters);
 
-  [[nodiscard]] double within(const Range& range) { return random_.uniform(range.low, range.high); }
+  [[nodiscard]] double uniform(const Range& range) {
+    return random_.uniform(range.low, range.high);
+  }
   /// A number in [1/2, 1).
-  [[nodiscard]] double share() { return random_.uniform(0.5, 1); }
+  [[nodiscard]] double random_fraction() { return random_.uniform(0.5, 1); }
   /// 1 or -1.
-  [[nodiscard]] double side() { return random_.uniform(-1, 1) < 0 ? -1 : 1; }
+  [[nodiscard]] double random_sign() { return random_.uniform(-1, 1) < 0 ? -1 : 1; }
   /// A number with a random sign and a magnitude in [2^low, 2^(high + 1)).
-  [[nodiscard]] double scaled(int low, int high) { return random_.log_uniform(low, high); }
+  [[nodiscard]] double log_uniform(int low, int high) { return random_.log_uniform(low, high); }
   /// scaled() for every leaf that has a name; parameters are positive.
-  [[nodiscard]] LeafValues<double> scaled_point(const LeafNames& leaves, int low, int high);
+  [[nodiscard]] LeafValues<double> log_uniform_point(const LeafNames& leaves, int low, int high);
   /// Sets the coordinates that are angles to values of this kind.
-  void set_angles(AnglePlace place, const std::vector<bool>& is_angle, std::vector<double>& q);
+  void set_angles(CancellingAngles place, const std::vector<bool>& is_angle,
+                  std::vector<double>& q);
 
  private:
   Random random_;
@@ -69,6 +73,6 @@ using Points = std::vector<LeafValues<double>>;
 /// Cancelling terms cause an error only if they are larger than all other terms. Therefore each
 /// leaf has a random magnitude: from 2^-26 to 2^26, the range in which programs are checked; at a
 /// quarter of the points from 2^-3 to 2.
-[[nodiscard]] Points mixed_points(const LeafNames& leaves);
+[[nodiscard]] Points mixed_magnitude_points(const LeafNames& leaves);
 
 }  // namespace elgen

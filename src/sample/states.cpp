@@ -21,41 +21,41 @@ constexpr double pi = 3.141592653589793;
 
 /// The value, clamped to a quarter of the largest double, because a declared bound may be larger
 /// than any double; the width of each range is then finite.
-double within_scalar(const cln::cl_R& value) {
+double clamp_to_double(const cln::cl_R& value) {
   constexpr double largest = std::numeric_limits<double>::max() / 4;
   return std::clamp(to_double(value), -largest, largest);
 }
 
-Range range_or(const std::optional<Interval>& interval, double otherwise) {
+Range range_or_default(const std::optional<Interval>& interval, double otherwise) {
   if (!interval) return {-otherwise, otherwise};
-  return {within_scalar(interval->low), within_scalar(interval->high)};
+  return {clamp_to_double(interval->low), clamp_to_double(interval->high)};
 }
 
 /// The largest magnitude of a rate, momentum, acceleration, input, open value or time without a
 /// range.
 constexpr double default_rate = 10;
 constexpr std::size_t domain_states = 8;
-constexpr Range steps{0, 0.1};  ///< of h in s; at a rate of 10, the longest step moves by 1
+constexpr Range step_range{0, 0.1};  ///< of h in s; at a rate of 10, the longest step moves by 1
 
 using Ranges = LeafValues<Range>;
 
-LeafValues<double> values_of(const StateSpace& space) {
+LeafValues<double> nominal_values(const StateSpace& space) {
   return map_leaves([](const cln::cl_R& value) { return to_double(value); },
                     nominal_state(space.model, space.scene));
 }
 
 /// True if leaves of this kind are drawn. Parameters are not drawn. A kind that only some functions
 /// take is drawn if a function of the program takes it.
-bool is_drawn(const LeafNames& leaves, Opcode kind) {
+bool is_sampled(const LeafNames& leaves, Opcode kind) {
   if (kind == Opcode::step) return !leaves.h.empty();
-  return kind != Opcode::parameter && is_passed(leaves, kind);
+  return kind != Opcode::parameter && may_be_argument(leaves, kind);
 }
 
 /// `values` with all variables drawn from their ranges; parameters are unchanged.
-LeafValues<double> nominal(const LeafNames& leaves, const Ranges& ranges, LeafValues<double> values,
-                           Sampler& draw) {
+LeafValues<double> draw_nominal(const LeafNames& leaves, const Ranges& ranges,
+                                LeafValues<double> values, Sampler& draw) {
   const auto set = [&](Opcode kind, std::uint32_t, double& value, const Range& range) {
-    if (is_drawn(leaves, kind)) value = draw.within(range);
+    if (is_sampled(leaves, kind)) value = draw.uniform(range);
   };
   for_each_leaf(set, values, ranges);
   return values;
@@ -63,17 +63,17 @@ LeafValues<double> nominal(const LeafNames& leaves, const Ranges& ranges, LeafVa
 
 /// `values` with all variables replaced by numbers of random sign and a magnitude in
 /// [2^low, 2^(high + 1)).
-LeafValues<double> scaled(const LeafNames& leaves, LeafValues<double> values, Sampler& draw,
-                          int low, int high) {
+LeafValues<double> draw_scaled(const LeafNames& leaves, LeafValues<double> values, Sampler& draw,
+                               int low, int high) {
   const auto set = [&](Opcode kind, std::uint32_t, double& value) {
-    if (is_drawn(leaves, kind)) value = draw.scaled(low, high);
+    if (is_sampled(leaves, kind)) value = draw.log_uniform(low, high);
   };
   for_each_leaf(set, values);
   return values;
 }
 
 /// The magnitudes that the extreme states of a scalar have.
-struct Reach {
+struct ExtremeMagnitudes {
   std::vector<double> tiny;
   std::vector<double> angles;
   std::vector<double> rates;
@@ -81,7 +81,7 @@ struct Reach {
 };
 
 template <class Scalar>
-Reach reach() {
+ExtremeMagnitudes extreme_magnitudes() {
   const double denormal = std::numeric_limits<Scalar>::denorm_min();
   if constexpr (std::is_same_v<Scalar, float>) {
     return {{1e-12, 1e-30, 1e-37, denormal}, {1e3, 1e4}, {1e3, 1e7, 1e18}, {1e3}};
@@ -95,29 +95,33 @@ Reach reach() {
 
 /// Makes the extreme states. Each is a new nominal state with one change; the last states combine
 /// two changes that lose digits.
-class Extremes {
+class ExtremeStates {
  public:
-  Extremes(const StateSpace& space, Sampler& draw)
-      : space_(space), at_value_(values_of(space)), ranges_(ranges_of(space)), draw_(draw) {
+  ExtremeStates(const StateSpace& space, Sampler& draw)
+      : space_(space),
+        nominal_values_(nominal_values(space)),
+        ranges_(ranges_of(space)),
+        draw_(draw) {
     for (const Coordinate& coordinate : space.model.coordinates) {
       is_angle_.push_back(is_angle(coordinate));
     }
   }
 
-  std::vector<SampledState<double>> make(const Reach& reach, std::size_t most_combinations) {
-    add("origin") = at_value_;
+  std::vector<SampledState<double>> make_states(const ExtremeMagnitudes& reach,
+                                                std::size_t most_combinations) {
+    add("origin") = nominal_values_;
     add_range_ends("low ends of ranges", &Range::low);
     add_range_ends("high ends of ranges", &Range::high);
     for (const double size : reach.tiny) {
-      set_positions(fmt::format("positions {:g}", size), size, false);
-      set_rates(fmt::format("rates {:g}", size), size);
+      add_positions(fmt::format("positions {:g}", size), size, false);
+      add_rates(fmt::format("rates {:g}", size), size);
     }
     for (const double size : reach.angles) {
-      set_positions(fmt::format("angles {:g}", size), size, true);
+      add_positions(fmt::format("angles {:g}", size), size, true);
     }
-    for (const double size : reach.rates) set_rates(fmt::format("rates {:g}", size), size);
-    ratios(reach.ratios.back());
-    ratios(1 / reach.ratios.back());
+    for (const double size : reach.rates) add_rates(fmt::format("rates {:g}", size), size);
+    add_parameter_ratios(reach.ratios.back());
+    add_parameter_ratios(1 / reach.ratios.back());
     add_singular_charts();
     add_combinations(reach.ratios, most_combinations);
     return std::move(states_);
@@ -125,8 +129,8 @@ class Extremes {
 
  private:
   LeafValues<double>& add(std::string name) {
-    states_.push_back(
-        {Region::extreme, std::move(name), nominal(space_.leaves, ranges_, at_value_, draw_)});
+    states_.push_back({Region::extreme, std::move(name),
+                       draw_nominal(space_.leaves, ranges_, nominal_values_, draw_)});
     return states_.back().values;
   }
 
@@ -138,23 +142,23 @@ class Extremes {
     for_each_leaf(set, add(name), ranges_);
   }
 
-  void set_positions(std::string name, double size, bool angles_only) {
+  void add_positions(std::string name, double size, bool angles_only) {
     LeafValues<double>& values = add(std::move(name));
     for (std::size_t i = 0; i < values.q.size(); ++i) {
-      if (!angles_only || is_angle_[i]) values.q[i] = draw_.side() * size;
+      if (!angles_only || is_angle_[i]) values.q[i] = draw_.random_sign() * size;
     }
   }
 
-  void set_rates(std::string name, double size) {
+  void add_rates(std::string name, double size) {
     const auto set = [&](const LeafRow& row, std::vector<double>& all) {
-      if (row.group != FactorGroup::rate || !is_drawn(space_.leaves, row.id)) return;
-      for (double& x : all) x = draw_.side() * size;
+      if (row.group != FactorGroup::rate || !is_sampled(space_.leaves, row.id)) return;
+      for (double& x : all) x = draw_.random_sign() * size;
     };
     for_each_list(set, add(std::move(name)));
   }
 
   /// A state in which every second parameter is multiplied by `ratio`.
-  void ratios(double ratio) {
+  void add_parameter_ratios(double ratio) {
     LeafValues<double>& values = add(fmt::format("parameter ratios {:g}", ratio));
     for (std::size_t i = 0; i < values.parameters.size(); i += 2) values.parameters[i] *= ratio;
   }
@@ -172,10 +176,10 @@ class Extremes {
   }
 
   /// States with one parameter multiplied or divided by `sizes`, and with angles of every
-  /// AnglePlace. In such states sums of masses or lengths cancel, and their small results are
+  /// CancellingAngles. In such states sums of masses or lengths cancel, and their small results are
   /// divisors.
   void add_combinations(const std::vector<double>& sizes, std::size_t most) {
-    const std::size_t places = std::size(angle_places);
+    const std::size_t places = std::size(all_cancelling_angles);
     const std::size_t per_parameter = 2 * sizes.size() * places;
     const std::size_t all = space_.model.parameters.size() * per_parameter;
     const std::size_t step = all > most ? golden_step(all) : 1;
@@ -184,11 +188,11 @@ class Extremes {
       const double size = sizes[which / places / 2 % sizes.size()];
       const bool is_small = which / places % 2 != 0;
       add_combination(which / per_parameter, is_small ? 1 / size : size,
-                      angle_places[which % places]);
+                      all_cancelling_angles[which % places]);
     }
   }
 
-  void add_combination(std::size_t parameter, double ratio, AnglePlace place) {
+  void add_combination(std::size_t parameter, double ratio, CancellingAngles place) {
     constexpr std::array words{"near right ones", "near straight ones", "nearly equal", "tiny"};
     LeafValues<double>& values =
         add(fmt::format("{} times {:g}, angles {}", space_.model.parameters[parameter].name, ratio,
@@ -198,7 +202,7 @@ class Extremes {
   }
 
   const StateSpace& space_;
-  LeafValues<double> at_value_;
+  LeafValues<double> nominal_values_;
   Ranges ranges_;
   std::vector<bool> is_angle_ = {};
   Sampler& draw_;
@@ -209,13 +213,13 @@ class Extremes {
 
 LeafValues<Range> ranges_of(const StateSpace& space) {
   const Model& model = space.model;
-  const LeafValues<double> values = values_of(space);
+  const LeafValues<double> values = nominal_values(space);
   Ranges ranges = map_leaves([](double) { return Range{}; }, values);
   const auto fill = [&](Opcode kind, std::uint32_t number, double value, Range& range) {
     const std::optional<Interval> declared = declared_range(model, kind, number);
     double otherwise = default_rate;
     if (kind == Opcode::coordinate) otherwise = is_angle(model.coordinates[number]) ? pi : 1;
-    range = kind == Opcode::step ? steps : range_or(declared, otherwise);
+    range = kind == Opcode::step ? step_range : range_or_default(declared, otherwise);
     if (kind == Opcode::parameter && !declared) range = {value, value};
   };
   for_each_leaf(fill, values, ranges);
@@ -223,7 +227,7 @@ LeafValues<Range> ranges_of(const StateSpace& space) {
 }
 
 template <class Number>
-void scale_quaternions(const Model& model, LeafValues<Number>& values) {
+void normalize_quaternions(const Model& model, LeafValues<Number>& values) {
   constexpr bool is_real = std::is_same_v<Number, Real>;
   for (const Rotation& rotation : model.rotations) {
     Number* const e = &values.q[rotation.first_coordinate];
@@ -246,13 +250,13 @@ void scale_quaternions(const Model& model, LeafValues<Number>& values) {
     }
   }
 }
-template void scale_quaternions(const Model& model, LeafValues<double>& values);
-template void scale_quaternions(const Model& model, LeafValues<Real>& values);
+template void normalize_quaternions(const Model& model, LeafValues<double>& values);
+template void normalize_quaternions(const Model& model, LeafValues<Real>& values);
 
-LeafValues<double> drawn_within(const StateSpace& space, const LeafValues<Range>& ranges,
-                                Sampler& draw) {
-  LeafValues<double> values = nominal(space.leaves, ranges, values_of(space), draw);
-  scale_quaternions(space.model, values);
+LeafValues<double> draw_in_ranges(const StateSpace& space, const LeafValues<Range>& ranges,
+                                  Sampler& draw) {
+  LeafValues<double> values = draw_nominal(space.leaves, ranges, nominal_values(space), draw);
+  normalize_quaternions(space.model, values);
   return values;
 }
 
@@ -260,13 +264,13 @@ Domain domain_of(const StateSpace& space) {
   Domain domain{space.model, ranges_of(space)};
   Sampler draw(1);
   for (std::size_t i = 0; i < domain_states; ++i) {
-    domain.states.push_back(drawn_within(space, domain.ranges, draw));
+    domain.states.push_back(draw_in_ranges(space, domain.ranges, draw));
   }
   return domain;
 }
 
 template <class Scalar>
-LeafValues<Scalar> nearest_finite(const LeafValues<double>& values) {
+LeafValues<Scalar> round_to_finite(const LeafValues<double>& values) {
   const auto nearest = [](double value) {
     constexpr double largest = std::numeric_limits<Scalar>::max();
     return static_cast<Scalar>(std::clamp(value, -largest, largest));
@@ -281,22 +285,22 @@ std::size_t golden_step(std::size_t count) {
 }
 
 template <class Scalar>
-StateSequence<Scalar>::StateSequence(const StateSpace& space, const Sampling& sampling)
+StateSequence<Scalar>::StateSequence(const StateSpace& space, const SamplingOptions& sampling)
     : space_(space),
       sampling_(sampling),
       draw_(sampling.seed),
-      at_value_(values_of(space)),
+      nominal_values_(nominal_values(space)),
       ranges_(ranges_of(space)) {}
 
 template <class Scalar>
 SampledState<double> StateSequence<Scalar>::random_state(std::size_t number) {
   // 2^-40 = 1e-12 and 2^-10 = 1e-3 for small, 2^-27 = 1e-8 and 2^27 = 1e8 for large
   if (number % 4 < 2) {
-    return {Region::nominal, {}, nominal(space_.leaves, ranges_, at_value_, draw_)};
+    return {Region::nominal, {}, draw_nominal(space_.leaves, ranges_, nominal_values_, draw_)};
   }
   if (number % 4 == 2)
-    return {Region::small, {}, scaled(space_.leaves, at_value_, draw_, -40, -11)};
-  return {Region::large, {}, scaled(space_.leaves, at_value_, draw_, -27, 26)};
+    return {Region::small, {}, draw_scaled(space_.leaves, nominal_values_, draw_, -40, -11)};
+  return {Region::large, {}, draw_scaled(space_.leaves, nominal_values_, draw_, -27, 26)};
 }
 
 template <class Scalar>
@@ -304,7 +308,9 @@ std::optional<SampledState<double>> StateSequence<Scalar>::next_in_double() {
   const std::size_t number = drawn_++;
   if (number < sampling_.count) return random_state(number);
   if (!sampling_.extremes) return std::nullopt;
-  if (!extremes_) extremes_ = Extremes(space_, draw_).make(reach<Scalar>(), sampling_.count);
+  if (!extremes_)
+    extremes_ =
+        ExtremeStates(space_, draw_).make_states(extreme_magnitudes<Scalar>(), sampling_.count);
   const std::size_t extreme = number - sampling_.count;
   if (extreme >= extremes_->size()) return std::nullopt;
   return (*extremes_)[extreme];
@@ -314,23 +320,24 @@ template <class Scalar>
 std::optional<SampledState<Scalar>> StateSequence<Scalar>::next() {
   std::optional<SampledState<double>> state = next_in_double();
   if (!state) return std::nullopt;
-  scale_quaternions(space_.model, state->values);
-  return SampledState<Scalar>{state->region, state->name, nearest_finite<Scalar>(state->values)};
+  normalize_quaternions(space_.model, state->values);
+  return SampledState<Scalar>{state->region, state->name, round_to_finite<Scalar>(state->values)};
 }
 
 template <class Scalar>
-std::vector<SampledState<Scalar>> sample_states(const StateSpace& space, const Sampling& sampling) {
+std::vector<SampledState<Scalar>> sample_states(const StateSpace& space,
+                                                const SamplingOptions& sampling) {
   StateSequence<Scalar> sequence(space, sampling);
   std::vector<SampledState<Scalar>> states;
   while (auto state = sequence.next()) states.push_back(std::move(*state));
   return states;
 }
 
-template LeafValues<double> nearest_finite(const LeafValues<double>&);
-template LeafValues<float> nearest_finite(const LeafValues<double>&);
+template LeafValues<double> round_to_finite(const LeafValues<double>&);
+template LeafValues<float> round_to_finite(const LeafValues<double>&);
 template class StateSequence<double>;
 template class StateSequence<float>;
-template std::vector<SampledState<double>> sample_states(const StateSpace&, const Sampling&);
-template std::vector<SampledState<float>> sample_states(const StateSpace&, const Sampling&);
+template std::vector<SampledState<double>> sample_states(const StateSpace&, const SamplingOptions&);
+template std::vector<SampledState<float>> sample_states(const StateSpace&, const SamplingOptions&);
 
 }  // namespace elgen

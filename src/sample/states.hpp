@@ -25,16 +25,16 @@ void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& sta
 ///     turn 0      their values
 ///     even turn   half to twice their value, clamped to their range; for a value 0, in (0, 1]
 ///     odd turn    anywhere in the declared range; without a range, as in even turns
-[[nodiscard]] State drawn_state(const Model& model, const Scene& scene, Sampler& draw,
-                                std::size_t turn);
+[[nodiscard]] State draw_state(const Model& model, const Scene& scene, Sampler& draw,
+                               std::size_t turn);
 
 /// Scales every quaternion to length 1, to the digits of the oracle.
-void scale_to_length_one(const Model& model, State& state);
+void normalize_state_quaternions(const Model& model, State& state);
 
 /// `state` with `leaves` set, and quaternions scaled to length 1. Momenta that are not in `leaves`
 /// are computed from the rates if they have a value; reference velocities are the rates.
 [[nodiscard]] State with_leaves(const Model& model, State state,
-                                const std::vector<StatedLeaf>& leaves);
+                                const std::vector<LeafAssignment>& leaves);
 
 /// The state moved onto the constraints by Newton's method. One step is added after convergence, so
 /// that all digits are correct. Without constraints, the state itself; none if the method does not
@@ -73,7 +73,7 @@ struct SampledState {
 /// nominal.
 [[nodiscard]] std::size_t golden_step(std::size_t count);
 
-struct Sampling {
+struct SamplingOptions {
   /// Number of random states: half nominal, a quarter small, a quarter large. Also the largest
   /// number of extremes that combine a parameter with angles.
   std::size_t count = 256;
@@ -88,17 +88,17 @@ struct Sampling {
 /// Scales every quaternion to length 1; each component is rounded once. A quaternion 0 becomes
 /// (1, 0, 0, 0). Number: double or Real.
 template <class Number>
-void scale_quaternions(const Model& model, LeafValues<Number>& values);
+void normalize_quaternions(const Model& model, LeafValues<Number>& values);
 
 /// A random state, uniform in `ranges`, with the parameters at their values and quaternions of
 /// length 1.
-[[nodiscard]] LeafValues<double> drawn_within(const StateSpace& space,
-                                              const LeafValues<Range>& ranges, Sampler& draw);
+[[nodiscard]] LeafValues<double> draw_in_ranges(const StateSpace& space,
+                                                const LeafValues<Range>& ranges, Sampler& draw);
 
 /// The values rounded to Scalar (double or float). Values beyond the range of Scalar become its
 /// largest finite number.
 template <class Scalar>
-[[nodiscard]] LeafValues<Scalar> nearest_finite(const LeafValues<double>& values);
+[[nodiscard]] LeafValues<Scalar> round_to_finite(const LeafValues<double>& values);
 
 /// Generates the states of sample_states() one by one, for callers that do not know in advance how
 /// many they need.
@@ -106,7 +106,7 @@ template <class Scalar>
 class StateSequence {
  public:
   /// The model, the scene and the leaf names must outlive this object.
-  StateSequence(const StateSpace& space, const Sampling& sampling);
+  StateSequence(const StateSpace& space, const SamplingOptions& sampling);
 
   /// The next state; none after the last state.
   [[nodiscard]] std::optional<SampledState<Scalar>> next();
@@ -116,9 +116,9 @@ class StateSequence {
   [[nodiscard]] SampledState<double> random_state(std::size_t number);
 
   StateSpace space_;
-  Sampling sampling_;
+  SamplingOptions sampling_;
   Sampler draw_;
-  LeafValues<double> at_value_;
+  LeafValues<double> nominal_values_;
   LeafValues<Range> ranges_;
   std::size_t drawn_ = 0;
   std::optional<std::vector<SampledState<double>>> extremes_ = {};  ///< built on demand
@@ -128,6 +128,6 @@ class StateSequence {
 /// have different lists of extremes.
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> sample_states(const StateSpace& space,
-                                                              const Sampling& sampling);
+                                                              const SamplingOptions& sampling);
 
 }  // namespace elgen

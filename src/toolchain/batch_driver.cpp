@@ -109,7 +109,7 @@ std::string batch_arguments(const Model& model, const Function& function) {
 }
 
 /// One line for each field: "  append(to, values.data() + 2, 2, 1);".
-std::string batch_appends(const Function& function) {
+std::string batch_append_statements(const Function& function) {
   std::string text;
   std::size_t before = 0;
   for (const Field& field : function.fields) {
@@ -126,20 +126,20 @@ std::string batch_appends(const Function& function) {
 std::string batch_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;
   std::string text = fmt::format(
-      batch_prologue, fmt::arg("header", path_of(scene, ArtifactId::batch)),
+      batch_prologue, fmt::arg("header", artifact_path(scene, ArtifactId::batch)),
       fmt::arg("name_space", name_space(scene)), fmt::arg("shared", cpp_helpers(input)));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
-    if (!is_returned(function)) continue;
+    if (!is_returned_by_value(function)) continue;
     for (const ScalarKind kind : scene.numerics.scalars) {
       const std::string scalar(name_of(kind));
       text += fmt::format(batch_wrapper, fmt::arg("symbol", driver_symbol("batch", scalar, i)),
                           fmt::arg("scalar", scalar),
-                          fmt::arg("leaves", declared_leaves(scalar, "[[maybe_unused]] ")),
+                          fmt::arg("leaves", leaf_parameter_list(scalar, "[[maybe_unused]] ")),
                           fmt::arg("entries", entry_count(function)),
                           fmt::arg("function", function.name),
                           fmt::arg("arguments", batch_arguments(model, function)),
-                          fmt::arg("appends", batch_appends(function)));
+                          fmt::arg("appends", batch_append_statements(function)));
     }
   }
   return text + "\n}  // namespace driver_of_batch\n" + sine_driver(input);
@@ -148,13 +148,13 @@ std::string batch_driver(const DriverInput& input) {
 std::string sine_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;
   std::string text =
-      fmt::format(sine_prologue, fmt::arg("header", path_of(scene, ArtifactId::batch)));
+      fmt::format(sine_prologue, fmt::arg("header", artifact_path(scene, ArtifactId::batch)));
   for (const ScalarKind kind : scene.numerics.scalars) {
     const std::string scalar(name_of(kind));
     text += fmt::format(
         sine_wrapper, fmt::arg("symbol", driver_symbol("batch", scalar, program.functions.size())),
         fmt::arg("scalar", scalar), fmt::arg("name_space", name_space(scene)),
-        fmt::arg("leaves", declared_leaves(scalar, "[[maybe_unused]] ")));
+        fmt::arg("leaves", leaf_parameter_list(scalar, "[[maybe_unused]] ")));
   }
   return text + "\n}  // namespace driver_of_sines\n";
 }

@@ -49,7 +49,8 @@ std::string c99_arguments(const DriverInput& input, const Function& function) {
   return text;
 }
 
-std::string call(const DriverInput& input, const Function& function, const std::string& scalar) {
+std::string call_statements(const DriverInput& input, const Function& function,
+                            const std::string& scalar) {
   const std::string name = fmt::format("{}_{}", name_space(input.scene), function.name);
   const std::string given = c99_arguments(input, function);
   const std::string results = append_statements(input, function, "&to", "");
@@ -69,8 +70,8 @@ std::string c99_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;
   const std::string scalar(name_of(scene.numerics.scalars.front()));
   std::string text =
-      fmt::format(c99_prologue, fmt::arg("header", path_of(scene, ArtifactId::c99)),
-                  fmt::arg("scalar", scalar), fmt::arg("position", stored_position(scene)));
+      fmt::format(c99_prologue, fmt::arg("header", artifact_path(scene, ArtifactId::c99)),
+                  fmt::arg("scalar", scalar), fmt::arg("position", storage_index(scene)));
   std::string given;
   for (const LeafRow& leaf : leaf_table()) given += fmt::format("(void){};", leaf.member);
   if (const std::string assignments = parameter_assignments(input); !assignments.empty()) {
@@ -81,9 +82,9 @@ std::string c99_driver(const DriverInput& input) {
   }
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     text += fmt::format(c99_wrapper, fmt::arg("symbol", driver_symbol("c99", scalar, i)),
-                        fmt::arg("scalar", scalar), fmt::arg("leaves", declared_leaves(scalar)),
+                        fmt::arg("scalar", scalar), fmt::arg("leaves", leaf_parameter_list(scalar)),
                         fmt::arg("given", given),
-                        fmt::arg("body", call(input, program.functions[i], scalar)));
+                        fmt::arg("body", call_statements(input, program.functions[i], scalar)));
   }
   return text;
 }

@@ -26,7 +26,7 @@ struct LoadedFunction {
 
 class LoadedModel final : public CompiledModel {
  public:
-  LoadedModel(std::shared_ptr<const Library> library, std::vector<LoadedFunction> functions)
+  LoadedModel(std::shared_ptr<const SharedLibrary> library, std::vector<LoadedFunction> functions)
       : library_(std::move(library)), functions_(std::move(functions)) {}
 
   [[nodiscard]] DriverFunction<double> find(std::string_view function) const override {
@@ -54,16 +54,16 @@ class LoadedModel final : public CompiledModel {
     const auto found = std::ranges::find(functions_, name, &LoadedFunction::name);
     if (found == functions_.end() || (*found).*function == nullptr) return {};
     std::vector<Scalar> result(found->entries);
-    call_code((*found).*function, argument_pointers(arguments), result.data());
+    call_compiled_function((*found).*function, argument_pointers(arguments), result.data());
     return result;
   }
 
-  std::shared_ptr<const Library> library_;
+  std::shared_ptr<const SharedLibrary> library_;
   std::vector<LoadedFunction> functions_;
 };
 
 /// The functions that a driver wraps. A pointer is null if the driver lacks the scalar.
-std::vector<LoadedFunction> functions_of(const Driver& driver, const Library& library,
+std::vector<LoadedFunction> functions_of(const Driver& driver, const SharedLibrary& library,
                                          const Program& program) {
   std::vector<LoadedFunction> functions;
   const auto add = [&](std::string name, std::size_t number, std::size_t entries) {
@@ -77,20 +77,20 @@ std::vector<LoadedFunction> functions_of(const Driver& driver, const Library& li
     const Function& function = program.functions[i];
     if (is_wrapped(driver, function)) add(function.name, i, entry_count(function));
   }
-  if (driver.in_packs) add(std::string(sine_and_cosine), program.functions.size(), 2);
+  if (driver.uses_packs) add(std::string(sine_and_cosine), program.functions.size(), 2);
   return functions;
 }
 
-std::size_t scalars_in(const LoadedFunction& function) {
+std::size_t scalar_count(const LoadedFunction& function) {
   return (function.in_double != nullptr ? 1U : 0U) + (function.in_float != nullptr ? 1U : 0U);
 }
 
 /// The header of a driver; `library` is the object of the driver's unit, or null if the compiler
 /// does not accept the flags of the build.
-Result<CompiledHeader> header_of(const Driver& driver, Build build,
-                                 const std::shared_ptr<const Library>& library,
-                                 const DriverInput& input) {
-  CompiledHeader header{driver.types, driver.in_packs, nullptr, build};
+Result<CompiledHeader> load_header(const Driver& driver, BuildFlags build,
+                                   const std::shared_ptr<const SharedLibrary>& library,
+                                   const DriverInput& input) {
+  CompiledHeader header{driver.types, driver.uses_packs, nullptr, build};
   header.is_wide = driver.is_wide;
   if (library == nullptr) {
     header.failure_reason = "the compiler does not take -O3 -march=native";
@@ -99,21 +99,21 @@ Result<CompiledHeader> header_of(const Driver& driver, Build build,
   std::vector<LoadedFunction> functions = functions_of(driver, *library, input.program);
   const auto have = [&functions](std::size_t scalars) {
     return std::ranges::all_of(functions, [scalars](const LoadedFunction& function) {
-      return scalars_in(function) == scalars;
+      return scalar_count(function) == scalars;
     });
   };
   if (!driver.needs.empty() && have(0)) {
     header.failure_reason = fmt::format("<{}> is not installed", driver.needs);
     return header;
   }
-  if (!have(scalars_of(driver, input).size())) return missing_function();
+  if (!have(scalars_of(driver, input).size())) return missing_function_error();
   header.functions = std::make_unique<LoadedModel>(library, std::move(functions));
   return header;
 }
 
 /// Sets the declared numbers to the values that the library returns; false if the library lacks the
 /// function `declarations_symbol`.
-bool read_declared(const Library& library, std::vector<DeclaredNumber>& numbers) {
+bool read_declared_numbers(const SharedLibrary& library, std::vector<DeclaredNumber>& numbers) {
   const auto give = library.find<void (*)(double*)>(declarations_symbol);
   if (give == nullptr) return false;
   std::vector<double> given(numbers.size());
@@ -123,11 +123,11 @@ bool read_declared(const Library& library, std::vector<DeclaredNumber>& numbers)
 }
 
 /// The driver units of all builds; `declared` is appended to the first unit.
-std::vector<DriverUnit> all_units(const DriverInput& input, const std::vector<Build>& builds,
+std::vector<DriverUnit> all_units(const DriverInput& input, const std::vector<BuildFlags>& builds,
                                   const std::string& declared) {
   std::vector<DriverUnit> all;
-  for (const Build build : builds) {
-    std::vector<DriverUnit> some = units_of(input, build, all.empty() ? declared : "");
+  for (const BuildFlags build : builds) {
+    std::vector<DriverUnit> some = make_driver_units(input, build, all.empty() ? declared : "");
     std::ranges::move(some, std::back_inserter(all));
   }
   return all;
@@ -138,10 +138,10 @@ std::vector<DriverUnit> all_units(const DriverInput& input, const std::vector<Bu
 namespace {
 
 template <class Scalar>
-ValuesOfFunctions<Scalar> call_each_state(const CompiledModel& code,
-                                          const std::vector<std::string_view>& functions,
-                                          const std::vector<Arguments<Scalar>>& states) {
-  ValuesOfFunctions<Scalar> values(functions.size());
+FunctionResults<Scalar> call_each_state(const CompiledModel& code,
+                                        const std::vector<std::string_view>& functions,
+                                        const std::vector<Arguments<Scalar>>& states) {
+  FunctionResults<Scalar> values(functions.size());
   for (std::size_t i = 0; i < functions.size(); ++i) {
     for (const auto& state : states) values[i].push_back(code.call(functions[i], state));
   }
@@ -150,13 +150,13 @@ ValuesOfFunctions<Scalar> call_each_state(const CompiledModel& code,
 
 }  // namespace
 
-Result<ValuesOfFunctions<double>> CompiledModel::call_all(
+Result<FunctionResults<double>> CompiledModel::call_at_states(
     const std::vector<std::string_view>& functions,
     const std::vector<Arguments<double>>& states) const {
   return call_each_state(*this, functions, states);
 }
 
-Result<ValuesOfFunctions<float>> CompiledModel::call_all(
+Result<FunctionResults<float>> CompiledModel::call_at_states(
     const std::vector<std::string_view>& functions,
     const std::vector<Arguments<float>>& states) const {
   return call_each_state(*this, functions, states);
@@ -166,28 +166,29 @@ Result<CompiledHeaders> compile(const EmittedFiles& files, const Model& model, c
                                 const Program& program, const CompileOptions& options) {
   const DriverInput input{model, scene, program};
   if (language_row(scene.emission.language).is_interpreted) {
-    return interpret(files, input, options.limits);
+    return load_interpreted_module(files, input, options.limits);
   }
-  Declarations declared;
-  if (options.declarations) declared = declarations(input);
+  DeclarationReader declared;
+  if (options.reads_declared_numbers) declared = make_declaration_reader(input);
   const std::vector<DriverUnit> units = all_units(input, options.builds, declared.text);
-  std::vector<Source> sources;
+  std::vector<SourceFile> sources;
   for (const DriverUnit& unit : units) sources.push_back(unit.source);
-  const NoInterrupts until_removed;
-  const Result<Workshop> workshop = Workshop::open(files, sources, options.limits);
+  const SignalBlocker until_removed;
+  const Result<CompilerSession> workshop = CompilerSession::open(files, sources, options.limits);
   if (!workshop) return workshop.diagnostics;
   CompiledHeaders headers;
   for (const auto& [source, build, all] : units) {
-    Result<Library> built = workshop->build(source, build);
+    Result<SharedLibrary> built = workshop->build(source, build);
     const bool is_flag_refused =
-        !built && build != Build::as_written && !workshop->takes(build, source);
+        !built && build != BuildFlags::as_written && !workshop->accepts_flags(build, source);
     if (!built && !is_flag_refused) return built.diagnostics;
-    std::shared_ptr<const Library> library;
-    if (built) library = std::make_shared<const Library>(std::move(*built));
-    const bool declares = headers.empty() && options.declarations && library != nullptr;
-    if (declares && !read_declared(*library, declared.numbers)) return missing_function();
+    std::shared_ptr<const SharedLibrary> library;
+    if (built) library = std::make_shared<const SharedLibrary>(std::move(*built));
+    const bool declares = headers.empty() && options.reads_declared_numbers && library != nullptr;
+    if (declares && !read_declared_numbers(*library, declared.numbers))
+      return missing_function_error();
     for (const Driver& driver : all) {
-      Result<CompiledHeader> header = header_of(driver, build, library, input);
+      Result<CompiledHeader> header = load_header(driver, build, library, input);
       if (!header) return header.diagnostics;
       headers.push_back(std::move(*header));
     }

@@ -1,5 +1,5 @@
-// compile_timed: compiles and loads the timing driver, and keeps the states as the driver's arrays.
-// compile_steps: compiles and loads the loops over a step.
+// compile_timed_functions: compiles and loads the timing driver, and keeps the states as the
+// driver's arrays. compile_step_loops: compiles and loads the loops over a step.
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +11,7 @@ namespace {
 
 /// For each leaf, its values in all states.
 template <class Scalar>
-using StateArrays = PerLeaf<std::vector<Scalar>, std::vector<Scalar>>;
+using StateArrays = LeafMembers<std::vector<Scalar>, std::vector<Scalar>>;
 
 template <class Scalar>
 StateArrays<Scalar> arrays_of(const std::vector<Arguments<double>>& states) {
@@ -34,10 +34,11 @@ StateArrays<Scalar> arrays_of(const std::vector<Arguments<double>>& states) {
 }
 
 template <class Scalar>
-class LoadedTiming final : public TimedFunction {
+class LoadedTimedFunction final : public TimedFunction {
  public:
-  LoadedTiming(std::shared_ptr<const Library> library, TimingDriverFunction<Scalar> function,
-               const std::vector<Arguments<double>>& states, std::size_t entries)
+  LoadedTimedFunction(std::shared_ptr<const SharedLibrary> library,
+                      TimingDriverFunction<Scalar> function,
+                      const std::vector<Arguments<double>>& states, std::size_t entries)
       : library_(std::move(library)),
         function_(function),
         count_(states.size()),
@@ -46,7 +47,7 @@ class LoadedTiming final : public TimedFunction {
 
   void run() override { compute(count_, arrays_, results_); }
 
-  [[nodiscard]] std::vector<double> at(
+  [[nodiscard]] std::vector<double> values_at(
       const std::vector<Arguments<double>>& states) const override {
     std::vector<Scalar> results(results_.size() / count_ * states.size());
     compute(states.size(), arrays_of<Scalar>(states), results);
@@ -63,7 +64,7 @@ class LoadedTiming final : public TimedFunction {
               results.data());
   }
 
-  std::shared_ptr<const Library> library_;
+  std::shared_ptr<const SharedLibrary> library_;
   TimingDriverFunction<Scalar> function_;
   std::size_t count_;
   StateArrays<Scalar> arrays_;
@@ -72,57 +73,58 @@ class LoadedTiming final : public TimedFunction {
 
 /// The timed function of this symbol; null if the library lacks the symbol.
 template <class Scalar>
-std::unique_ptr<TimedFunction> load_timed(const std::shared_ptr<const Library>& library,
-                                          const std::string& symbol,
-                                          const std::vector<Arguments<double>>& states,
-                                          std::size_t entries) {
+std::unique_ptr<TimedFunction> load_timed_function(
+    const std::shared_ptr<const SharedLibrary>& library, const std::string& symbol,
+    const std::vector<Arguments<double>>& states, std::size_t entries) {
   const auto function = library->find<TimingDriverFunction<Scalar>>(symbol);
   if (function == nullptr) return nullptr;
-  return std::make_unique<LoadedTiming<Scalar>>(library, function, states, entries);
+  return std::make_unique<LoadedTimedFunction<Scalar>>(library, function, states, entries);
 }
 
-Result<std::shared_ptr<const Library>> build_for_timing(const EmittedFiles& files,
-                                                        const Source& source,
-                                                        const Limits& limits) {
-  const NoInterrupts until_removed;
-  const Result<Workshop> workshop = Workshop::open(files, {source}, limits);
+Result<std::shared_ptr<const SharedLibrary>> build_for_timing(const EmittedFiles& files,
+                                                              const SourceFile& source,
+                                                              const Limits& limits) {
+  const SignalBlocker until_removed;
+  const Result<CompilerSession> workshop = CompilerSession::open(files, {source}, limits);
   if (!workshop) return workshop.diagnostics;
-  Result<Library> built = workshop->build(source, Build::to_time);
+  Result<SharedLibrary> built = workshop->build(source, BuildFlags::timing);
   if (!built) return built.diagnostics;
-  return std::make_shared<const Library>(std::move(*built));
+  return std::make_shared<const SharedLibrary>(std::move(*built));
 }
 
 }  // namespace
 
-Result<TimedFunctions> compile_timed(const EmittedFiles& files, const Model& model,
-                                     const Scene& scene, const Program& program,
-                                     const TimingOptions& options) {
-  const Source source = timing_driver({model, scene, program}, options.variants);
-  const Result<std::shared_ptr<const Library>> library =
+Result<TimedFunctions> compile_timed_functions(const EmittedFiles& files, const Model& model,
+                                               const Scene& scene, const Program& program,
+                                               const TimingOptions& options) {
+  const SourceFile source = timing_driver({model, scene, program}, options.variants);
+  const Result<std::shared_ptr<const SharedLibrary>> library =
       build_for_timing(files, source, options.limits);
   if (!library) return library.diagnostics;
   const std::size_t entries = entry_count(program.functions.front());
   TimedFunctions functions;
   for (std::size_t i = 0; i < options.variants.size(); ++i) {
     const bool is_float = options.variants[i].scalar == ScalarKind::single_precision;
-    const auto load = is_float ? &load_timed<float> : &load_timed<double>;
+    const auto load = is_float ? &load_timed_function<float> : &load_timed_function<double>;
     functions.push_back(load(*library, timed_symbol(i), options.states, entries));
-    if (functions.back() == nullptr) return missing_function();
+    if (functions.back() == nullptr) return missing_function_error();
   }
   return Result<TimedFunctions>(std::move(functions));
 }
 
-Result<StepLoops> compile_steps(const EmittedFiles& files, const Model& model, const Scene& scene,
-                                const Program& program, const Limits& limits) {
-  const Result<std::shared_ptr<const Library>> library =
+Result<StepLoops> compile_step_loops(const EmittedFiles& files, const Model& model,
+                                     const Scene& scene, const Program& program,
+                                     const Limits& limits) {
+  const Result<std::shared_ptr<const SharedLibrary>> library =
       build_for_timing(files, step_driver({model, scene, program}), limits);
   if (!library) return library.diagnostics;
   const auto step = std::ranges::find(program.functions, OutputKind::step, &Function::kind);
   const StepLoops loops{.code = *library,
-                        .one = (*library)->find<StepLoop>(step_loop_of_one),
-                        .in_packs = (*library)->find<StepLoop>(step_loop_in_packs),
+                        .one_state_loop = (*library)->find<StepLoop>(single_step_loop_symbol),
+                        .pack_loop = (*library)->find<StepLoop>(pack_step_loop_symbol),
                         .entries = entry_count(*step)};
-  if (loops.one == nullptr || loops.in_packs == nullptr) return missing_function();
+  if (loops.one_state_loop == nullptr || loops.pack_loop == nullptr)
+    return missing_function_error();
   return loops;
 }
 

@@ -38,7 +38,7 @@ std::string chosen_compiler() {
   return chosen == nullptr ? "" : chosen;
 }
 
-Diagnostic out_of_time(const CompilerCommand& command, std::uint64_t seconds) {
+Diagnostic time_limit_error(const CompilerCommand& command, std::uint64_t seconds) {
   return {Code::E909,
           {},
           fmt::format("`{}` has not ended within {} s", fmt::join(command, " "), seconds),
@@ -46,7 +46,7 @@ Diagnostic out_of_time(const CompilerCommand& command, std::uint64_t seconds) {
 }
 
 /// E704. `last`: the result of the last candidate.
-Diagnostic no_compiler(const ProcessResult& last) {
+Diagnostic no_compiler_error(const ProcessResult& last) {
   const std::string chosen = chosen_compiler();
   if (!chosen.empty()) {
     return {
@@ -63,12 +63,13 @@ Diagnostic no_compiler(const ProcessResult& last) {
 
 /// A source that compiles if the compiler has what every source needs: the language, its library,
 /// and no reassociation of sums. Also checks that an object can be written.
-std::string probe_text(const Source& source) {
+std::string probe_text(const SourceFile& source) {
   std::string headers =
       "#include <math.h>\n#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)\n#error\n"
       "#endif\n";
-  if (!source.needs.empty()) {
-    headers += fmt::format("#if __has_include(<{0}>)\n#include <{0}>\n#endif\n", source.needs);
+  if (!source.required_header.empty()) {
+    headers +=
+        fmt::format("#if __has_include(<{0}>)\n#include <{0}>\n#endif\n", source.required_header);
   }
   return headers + "int elgen_probe(void);\nint elgen_probe(void) { return 0; }\n";
 }
@@ -82,7 +83,7 @@ bool is_refusal(const ProcessResult& compiled) {
   const auto is_said = [&compiled](std::string_view reason) {
     return compiled.output.find(reason) != std::string::npos;
   };
-  return compiled.ending == Ending::exited && compiled.status == 1 &&
+  return compiled.ending == ProcessEnding::exited && compiled.status == 1 &&
          std::none_of(other_reasons.begin(), other_reasons.end(), is_said);
 }
 
@@ -114,15 +115,15 @@ Result<Compiler> find_compiler(std::uint64_t seconds) {
   for (const CompilerCommand& candidate : compiler_candidates()) {
     CompilerCommand question = candidate;
     question.emplace_back("--version");
-    answer = run(question, seconds);
+    answer = run_process(question, seconds);
     if (answer.succeeded()) return Compiler{candidate, seconds, first_line(answer.output)};
-    if (answer.ending == Ending::out_of_time) return out_of_time(question, seconds);
-    if (answer.ending == Ending::interrupted) break;
+    if (answer.ending == ProcessEnding::out_of_time) return time_limit_error(question, seconds);
+    if (answer.ending == ProcessEnding::interrupted) break;
   }
-  return no_compiler(answer);
+  return no_compiler_error(answer);
 }
 
-ProcessResult compile_shared(const Compiler& compiler, Build build,
+ProcessResult compile_shared(const Compiler& compiler, BuildFlags build,
                              const std::filesystem::path& source,
                              const std::filesystem::path& object) {
   CompilerCommand command = compiler.command;
@@ -131,33 +132,34 @@ ProcessResult compile_shared(const Compiler& compiler, Build build,
     command.insert(command.end(), flags.begin(), flags.end());
   }
   command.insert(command.end(), {source.string(), "-o", object.string()});
-  return run(command, compiler.seconds, object.parent_path().string());
+  return run_process(command, compiler.seconds, object.parent_path().string());
 }
 
-bool takes_probe(const Compiler& compiler, Build build, const std::filesystem::path& directory,
-                 const Source& source) {
+bool accepts_probe(const Compiler& compiler, BuildFlags build,
+                   const std::filesystem::path& directory, const SourceFile& source) {
   const std::filesystem::path probe = directory / ("probe_" + source.file);
   std::ofstream(probe, std::ios::binary) << probe_text(source);
   return compile_shared(compiler, build, probe, directory / "probe.so").succeeded();
 }
 
 Diagnostic compile_error(const Compiler& compiler, const ProcessResult& compiled,
-                         const std::filesystem::path& directory, const Source& source) {
-  if (compiled.ending == Ending::out_of_time) {
-    return out_of_time(compiler.command, compiler.seconds);
+                         const std::filesystem::path& directory, const SourceFile& source) {
+  if (compiled.ending == ProcessEnding::out_of_time) {
+    return time_limit_error(compiler.command, compiler.seconds);
   }
   const bool is_ours =
-      is_refusal(compiled) && takes_probe(compiler, Build::as_written, directory, source);
-  return {is_ours ? Code::E705 : Code::E709,
-          {},
-          fmt::format("`{}` {}:\n{}", fmt::join(compiler.command, " "),
-                      ending_text(compiled.ending, compiled.status), plain_text(compiled.output))};
+      is_refusal(compiled) && accepts_probe(compiler, BuildFlags::as_written, directory, source);
+  return {
+      is_ours ? Code::E705 : Code::E709,
+      {},
+      fmt::format("`{}` {}:\n{}", fmt::join(compiler.command, " "),
+                  ending_text(compiled.ending, compiled.status), sanitize_output(compiled.output))};
 }
 
 Result<Machine> this_machine(const Limits& limits) {
   const Result<Compiler> compiler = find_compiler(limits.seconds);
   if (!compiler) return compiler.diagnostics;
-  return Machine{plain_text(compiler->version), processor_name(),
+  return Machine{sanitize_output(compiler->version), processor_name(),
                  fmt::format("glibc {}", ::gnu_get_libc_version())};
 }
 

@@ -67,7 +67,7 @@ extern "C" void {symbol}({leaves}{scalar}* result) {{
 )";
 
 /// The names and types in which the drivers of the three headers differ.
-struct Types {
+struct HeaderTypes {
   std::string_view name;  ///< of the driver
   std::string header;
   std::string functions;    ///< namespace of the emitted functions
@@ -77,17 +77,17 @@ struct Types {
 };
 
 /// A driver without its text, as argument of is_wrapped() and scalars_of().
-Driver driver_without_text(const Types& types) {
+Driver driver_without_text(const HeaderTypes& types) {
   Driver driver;
   driver.is_wide = types.is_wide;
   return driver;
 }
 
-std::string array_result(const Function& function) {
+std::string array_result_type(const Function& function) {
   return fmt::format("std::array<Scalar, {}>", entry_count(function));
 }
 
-std::string eigen_result(const Function& function) {
+std::string eigen_result_type(const Function& function) {
   const Field& field = function.fields.front();
   return fmt::format("emitted::Matrix<Scalar, {}, {}>", field.rows, field.columns);
 }
@@ -104,10 +104,11 @@ std::string cpp_arguments(const Model& model, const Function& function) {
   return text;
 }
 
-std::string call(const DriverInput& input, const Types& types, const Function& function) {
+std::string call_statements(const DriverInput& input, const HeaderTypes& types,
+                            const Function& function) {
   const std::string given = cpp_arguments(input.model, function);
   const std::string results = append_statements(input, function, "to", ".data()");
-  if (is_returned(function)) {
+  if (is_returned_by_value(function)) {
     return fmt::format("  const auto result = emitted::{}({});\n{}", function.name, given, results);
   }
   const std::string type = returns_struct(function)
@@ -117,7 +118,7 @@ std::string call(const DriverInput& input, const Types& types, const Function& f
                      results);
 }
 
-std::string calls_of(const DriverInput& input, const Types& types) {
+std::string call_functions_text(const DriverInput& input, const HeaderTypes& types) {
   const auto& [model, scene, program] = input;
   std::string text =
       fmt::format(cpp_prologue, fmt::arg("name", types.name), fmt::arg("header", types.header),
@@ -126,14 +127,14 @@ std::string calls_of(const DriverInput& input, const Types& types) {
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     if (!is_wrapped(driver_without_text(types), program.functions[i])) continue;
     text += fmt::format(call_template, fmt::arg("index", i),
-                        fmt::arg("leaves", declared_leaves("Scalar", "[[maybe_unused]] ")),
-                        fmt::arg("body", call(input, types, program.functions[i])));
+                        fmt::arg("leaves", leaf_parameter_list("Scalar", "[[maybe_unused]] ")),
+                        fmt::arg("body", call_statements(input, types, program.functions[i])));
   }
   return text + "\n}  // namespace\n";
 }
 
-std::string driver_of(const DriverInput& input, const Types& types) {
-  std::string text = calls_of(input, types);
+std::string make_driver_text(const DriverInput& input, const HeaderTypes& types) {
+  std::string text = call_functions_text(input, types);
   const Program& program = input.program;
   std::vector<std::string_view> names;
   for (const LeafRow& leaf : leaf_table()) names.push_back(leaf.member);
@@ -144,7 +145,7 @@ std::string driver_of(const DriverInput& input, const Types& types) {
       const std::string scalar(name_of(kind));
       text += fmt::format(cpp_wrapper, fmt::arg("symbol", driver_symbol(types.name, scalar, i)),
                           fmt::arg("scalar", scalar), fmt::arg("index", i),
-                          fmt::arg("leaves", declared_leaves(scalar)),
+                          fmt::arg("leaves", leaf_parameter_list(scalar)),
                           fmt::arg("names", fmt::join(names, ", ")));
     }
   }
@@ -154,24 +155,26 @@ std::string driver_of(const DriverInput& input, const Types& types) {
 }  // namespace
 
 std::string cpp_helpers(const DriverInput& input) {
-  return fmt::format(helpers, fmt::arg("position", stored_position(input.scene)),
+  return fmt::format(helpers, fmt::arg("position", storage_index(input.scene)),
                      fmt::arg("name_space", name_space(input.scene)),
                      fmt::arg("parameters", parameter_assignments(input)));
 }
 
 std::string cpp_driver(const DriverInput& input) {
-  return driver_of(input, {"cpp", path_of(input.scene, ArtifactId::cpp), name_space(input.scene),
-                           array_vector, array_result});
+  return make_driver_text(input, {"cpp", artifact_path(input.scene, ArtifactId::cpp),
+                                  name_space(input.scene), array_vector, array_result_type});
 }
 
 std::string eigen_driver(const DriverInput& input) {
-  return driver_of(input, {"eigen", path_of(input.scene, ArtifactId::eigen),
-                           name_space(input.scene) + "::eigen", eigen_vector, eigen_result});
+  return make_driver_text(input,
+                          {"eigen", artifact_path(input.scene, ArtifactId::eigen),
+                           name_space(input.scene) + "::eigen", eigen_vector, eigen_result_type});
 }
 
 std::string wide_driver(const DriverInput& input) {
-  return driver_of(input, {"wide", path_of(input.scene, ArtifactId::wide),
-                           name_space(input.scene) + "::wide", array_vector, array_result, true});
+  return make_driver_text(
+      input, {"wide", artifact_path(input.scene, ArtifactId::wide),
+              name_space(input.scene) + "::wide", array_vector, array_result_type, true});
 }
 
 }  // namespace elgen

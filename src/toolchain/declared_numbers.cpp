@@ -54,33 +54,33 @@ class DeclarationText {
       : input_(input),
         row_(declaration_table[static_cast<std::size_t>(input.scene.emission.language)]) {}
 
-  [[nodiscard]] Declarations complete() && {
+  [[nodiscard]] DeclarationReader build() && {
     add_counts();
     for (const ScalarKind scalar : driver_scalars(input_)) add_parameters(scalar);
     add_arrays();
-    const bool has_batch = input_.scene.emission.batch;
+    const bool has_batch = input_.scene.emission.has_batch_header;
     if (has_batch) {
       for (const ScalarKind scalar : input_.scene.numerics.scalars) add_trigonometry(scalar);
     }
     const ArtifactId header = has_batch ? ArtifactId::batch : row_.header;
     std::string text =
-        fmt::format("#include \"{}\"\n{}", path_of(input_.scene, header), variables_);
+        fmt::format("#include \"{}\"\n{}", artifact_path(input_.scene, header), variables_);
     text += fmt::format("{0}void {1}(double* to);\n{0}void {1}(double* to) {{\n{2}}}\n",
                         row_.linkage, declarations_symbol, statements_);
     return {std::move(text), std::move(numbers_)};
   }
 
  private:
-  void add(std::string name, const std::string& expression, double of_model) {
+  void add_number(std::string name, const std::string& expression, double of_model) {
     statements_ += fmt::format(fmt::runtime(row_.statement), expression);
     numbers_.push_back({std::move(name), 0, of_model});
   }
 
   void add_count(const std::string& name, std::size_t count) {
     const std::string& space = name_space(input_.scene);
-    const std::string in_capitals = capitals(fmt::format("{}_{}", space, name));
-    add(name, fmt::format(fmt::runtime(row_.constant), space, name, in_capitals),
-        static_cast<double>(count));
+    const std::string in_capitals = upper_case(fmt::format("{}_{}", space, name));
+    add_number(name, fmt::format(fmt::runtime(row_.constant), space, name, in_capitals),
+               static_cast<double>(count));
   }
 
   void add_counts() {
@@ -100,25 +100,25 @@ class DeclarationText {
     const std::string type(name_of(scalar));
     const std::string& space = name_space(input_.scene);
     const std::string all = "in_" + type;
-    variables_ += fmt::format(fmt::runtime(row_.parameters), space, type, all, capitals(space));
+    variables_ += fmt::format(fmt::runtime(row_.parameters), space, type, all, upper_case(space));
     const auto address = [&](const std::string& of) {
       return fmt::format(fmt::runtime(row_.address), type, of);
     };
     std::size_t position = 0;
     for (const ParameterArray& array : arrays) {
-      const std::vector<cln::cl_R> values = values_of(input_.model, array);
+      const std::vector<cln::cl_R> values = element_values(input_.model, array);
       for (std::size_t i = 0; i < values.size(); ++i) {
         const std::string member =
             array.is_array ? fmt::format("{}[{}]", array.name, i) : array.name;
         const std::string element = fmt::format("{}.{}", all, member);
-        add(fmt::format("{} ({})", member, type), element, nearest_float(values[i], scalar));
-        add(fmt::format("the place of {} ({})", member, type),
-            fmt::format("{} - {}", address(element), address(all)),
-            static_cast<double>(position++));
+        add_number(fmt::format("{} ({})", member, type), element, nearest_float(values[i], scalar));
+        add_number(fmt::format("the place of {} ({})", member, type),
+                   fmt::format("{} - {}", address(element), address(all)),
+                   static_cast<double>(position++));
       }
     }
-    add(fmt::format("the size of the parameters ({})", type),
-        fmt::format("sizeof({}) / sizeof({})", all, type), static_cast<double>(position));
+    add_number(fmt::format("the size of the parameters ({})", type),
+               fmt::format("sizeof({}) / sizeof({})", all, type), static_cast<double>(position));
   }
 
   [[nodiscard]] static double nearest_float(const cln::cl_R& value, ScalarKind scalar) {
@@ -134,10 +134,11 @@ class DeclarationText {
     };
     for (const DeclaredArray& array : declared_arrays(input_.model, input_.program)) {
       if (array.size() == 0 && row_.header == ArtifactId::c99) continue;
-      add("the size of " + array.name, fmt::format(fmt::runtime(row_.size), expression(array.name)),
-          static_cast<double>(array.size()));
+      add_number("the size of " + array.name,
+                 fmt::format(fmt::runtime(row_.size), expression(array.name)),
+                 static_cast<double>(array.size()));
       for (const DeclaredNumber& number : declared_numbers_of(array)) {
-        add(number.name, expression(number.name), number.of_model);
+        add_number(number.name, expression(number.name), number.model_value);
       }
     }
   }
@@ -147,12 +148,12 @@ class DeclarationText {
   void add_trigonometry(ScalarKind scalar) {
     const std::string table = fmt::format("Trigonometry<{}>::", name_of(scalar));
     const Numerics& numerics = input_.scene.numerics;
-    const bool is_own = has_batch_tables(input_.scene, input_.program);
+    const bool is_own = has_batch_sine_tables(input_.scene, input_.program);
     const std::string space =
         fmt::format("::{}::{}detail::", name_space(input_.scene), is_own ? "batch::" : "");
-    for (const SineNumber& number : sine_numbers(numerics, SineArithmetic::packs, scalar)) {
-      add(table + number.name, space + table + number.name,
-          nearest_float(exact_value(number.value), scalar));
+    for (const SineConstant& number : sine_constants(numerics, SineArithmetic::packs, scalar)) {
+      add_number(table + number.name, space + table + number.name,
+                 nearest_float(exact_value(number.value), scalar));
     }
   }
 
@@ -183,6 +184,8 @@ std::vector<DeclaredNumber> declared_numbers_of(const DeclaredArray& array) {
   return all;
 }
 
-Declarations declarations(const DriverInput& input) { return DeclarationText(input).complete(); }
+DeclarationReader make_declaration_reader(const DriverInput& input) {
+  return DeclarationText(input).build();
+}
 
 }  // namespace elgen

@@ -20,7 +20,7 @@ namespace elgen {
 namespace {
 
 /// The names of all emitted parameters; for arrays, of all elements.
-std::set<std::string> emitted_names(const DriverInput& input) {
+std::set<std::string> emitted_parameter_names(const DriverInput& input) {
   std::set<std::string> names;
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
     for (std::uint32_t i = 0; i < array.count; ++i) {
@@ -34,7 +34,7 @@ std::set<std::string> emitted_names(const DriverInput& input) {
 /// of seven joints are in one unit, the compiler needs a gigabyte of memory.
 constexpr std::size_t max_unit_length = 4096;
 
-std::size_t length_of(const Program& program) {
+std::size_t instruction_count(const Program& program) {
   std::size_t length = 0;
   for (const Function& function : program.functions) length += function.instructions.size();
   return length;
@@ -45,20 +45,20 @@ bool is_generic(const Scene& scene) {
 }
 
 /// Writes a driver; null in a table if the build does not compile the header.
-using DriverText = std::string (*)(const DriverInput& input);
+using DriverWriter = std::string (*)(const DriverInput& input);
 
 struct DriverRow {
   const char* types;
   const char* name;
   const char* needs;
-  DriverText text;
-  DriverText as_users;
-  bool in_packs = false;
+  DriverWriter text;
+  DriverWriter user_build_text;
+  bool uses_packs = false;
   bool is_wide = false;
 };
 
 constexpr DriverRow no_code{"", "", "", nullptr, nullptr};
-constexpr PerArtifact<DriverRow> driver_table{
+constexpr ArtifactTable<DriverRow> driver_table{
     .cpp = {"", "cpp", "", &cpp_driver, &cpp_driver},
     .eigen = {"Eigen", "eigen", "Eigen/Core", &eigen_driver, nullptr},
     .batch = {"batch", "batch", "", &batch_driver, &sine_driver, true},
@@ -70,7 +70,7 @@ constexpr PerArtifact<DriverRow> driver_table{
 
 }  // namespace
 
-std::string declared_leaves(std::string_view scalar, std::string_view attribute) {
+std::string leaf_parameter_list(std::string_view scalar, std::string_view attribute) {
   std::string text;
   for (const LeafRow& leaf : leaf_table()) {
     const char* const pattern = is_single(leaf.id) ? "{}{} {}, " : "{}const {}* {}, ";
@@ -81,8 +81,8 @@ std::string declared_leaves(std::string_view scalar, std::string_view attribute)
 
 std::string parameter_assignments(const DriverInput& input) {
   const LeafNames& leaves = input.program.leaves;
-  const std::vector<std::string> members = parameter_members(input.model, leaves);
-  const std::set<std::string> emitted = emitted_names(input);
+  const std::vector<std::string> members = parameter_member_texts(input.model, leaves);
+  const std::set<std::string> emitted = emitted_parameter_names(input);
   std::string text;
   for (std::size_t i = 0; i < members.size(); ++i) {
     if (emitted.count(leaves.parameters[i]) == 0) continue;
@@ -91,7 +91,7 @@ std::string parameter_assignments(const DriverInput& input) {
   return text;
 }
 
-std::string_view stored_position(const Scene& scene) {
+std::string_view storage_index(const Scene& scene) {
   const bool is_row_major = scene.emission.storage == Storage::row_major;
   return is_row_major ? "i * columns + j" : "j * rows + i";
 }
@@ -109,34 +109,35 @@ std::string append_statements(const DriverInput& input, const Function& function
   return text;
 }
 
-std::vector<Driver> drivers(const DriverInput& input, Build build) {
+std::vector<Driver> make_drivers(const DriverInput& input, BuildFlags build) {
   std::vector<Driver> result;
-  for (const Artifact& artifact : artifacts_of(input.scene)) {
+  for (const Artifact& artifact : requested_artifacts(input.scene)) {
     const DriverRow& row = driver_table[artifact.id];
-    const DriverText text = build == Build::user_flags ? row.as_users : row.text;
+    const DriverWriter text = build == BuildFlags::user_flags ? row.user_build_text : row.text;
     if (text == nullptr) continue;
-    result.push_back({row.types, row.name, text(input), row.needs, row.in_packs, row.is_wide,
+    result.push_back({row.types, row.name, text(input), row.needs, row.uses_packs, row.is_wide,
                       text != &sine_driver});
   }
   return result;
 }
 
-std::vector<DriverUnit> units_of(const DriverInput& input, Build build, const std::string& more) {
-  const bool is_long = length_of(input.program) > max_unit_length;
+std::vector<DriverUnit> make_driver_units(const DriverInput& input, BuildFlags build,
+                                          const std::string& more) {
+  const bool is_long = instruction_count(input.program) > max_unit_length;
   std::vector<DriverUnit> units;
-  for (Driver& driver : drivers(input, build)) {
+  for (Driver& driver : make_drivers(input, build)) {
     if (units.empty() || (is_long && driver.has_functions)) {
       units.push_back({{}, build, {}});
       units.back().source.file =
           fmt::format("driver_{}_{}.{}", static_cast<int>(build), units.size(),
-                      language_row(input.scene.emission.language).ending);
+                      language_row(input.scene.emission.language).file_extension);
     }
-    Source& source = units.back().source;
+    SourceFile& source = units.back().source;
     const std::string& needs = driver.needs;
     source.text += needs.empty()
                        ? driver.text
                        : fmt::format("#if __has_include(<{}>)\n{}#endif\n", needs, driver.text);
-    if (!needs.empty()) source.needs = needs;
+    if (!needs.empty()) source.required_header = needs;
     units.back().drivers.push_back(std::move(driver));
   }
   units.front().source.text += more;
@@ -147,17 +148,17 @@ std::vector<ScalarKind> driver_scalars(const DriverInput& input) {
   if (!is_generic(input.scene)) return input.scene.numerics.scalars;
   std::vector<ScalarKind> scalars{ScalarKind::double_precision};
   constexpr ScalarKind other = ScalarKind::single_precision;
-  if (fits(input.model, input.program, other)) scalars.push_back(other);
+  if (literals_fit(input.model, input.program, other)) scalars.push_back(other);
   return scalars;
 }
 
 std::vector<ScalarKind> scalars_of(const Driver& driver, const DriverInput& input) {
-  return driver.in_packs || driver.is_wide ? input.scene.numerics.scalars : driver_scalars(input);
+  return driver.uses_packs || driver.is_wide ? input.scene.numerics.scalars : driver_scalars(input);
 }
 
 bool is_wrapped(const Driver& driver, const Function& function) {
-  const bool returns_by_value = driver.in_packs || driver.is_wide;
-  return driver.has_functions && (!returns_by_value || is_returned(function));
+  const bool returns_by_value = driver.uses_packs || driver.is_wide;
+  return driver.has_functions && (!returns_by_value || is_returned_by_value(function));
 }
 
 std::string driver_symbol(std::string_view driver, std::string_view scalar, std::size_t function) {

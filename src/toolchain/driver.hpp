@@ -23,10 +23,11 @@ struct DriverInput {
 };
 
 /// A translation unit.
-struct Source {
+struct SourceFile {
   std::string file = {};
   std::string text = {};
-  std::string needs = {};  ///< a header outside the standard library: "Eigen/Core"; "" for none
+  std::string required_header =
+      {};  ///< a header outside the standard library: "Eigen/Core"; "" for none
 };
 
 /// The part of a translation unit that includes one emitted header, in the header's language, and
@@ -37,26 +38,26 @@ struct Driver {
   std::string name = {};   ///< part of the symbols: "eigen"
   std::string text = {};
   std::string needs = {};     ///< as in Source; without this header the text is omitted
-  bool in_packs = false;      ///< sines and cosines are polynomials (see Sines)
+  bool uses_packs = false;    ///< sines and cosines are polynomials (see Sines)
   bool is_wide = false;       ///< computes in the scalar Numerics::inner
   bool has_functions = true;  ///< false: wraps only the sine and cosine of packs
 };
 
 /// One driver for each emitted header that the build compiles.
-[[nodiscard]] std::vector<Driver> drivers(const DriverInput& input, Build build);
+[[nodiscard]] std::vector<Driver> make_drivers(const DriverInput& input, BuildFlags build);
 
 /// Drivers that are compiled as one translation unit.
 struct DriverUnit {
-  Source source = {};
-  Build build = Build::as_written;
+  SourceFile source = {};
+  BuildFlags build = BuildFlags::as_written;
   std::vector<Driver> drivers = {};
 };
 
 /// The drivers of a build in one unit. For long programs each driver with functions begins a new
 /// unit, because the compiler's memory grows with the unit. `more` is appended to the text of the
 /// first unit.
-[[nodiscard]] std::vector<DriverUnit> units_of(const DriverInput& input, Build build,
-                                               const std::string& more);
+[[nodiscard]] std::vector<DriverUnit> make_driver_units(const DriverInput& input, BuildFlags build,
+                                                        const std::string& more);
 
 /// The scalars of generic code: double, and also float if all numbers of the code fit float. For
 /// other code, the scalars of the scene.
@@ -77,11 +78,11 @@ struct DriverUnit {
                                         std::size_t function);
 
 /// The text of a function that writes all declared numbers, and the values that these must have.
-struct Declarations {
+struct DeclarationReader {
   std::string text = {};
   std::vector<DeclaredNumber> numbers = {};
 };
-[[nodiscard]] Declarations declarations(const DriverInput& input);
+[[nodiscard]] DeclarationReader make_declaration_reader(const DriverInput& input);
 
 /// The numbers or bounds in a declared array, with names such as "input_limits[0].low".
 [[nodiscard]] std::vector<DeclaredNumber> declared_numbers_of(const DeclaredArray& array);
@@ -97,7 +98,7 @@ inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 
 /// The index of entry (i, j) in a matrix that the header returns, as an expression. Drivers return
 /// matrices row by row.
-[[nodiscard]] std::string_view stored_position(const Scene& scene);
+[[nodiscard]] std::string_view storage_index(const Scene& scene);
 
 /// One line for each field: "  append(to, result.gravity.data(), 2, 1);". `data`: the call that
 /// returns the address of an array, ".data()" or "".
@@ -106,7 +107,8 @@ inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 
 /// The parameters of a driver function before its result: "const double* parameters, const double*
 /// q, …, double t, ". `attribute` precedes each of them.
-[[nodiscard]] std::string declared_leaves(std::string_view scalar, std::string_view attribute = "");
+[[nodiscard]] std::string leaf_parameter_list(std::string_view scalar,
+                                              std::string_view attribute = "");
 
 /// The text of `append` and `parameters_from`, which all C++17 drivers contain.
 [[nodiscard]] std::string cpp_helpers(const DriverInput& input);
@@ -132,16 +134,16 @@ using TimingDriverFunction = void (*)(std::size_t count,
 
 /// A driver that times the program's first function, for a scene in C++. Includes the batch header
 /// if a variant needs packs.
-[[nodiscard]] Source timing_driver(const DriverInput& input,
-                                   const std::vector<TimedVariant>& variants);
+[[nodiscard]] SourceFile timing_driver(const DriverInput& input,
+                                       const std::vector<TimedVariant>& variants);
 
 /// The symbol of variants[variant]: "elgen_timed_3".
 [[nodiscard]] std::string timed_symbol(std::size_t variant);
 
 /// Two functions of type StepLoop, with the names below: one for a single state, one in packs. The
 /// scene must be in C++ with a batch header; the program must contain a `step`.
-[[nodiscard]] Source step_driver(const DriverInput& input);
-inline constexpr const char* step_loop_of_one = "elgen_step_loop";
-inline constexpr const char* step_loop_in_packs = "elgen_step_loop_in_packs";
+[[nodiscard]] SourceFile step_driver(const DriverInput& input);
+inline constexpr const char* single_step_loop_symbol = "elgen_step_loop";
+inline constexpr const char* pack_step_loop_symbol = "elgen_step_loop_in_packs";
 
 }  // namespace elgen

@@ -21,7 +21,7 @@
 namespace elgen {
 namespace {
 
-constexpr int milliseconds_between_looks = 200;
+constexpr int poll_interval_ms = 200;
 constexpr int status_of_exception = 70;
 
 /// Restores the default handlers in a child, so that a signal ends the child; the parent reports
@@ -52,14 +52,14 @@ void reset_handlers() {
 
 /// The ending of the first child that failed, if any. Without a failure, sets `running` to the
 /// number of running children.
-std::optional<ForkedEnding> failure(std::list<Child>& children, std::size_t& running) {
+std::optional<ForkResult> find_failure(std::list<Child>& children, std::size_t& running) {
   running = 0;
   for (Child& child : children) {
     if (!child.has_ended()) {
       ++running;
     } else if (child.status() != 0) {
       const bool is_late = child.status() == 128 + SIGXCPU;
-      return ForkedEnding{is_late ? Ending::out_of_time : child.ending(), child.status()};
+      return ForkResult{is_late ? ProcessEnding::out_of_time : child.ending(), child.status()};
     }
   }
   return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<ForkedEnding> failure(std::list<Child>& children, std::size_t& run
 
 }  // namespace
 
-ChildSignal::ChildSignal() {
+ChildSignalBlock::ChildSignalBlock() {
   struct sigaction standard {};
   standard.sa_handler = SIG_DFL;
   sigaction(SIGCHLD, &standard, &action_);
@@ -77,7 +77,7 @@ ChildSignal::ChildSignal() {
   pthread_sigmask(SIG_BLOCK, &set, &mask_);
 }
 
-ChildSignal::~ChildSignal() {
+ChildSignalBlock::~ChildSignalBlock() {
   pthread_sigmask(SIG_SETMASK, &mask_, nullptr);
   sigaction(SIGCHLD, &action_, nullptr);
 }
@@ -103,49 +103,51 @@ bool Child::has_ended() {
   return has_ended_;
 }
 
-Ending Child::ending() const { return WIFEXITED(state_) ? Ending::exited : Ending::signalled; }
+ProcessEnding Child::ending() const {
+  return WIFEXITED(state_) ? ProcessEnding::exited : ProcessEnding::signalled;
+}
 
 int Child::status() const {
   if (!has_ended_) return -1;
   return WIFEXITED(state_) ? WEXITSTATUS(state_) : 128 + WTERMSIG(state_);
 }
 
-Descriptor signals_to_wait_for() {
-  sigset_t set = ending_signals();
+FileDescriptor open_signal_descriptor() {
+  sigset_t set = termination_signals();
   sigaddset(&set, SIGCHLD);
-  return Descriptor(::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK));
+  return FileDescriptor(::signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK));
 }
 
-bool read_interrupt(const Descriptor& signals) {
+bool read_interrupt(const FileDescriptor& signals) {
   signalfd_siginfo info{};
   if (::read(signals.number(), &info, sizeof info) != sizeof info) return false;
   const auto signal = static_cast<int>(info.ssi_signo);
   return signal != SIGCHLD && ::raise(signal) == 0;
 }
 
-ForkedEnding run_forked(std::size_t count, const std::function<void(std::size_t)>& work,
-                        const std::function<void()>& on_wait, std::uint64_t seconds) {
+ForkResult run_forked(std::size_t count, const std::function<void(std::size_t)>& work,
+                      const std::function<void()>& on_wait, std::uint64_t seconds) {
   using Clock = std::chrono::steady_clock;
   const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, max_run_seconds));
-  const NoInterrupts blocks_interrupts;
-  const ChildSignal end_of_child;
-  const Descriptor signals = signals_to_wait_for();
-  if (!signals.is_open()) return {Ending::not_started, -1};
+  const SignalBlocker blocks_interrupts;
+  const ChildSignalBlock end_of_child;
+  const FileDescriptor signals = open_signal_descriptor();
+  if (!signals.is_open()) return {ProcessEnding::not_started, -1};
   const pid_t parent = ::getpid();
   std::list<Child> children;
   for (std::size_t i = 0; i < count; ++i) {
     const pid_t id = ::fork();
     if (id == 0) run_child(parent, i, work);
-    if (id < 0) return {Ending::not_started, -1};
+    if (id < 0) return {ProcessEnding::not_started, -1};
     (void)::setpgid(id, id);  // in both processes, because either may run first
     children.emplace_back(id);
   }
   pollfd event{signals.number(), POLLIN, 0};
   for (std::size_t running = count; running > 0;) {
-    (void)::poll(&event, 1, milliseconds_between_looks);
-    if (read_interrupt(signals)) return {Ending::interrupted, -1};
-    if (const auto failed = failure(children, running)) return *failed;
-    if (running > 0 && Clock::now() >= deadline) return {Ending::out_of_time, -1};
+    (void)::poll(&event, 1, poll_interval_ms);
+    if (read_interrupt(signals)) return {ProcessEnding::interrupted, -1};
+    if (const auto failed = find_failure(children, running)) return *failed;
+    if (running > 0 && Clock::now() >= deadline) return {ProcessEnding::out_of_time, -1};
     on_wait();
   }
   return {};

@@ -17,12 +17,12 @@
 namespace elgen {
 
 /// While it exists, SIGCHLD is blocked, so that a signalfd can report the end of a child.
-class ChildSignal {
+class ChildSignalBlock {
  public:
-  ChildSignal();
-  ChildSignal(const ChildSignal&) = delete;
-  ChildSignal& operator=(const ChildSignal&) = delete;
-  ~ChildSignal();
+  ChildSignalBlock();
+  ChildSignalBlock(const ChildSignalBlock&) = delete;
+  ChildSignalBlock& operator=(const ChildSignalBlock&) = delete;
+  ~ChildSignalBlock();
 
  private:
   struct sigaction action_ {};
@@ -39,7 +39,7 @@ class Child {
   ~Child();
 
   [[nodiscard]] bool has_ended();
-  [[nodiscard]] Ending ending() const;
+  [[nodiscard]] ProcessEnding ending() const;
   /// The exit status; 128 + signal if a signal ended the child; -1 while the child runs.
   [[nodiscard]] int status() const;
 
@@ -54,11 +54,11 @@ class Child {
 
 /// A descriptor that becomes readable when a child ends or an interrupt arrives. Both signals must
 /// be blocked.
-[[nodiscard]] Descriptor signals_to_wait_for();
+[[nodiscard]] FileDescriptor open_signal_descriptor();
 
 /// Reads one signal. An interrupt is raised again, so that it is delivered when signals are
 /// unblocked. True if the signal is an interrupt.
-[[nodiscard]] bool read_interrupt(const Descriptor& signals);
+[[nodiscard]] bool read_interrupt(const FileDescriptor& signals);
 
 /// An array of `size` zeros, which forked processes write, and which this process reads when they
 /// have ended. T must be plain data, or a lock-free atomic of plain data.
@@ -89,11 +89,11 @@ class SharedArray {
 
 /// How the forks ended: exit code 0 if all succeeded, otherwise the ending of the first fork that
 /// failed.
-struct ForkedEnding {
-  Ending ending = Ending::exited;
+struct ForkResult {
+  ProcessEnding ending = ProcessEnding::exited;
   int status = 0;  ///< as in ProcessResult
 
-  [[nodiscard]] bool succeeded() const { return ending == Ending::exited && status == 0; }
+  [[nodiscard]] bool succeeded() const { return ending == ProcessEnding::exited && status == 0; }
 };
 
 /// Calls work(0) ... work(count - 1), each in a fork of this process, and waits for all forks. If a
@@ -101,9 +101,8 @@ struct ForkedEnding {
 /// SharedArray, or in a file that was opened before the call. `on_wait` is called about five times
 /// a second. The ending is out_of_time after `seconds` of wall-clock time, or if a fork exceeds its
 /// limit of processor time. A fork that throws exits with 70.
-[[nodiscard]] ForkedEnding run_forked(std::size_t count,
-                                      const std::function<void(std::size_t)>& work,
-                                      const std::function<void()>& on_wait,
-                                      std::uint64_t seconds = max_run_seconds);
+[[nodiscard]] ForkResult run_forked(std::size_t count, const std::function<void(std::size_t)>& work,
+                                    const std::function<void()>& on_wait,
+                                    std::uint64_t seconds = max_run_seconds);
 
 }  // namespace elgen

@@ -48,7 +48,7 @@ TemplateData parameters_data(const DriverInput& input) {
   }
   TemplateData list(TemplateData::type::list);
   std::size_t number = spelling.first_index;
-  for (const auto& [name, place] : members_of(input.model, input.program.leaves)) {
+  for (const auto& [name, place] : parameter_leaf_members(input.model, input.program.leaves)) {
     const auto element = fmt::runtime(place ? spelling.element : "");
     const TemplateRow row{
         {"name", name_in_language(spelling.language, name)},
@@ -77,29 +77,30 @@ std::vector<DeclaredNumber> declared_numbers(const DriverInput& input) {
 }
 
 TemplateData arrays_data(const DriverInput& input) {
-  return rows_data(declared_arrays(input.model, input.program), [](const DeclaredArray& array) {
-    return TemplateRow{{"name", array.name},
-                       {"numbers", section_if(array.kind != DeclaredArray::Kind::texts)}};
-  });
+  return repeated_section(
+      declared_arrays(input.model, input.program), [](const DeclaredArray& array) {
+        return TemplateRow{{"name", array.name},
+                           {"numbers", optional_section(array.kind != DeclaredArray::Kind::texts)}};
+      });
 }
 
 TemplateData defaults_data(const DriverInput& input) {
-  return rows_data(
+  return repeated_section(
       emitted_parameters(input.model, input.program), [&](const ParameterArray& array) {
         return TemplateRow{{"name", name_in_language(input.scene.emission.language, array.name)}};
       });
 }
 
 TemplateData leaves_data(LanguageId language) {
-  return rows_data(leaf_table(), [language](const LeafRow& leaf) {
+  return repeated_section(leaf_table(), [language](const LeafRow& leaf) {
     return TemplateRow{{"name", name_in_language(language, leaf.symbol)},
-                       {"single", section_if(is_single(leaf.id))}};
+                       {"single", optional_section(is_single(leaf.id))}};
   });
 }
 
 TemplateData functions_data(const DriverInput& input) {
   const LanguageId language = input.scene.emission.language;
-  return rows_data(input.program.functions, [&](const Function& function) {
+  return repeated_section(input.program.functions, [&](const Function& function) {
     Texts arguments;
     for (const Opcode argument : arguments_of(input.model, function, input.program, language)) {
       arguments.push_back("x." + name_in_language(language, leaf_row(argument).symbol));
@@ -109,14 +110,14 @@ TemplateData functions_data(const DriverInput& input) {
       if (!field.name.empty()) fields.push_back(name_in_language(language, field.name));
     }
     return TemplateRow{{"name", name_in_language(language, function.name)},
-                       {"fields", lines_data(fields)},
+                       {"fields", lines_section(fields)},
                        {"arguments", fmt::format("{}", fmt::join(arguments, ", "))}};
   });
 }
 
 std::string driver_text(const DriverInput& input) {
   const LanguageRow& language = language_row(input.scene.emission.language);
-  return fill_template(fmt::format("{}/driver.{}.mustache", language.name, language.ending),
+  return fill_template(fmt::format("{}/driver.{}.mustache", language.name, language.file_extension),
                        TemplateRow{{"module", input.scene.base_name},
                                    {"leaves", leaves_data(language.id)},
                                    {"parameters", parameters_data(input)},
@@ -126,13 +127,13 @@ std::string driver_text(const DriverInput& input) {
 }
 
 /// A line of the driver: its mark ("=", "!", …), and the text after the mark.
-struct Answer {
+struct DriverAnswer {
   std::string_view mark = {};
   std::string_view text = {};
 };
 
-std::vector<Answer> answers_in(std::string_view output) {
-  std::vector<Answer> answers;
+std::vector<DriverAnswer> parse_answers(std::string_view output) {
+  std::vector<DriverAnswer> answers;
   while (!output.empty()) {
     std::string_view line = output.substr(0, output.find('\n'));
     output.remove_prefix(std::min(line.size() + 1, output.size()));
@@ -147,7 +148,7 @@ std::vector<Answer> answers_in(std::string_view output) {
 
 /// A line of input, "3 2 1 0.10000000000000001 …": the index of the function; then for each kind of
 /// leaf, in table order, the number of values and the values.
-std::string question(std::size_t function, const Arguments<double>& arguments) {
+std::string question_line(std::size_t function, const Arguments<double>& arguments) {
   std::string line = std::to_string(function);
   for (const LeafRow& leaf : leaf_table()) {
     const auto count = static_cast<std::uint32_t>(leaf_count(arguments, leaf.id));
@@ -181,7 +182,7 @@ class InterpretedModel final : public CompiledModel {
   }
   [[nodiscard]] Numbers call(std::string_view function,
                              const Arguments<double>& arguments) const override {
-    const auto all = call_all({function}, {arguments});
+    const auto all = call_at_states({function}, {arguments});
     return all ? all->front().front() : Numbers();
   }
   [[nodiscard]] std::vector<float> call(std::string_view /*function*/,
@@ -192,26 +193,26 @@ class InterpretedModel final : public CompiledModel {
     return scalar == ScalarKind::double_precision;
   }
 
-  using CompiledModel::call_all;
-  [[nodiscard]] Result<ValuesOfFunctions<double>> call_all(
+  using CompiledModel::call_at_states;
+  [[nodiscard]] Result<FunctionResults<double>> call_at_states(
       const std::vector<std::string_view>& functions,
       const std::vector<Arguments<double>>& states) const override {
     std::string questions;
     for (const std::string_view function : functions) {
       const auto number = std::ranges::find(names_, function) - names_.begin();
       for (const Arguments<double>& state : states) {
-        questions += question(static_cast<std::size_t>(number), state);
+        questions += question_line(static_cast<std::size_t>(number), state);
       }
     }
     const ProcessResult process = run_driver(questions);
-    std::vector<Answer> answers = answers_in(process.output);
-    std::erase_if(answers, [](const Answer& x) { return x.mark != "=" && x.mark != "!"; });
+    std::vector<DriverAnswer> answers = parse_answers(process.output);
+    std::erase_if(answers, [](const DriverAnswer& x) { return x.mark != "=" && x.mark != "!"; });
     if (answers.size() != functions.size() * states.size()) {
       return Diagnostic{Code::E709, {}, failure_text(process, answers.size())};
     }
-    ValuesOfFunctions<double> values(functions.size());
+    FunctionResults<double> values(functions.size());
     for (std::size_t i = 0; i < answers.size(); ++i) {
-      const auto numbers = answers[i].mark == "=" ? numbers_in(answers[i].text) : Numbers();
+      const auto numbers = answers[i].mark == "=" ? parse_numbers(answers[i].text) : Numbers();
       values[i / states.size()].push_back(numbers.value_or(Numbers()));
     }
     return values;
@@ -220,7 +221,7 @@ class InterpretedModel final : public CompiledModel {
   [[nodiscard]] std::string failure_text(const ProcessResult& process, std::size_t answers) const {
     const std::string ended = ending_text(process.ending, process.status, seconds_);
     const std::string after = answers == 0 ? "" : ", after " + count_text(answers, "answer");
-    return fmt::format("{} {}{}{}", command(), ended, after, quoted_lines(process.errors));
+    return fmt::format("{} {}{}{}", command(), ended, after, indent_output(process.errors));
   }
 
  private:
@@ -233,13 +234,14 @@ class InterpretedModel final : public CompiledModel {
 /// Why the code cannot be called; "" if it can. E705 if the module is refused. Sets the declared
 /// numbers. The driver prints a line before it imports the module, so that a missing interpreter
 /// differs from a refused module.
-Result<std::string> first_answer(const InterpretedModel& model, std::vector<DeclaredNumber>& all) {
+Result<std::string> check_first_run(const InterpretedModel& model,
+                                    std::vector<DeclaredNumber>& all) {
   const ProcessResult process = model.run_driver("");
-  if (process.ending == Ending::not_started) return model.command() + " could not be run";
-  const std::vector<Answer> answers = answers_in(process.output);
+  if (process.ending == ProcessEnding::not_started) return model.command() + " could not be run";
+  const std::vector<DriverAnswer> answers = parse_answers(process.output);
   if (answers.empty()) return model.failure_text(process, 0);
   if (answers.front().mark == "!") return std::string(answers.front().text);
-  const auto numbers = answers.size() < 2 ? std::nullopt : numbers_in(answers[1].text);
+  const auto numbers = answers.size() < 2 ? std::nullopt : parse_numbers(answers[1].text);
   if (!process.succeeded() || !numbers || numbers->size() != all.size()) {
     return Diagnostic{Code::E705, {}, model.failure_text(process, answers.size() - 1)};
   }
@@ -249,23 +251,23 @@ Result<std::string> first_answer(const InterpretedModel& model, std::vector<Decl
 
 }  // namespace
 
-Result<CompiledHeaders> interpret(const EmittedFiles& files, const DriverInput& input,
-                                  const Limits& limits) {
+Result<CompiledHeaders> load_interpreted_module(const EmittedFiles& files, const DriverInput& input,
+                                                const Limits& limits) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
-  const std::string ending = fmt::format(".{}", language_row(spelling.language).ending);
+  const std::string ending = fmt::format(".{}", language_row(spelling.language).file_extension);
   const std::string driver =
       "elgen-driver" + ending;  // cannot collide: names of models have no hyphen
-  Result<TemporaryDirectory> directory = directory_with(
-      {},
-      {{input.scene.base_name + ending, files.files.at(path_of(input.scene, ArtifactId::source))},
-       {driver, driver_text(input)}});
+  Result<TemporaryDirectory> directory =
+      make_source_directory({}, {{input.scene.base_name + ending,
+                                  files.files.at(artifact_path(input.scene, ArtifactId::source))},
+                                 {driver, driver_text(input)}});
   if (!directory) return directory.diagnostics;
   Texts command = interpreter_of(spelling);
   command.push_back((directory->path() / driver).string());
   auto functions = std::make_unique<InterpretedModel>(std::move(*directory), std::move(command),
                                                       input, limits.seconds);
   std::vector<DeclaredNumber> numbers = declared_numbers(input);
-  const Result<std::string> lacking = first_answer(*functions, numbers);
+  const Result<std::string> lacking = check_first_run(*functions, numbers);
   if (!lacking) return lacking.diagnostics;
   CompiledHeaders headers(1);
   CompiledHeader& header = headers.front();

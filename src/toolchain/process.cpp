@@ -31,7 +31,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// The pointers that exec needs, with null as last element.
-std::vector<char*> pointers(std::vector<std::string>& texts) {
+std::vector<char*> exec_pointers(std::vector<std::string>& texts) {
   std::vector<char*> result;
   result.reserve(texts.size() + 1);
   for (std::string& text : texts) result.push_back(text.data());
@@ -40,7 +40,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 /// The environment of this process, with $TMPDIR = `temporary` unless `temporary` is empty.
-std::vector<std::string> variables_with(const std::string& temporary) {
+std::vector<std::string> child_environment(const std::string& temporary) {
   constexpr std::string_view name = "TMPDIR=";
   std::vector<std::string> variables;
   for (char** variable = environ; *variable != nullptr; ++variable) {
@@ -52,8 +52,8 @@ std::vector<std::string> variables_with(const std::string& temporary) {
 }
 
 /// An unnamed file with this content, positioned at its beginning; not open if writing failed.
-Descriptor file_with(std::string_view text) {
-  Descriptor file(::memfd_create("input", MFD_CLOEXEC));
+FileDescriptor make_memory_file(std::string_view text) {
+  FileDescriptor file(::memfd_create("input", MFD_CLOEXEC));
   while (file.is_open() && !text.empty()) {
     const ssize_t count = ::write(file.number(), text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
@@ -68,7 +68,7 @@ Descriptor file_with(std::string_view text) {
 /// blocked.
 class SpawnSetup {
  public:
-  SpawnSetup(const Descriptor& input, int output, int errors) {
+  SpawnSetup(const FileDescriptor& input, int output, int errors) {
     posix_spawn_file_actions_init(&actions_);
     if (input.is_open()) {
       posix_spawn_file_actions_adddup2(&actions_, input.number(), 0);
@@ -93,8 +93,8 @@ class SpawnSetup {
 
   [[nodiscard]] std::optional<pid_t> start(std::vector<std::string> command,
                                            std::vector<std::string> variables) const {
-    const std::vector<char*> words = pointers(command);
-    const std::vector<char*> environment = pointers(variables);
+    const std::vector<char*> words = exec_pointers(command);
+    const std::vector<char*> environment = exec_pointers(variables);
     pid_t child = 0;
     const int error = posix_spawnp(&child, words.front(), &actions_, &attributes_, words.data(),
                                    environment.data());
@@ -113,44 +113,45 @@ int milliseconds_until(Clock::time_point deadline) {
 }
 
 /// Reads the streams until the child ends, the deadline passes, or an interrupt arrives.
-Ending wait_for(Child& child, std::vector<Stream>& streams, const Descriptor& signals,
-                Clock::time_point deadline) {
+ProcessEnding wait_for_child(Child& child, std::vector<OutputPipe>& streams,
+                             const FileDescriptor& signals, Clock::time_point deadline) {
   std::vector<pollfd> events;
-  for (const Stream& stream : streams) events.push_back({stream.read_end().number(), POLLIN, 0});
+  for (const OutputPipe& stream : streams)
+    events.push_back({stream.read_end().number(), POLLIN, 0});
   events.push_back({signals.number(), POLLIN, 0});
   while (!child.has_ended()) {
-    if (Clock::now() >= deadline) return Ending::out_of_time;
+    if (Clock::now() >= deadline) return ProcessEnding::out_of_time;
     (void)::poll(events.data(), events.size(), milliseconds_until(deadline));
     for (std::size_t i = 0; i < streams.size(); ++i) {
       streams[i].drain();
       if ((events[i].revents & POLLHUP) != 0) events[i].fd = -1;
     }
-    if (read_interrupt(signals)) return Ending::interrupted;
+    if (read_interrupt(signals)) return ProcessEnding::interrupted;
   }
-  for (Stream& stream : streams) stream.drain();
+  for (OutputPipe& stream : streams) stream.drain();
   return child.ending();
 }
 
 /// Runs a command. The first stream gets stdout, the last stream stderr. A single stream gets both.
-ProcessResult run_with(std::vector<Stream> streams, const std::vector<std::string>& command,
-                       std::uint64_t seconds, const std::string& temporary,
-                       std::string_view input = {}) {
+ProcessResult run_with_streams(std::vector<OutputPipe> streams,
+                               const std::vector<std::string>& command, std::uint64_t seconds,
+                               const std::string& temporary, std::string_view input = {}) {
   if (command.empty()) return {};
-  const NoInterrupts blocks_interrupts;
-  const ChildSignal end_of_child;
-  const Descriptor signals = signals_to_wait_for();
-  if (!signals.is_open() || !std::ranges::all_of(streams, &Stream::is_open)) return {};
-  const Descriptor file = input.empty() ? Descriptor() : file_with(input);
+  const SignalBlocker blocks_interrupts;
+  const ChildSignalBlock end_of_child;
+  const FileDescriptor signals = open_signal_descriptor();
+  if (!signals.is_open() || !std::ranges::all_of(streams, &OutputPipe::is_open)) return {};
+  const FileDescriptor file = input.empty() ? FileDescriptor() : make_memory_file(input);
   if (!input.empty() && !file.is_open()) return {};
   const SpawnSetup circumstances(file, streams.front().write_end().number(),
                                  streams.back().write_end().number());
-  const std::optional<pid_t> id = circumstances.start(command, variables_with(temporary));
-  for (Stream& stream : streams) stream.close_write_end();
+  const std::optional<pid_t> id = circumstances.start(command, child_environment(temporary));
+  for (OutputPipe& stream : streams) stream.close_write_end();
   if (!id) return {};
   const auto deadline = Clock::now() + std::chrono::seconds(std::min(seconds, max_run_seconds));
   Child child(*id);
-  const Ending ending = wait_for(child, streams, signals, deadline);
-  return {ending, child.status(), streams.front().take(), streams.back().take()};
+  const ProcessEnding ending = wait_for_child(child, streams, signals, deadline);
+  return {ending, child.status(), streams.front().take_text(), streams.back().take_text()};
 }
 
 constexpr std::size_t max_plain_bytes = 4000;
@@ -160,7 +161,7 @@ constexpr char bell = '\a';
 // Escape sequences of ECMA-48: ESC [ parameters letter; ESC ] text BEL; ESC and one character.
 
 /// The position after the escape sequence that begins at `position`.
-std::size_t after_escape_sequence(std::string_view text, std::size_t position) {
+std::size_t skip_escape_sequence(std::string_view text, std::size_t position) {
   const char kind = position + 1 < text.size() ? text[position + 1] : '\0';
   if (kind != '[' && kind != ']') return position + 2;
   for (std::size_t i = position + 2; i < text.size(); ++i) {
@@ -174,19 +175,19 @@ std::size_t after_escape_sequence(std::string_view text, std::size_t position) {
 
 }  // namespace
 
-ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds,
-                  const std::string& temporary) {
-  std::vector<Stream> both;
+ProcessResult run_process(const std::vector<std::string>& command, std::uint64_t seconds,
+                          const std::string& temporary) {
+  std::vector<OutputPipe> both;
   both.emplace_back(max_message_bytes);
-  return run_with(std::move(both), command, seconds, temporary);
+  return run_with_streams(std::move(both), command, seconds, temporary);
 }
 
 ProcessResult run_with_input(const std::vector<std::string>& command, std::uint64_t seconds,
                              std::size_t most_output, std::string_view input) {
-  std::vector<Stream> streams;
+  std::vector<OutputPipe> streams;
   streams.emplace_back(most_output);
   streams.emplace_back(max_message_bytes);
-  return run_with(std::move(streams), command, seconds, {}, input);
+  return run_with_streams(std::move(streams), command, seconds, {}, input);
 }
 
 std::vector<std::string> words_of_command(const std::string& text) {
@@ -196,16 +197,17 @@ std::vector<std::string> words_of_command(const std::string& text) {
   return words;
 }
 
-std::string ending_text(Ending ending, int status, std::uint64_t seconds) {
-  if (ending == Ending::not_started) return "could not be run";
-  if (ending == Ending::out_of_time) return fmt::format("has not ended within {} s", seconds);
-  if (ending != Ending::signalled) return fmt::format("exits {}", status);
+std::string ending_text(ProcessEnding ending, int status, std::uint64_t seconds) {
+  if (ending == ProcessEnding::not_started) return "could not be run";
+  if (ending == ProcessEnding::out_of_time)
+    return fmt::format("has not ended within {} s", seconds);
+  if (ending != ProcessEnding::signalled) return fmt::format("exits {}", status);
   // The text of strsignal is English, because the locale is always "C". glibc's sigabbrev_np does
   // not exist elsewhere.
   return fmt::format("was ended by signal {} ({})", status - 128, ::strsignal(status - 128));
 }
 
-std::optional<std::vector<double>> numbers_in(std::string_view line) {
+std::optional<std::vector<double>> parse_numbers(std::string_view line) {
   constexpr std::string_view between = "[], \t\r";
   const std::string text(line);  // ends with a null, as strtod needs
   std::vector<double> numbers;
@@ -226,11 +228,11 @@ std::optional<std::vector<double>> numbers_in(std::string_view line) {
   return numbers;
 }
 
-std::string plain_text(std::string_view text) {
+std::string sanitize_output(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size();) {
     if (text[i] == escape) {
-      i = after_escape_sequence(text, i);
+      i = skip_escape_sequence(text, i);
       continue;
     }
     const CodePoint point = code_point_at(text, i);
@@ -241,8 +243,8 @@ std::string plain_text(std::string_view text) {
   return plain;
 }
 
-std::string quoted_lines(std::string_view text) {
-  std::istringstream lines(plain_text(text));
+std::string indent_output(std::string_view text) {
+  std::istringstream lines(sanitize_output(text));
   std::string quoted;
   for (std::string line; std::getline(lines, line);) quoted += "\n    " + line;
   return quoted.empty() ? quoted : ":" + quoted;

@@ -10,7 +10,7 @@
 
 namespace elgen {
 
-enum class Ending : unsigned char {
+enum class ProcessEnding : unsigned char {
   not_started,  ///< the program does not exist or is not executable
   exited,
   signalled,    ///< by a crash, or by a signal from another process
@@ -24,19 +24,19 @@ inline constexpr std::uint64_t max_run_seconds = 1U << 30U;
 inline constexpr std::size_t max_message_bytes = 1U << 14U;
 
 struct ProcessResult {
-  Ending ending = Ending::not_started;
+  ProcessEnding ending = ProcessEnding::not_started;
   int status = -1;          ///< exit status; 128 + signal if a signal ended the program
   std::string output = {};  ///< the first bytes of stdout, up to the limit
   std::string errors = {};  ///< the first 16 KiB of stderr; empty if stderr goes to `output`
 
-  [[nodiscard]] bool succeeded() const { return ending == Ending::exited && status == 0; }
+  [[nodiscard]] bool succeeded() const { return ending == ProcessEnding::exited && status == 0; }
 };
 
 /// Runs `command`, looked up in $PATH, without input, for at most `seconds`. `output` has the first
 /// 16 KiB of stdout and stderr, in order. `temporary` is the program's $TMPDIR, so that its files
 /// are in a known folder if it is killed; if empty, the program has elgen's $TMPDIR.
-[[nodiscard]] ProcessResult run(const std::vector<std::string>& command, std::uint64_t seconds,
-                                const std::string& temporary = {});
+[[nodiscard]] ProcessResult run_process(const std::vector<std::string>& command,
+                                        std::uint64_t seconds, const std::string& temporary = {});
 
 /// Like run(), but stdout and stderr are separate, and `output` has the first `most_output` bytes
 /// of stdout. `input` is the content of stdin.
@@ -49,18 +49,18 @@ struct ProcessResult {
 
 /// "could not be run", "was ended by signal 11 (Segmentation fault)", "exits 1", "has not ended
 /// within 60 s".
-[[nodiscard]] std::string ending_text(Ending ending, int status, std::uint64_t seconds = 0);
+[[nodiscard]] std::string ending_text(ProcessEnding ending, int status, std::uint64_t seconds = 0);
 
 /// The numbers of a line, including NaN and infinities, separated by blanks, commas and brackets;
 /// none if the line contains other text.
-[[nodiscard]] std::optional<std::vector<double>> numbers_in(std::string_view line);
+[[nodiscard]] std::optional<std::vector<double>> parse_numbers(std::string_view line);
 
 /// The output of another program, safe for use in a message: without escape sequences and control
 /// characters except line ends; cut after 4000 bytes, and at the first byte that is not UTF-8.
-[[nodiscard]] std::string plain_text(std::string_view text);
+[[nodiscard]] std::string sanitize_output(std::string_view text);
 
-/// plain_text() after a colon, with each line indented, so that no line looks like a message of
-/// elgen: ":\n    Traceback". "" for an empty text.
-[[nodiscard]] std::string quoted_lines(std::string_view text);
+/// sanitize_output() after a colon, with each line indented, so that no line looks like a message
+/// of elgen: ":\n    Traceback". "" for an empty text.
+[[nodiscard]] std::string indent_output(std::string_view text);
 
 }  // namespace elgen

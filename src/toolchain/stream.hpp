@@ -14,19 +14,19 @@
 
 namespace elgen {
 
-class Stream {
+class OutputPipe {
  public:
-  explicit Stream(std::size_t most) : most_(most) {
+  explicit OutputPipe(std::size_t most) : most_(most) {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) return;
-    read_end_ = Descriptor(ends[0]);
-    write_end_ = Descriptor(ends[1]);
+    read_end_ = FileDescriptor(ends[0]);
+    write_end_ = FileDescriptor(ends[1]);
     if (::fcntl(read_end_.number(), F_SETFL, O_NONBLOCK) != 0) (void)read_end_.close();
   }
 
   [[nodiscard]] bool is_open() const { return read_end_.is_open(); }
-  [[nodiscard]] const Descriptor& read_end() const { return read_end_; }
-  [[nodiscard]] const Descriptor& write_end() const { return write_end_; }
+  [[nodiscard]] const FileDescriptor& read_end() const { return read_end_; }
+  [[nodiscard]] const FileDescriptor& write_end() const { return write_end_; }
   /// Closes this process's write end, so that reading ends when the child closes its ends.
   void close_write_end() { (void)write_end_.close(); }
 
@@ -42,12 +42,12 @@ class Stream {
       text_.append(part.data(), std::min(static_cast<std::size_t>(count), most_ - text_.size()));
     }
   }
-  [[nodiscard]] std::string take() { return std::exchange(text_, {}); }
+  [[nodiscard]] std::string take_text() { return std::exchange(text_, {}); }
 
  private:
   std::size_t most_;
-  Descriptor read_end_ = {};
-  Descriptor write_end_ = {};
+  FileDescriptor read_end_ = {};
+  FileDescriptor write_end_ = {};
   std::string text_ = {};
 };
 

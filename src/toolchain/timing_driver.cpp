@@ -60,7 +60,7 @@ void scatter(const std::array<Scalar, Size>& values, std::size_t i, std::size_t 
 
 )";
 
-constexpr std::string_view one_by_one = R"(template <class Scalar>
+constexpr std::string_view state_loop_template = R"(template <class Scalar>
 void one_by_one(std::size_t count, {leaves}Scalar* result) {{
   const auto& p = model_parameters<Scalar>();
   for (std::size_t i = 0; i < count; ++i) {{
@@ -70,7 +70,7 @@ void one_by_one(std::size_t count, {leaves}Scalar* result) {{
 
 )";
 
-constexpr std::string_view in_packs = R"(template <class Scalar>
+constexpr std::string_view pack_loop_template = R"(template <class Scalar>
 void in_packs(std::size_t count, {leaves}Scalar* result) {{
   emitted::batch::{function}<Scalar>({arguments}, result);
 }}
@@ -78,8 +78,8 @@ void in_packs(std::size_t count, {leaves}Scalar* result) {{
 )";
 
 /// Calls the batch function with one state at a time; gathers and scatters numbers like
-/// `one_by_one`.
-constexpr std::string_view one_per_call = R"(template <class Scalar>
+/// `state_loop_template`.
+constexpr std::string_view batch_call_template = R"(template <class Scalar>
 void one_per_call(std::size_t count, {leaves}Scalar* result) {{
   const auto& p = model_parameters<Scalar>();
   for (std::size_t i = 0; i < count; ++i) {{
@@ -92,14 +92,14 @@ void one_per_call(std::size_t count, {leaves}Scalar* result) {{
 
 )";
 
-constexpr std::string_view entry = R"(
+constexpr std::string_view entry_point_template = R"(
 extern "C" void {symbol}(std::size_t count, {leaves}{scalar}* result);
 extern "C" void {symbol}(std::size_t count, {leaves}{scalar}* result) {{
   {call}<{scalar}>(count, {names}, result);
 }}
 )";
 
-constexpr std::string_view step_loops = R"(}}  // namespace
+constexpr std::string_view step_loops_template = R"(}}  // namespace
 
 extern "C" void {one}(std::size_t count, std::size_t steps, double start, double h,
                       const double* inputs, double* state, double* spare);
@@ -154,7 +154,7 @@ constexpr std::string_view projection_in_packs =
 
 /// The parameters of a timed function before its result: "const double* parameters, const double*
 /// q, …, const double* t, ".
-std::string declared(std::string_view scalar, std::string_view attribute = "") {
+std::string timed_parameter_list(std::string_view scalar, std::string_view attribute = "") {
   std::string text;
   for (const LeafRow& leaf : leaf_table()) {
     text += fmt::format("{}const {}* {}, ", attribute, scalar, leaf.member);
@@ -165,8 +165,8 @@ std::string declared(std::string_view scalar, std::string_view attribute = "") {
 std::string prologue_of(const Scene& scene) {
   const bool is_wide = scene.numerics.inner != InnerScalar::same;
   const ArtifactId own = is_wide ? ArtifactId::wide : ArtifactId::cpp;
-  const ArtifactId header = scene.emission.batch ? ArtifactId::batch : own;
-  return fmt::format(timing_prologue, fmt::arg("header", path_of(scene, header)),
+  const ArtifactId header = scene.emission.has_batch_header ? ArtifactId::batch : own;
+  return fmt::format(timing_prologue, fmt::arg("header", artifact_path(scene, header)),
                      fmt::arg("name_space", name_space(scene)));
 }
 
@@ -177,7 +177,7 @@ std::string gather_expression(Opcode argument) {
   return fmt::format("gathered<emitted::{}>({}, i, count)", leaf.type, leaf.member);
 }
 
-std::string stores(const Function& function) {
+std::string scatter_statements(const Function& function) {
   std::string lines;
   std::size_t before = 0;
   for (const Field& field : function.fields) {
@@ -188,7 +188,7 @@ std::string stores(const Function& function) {
   return lines;
 }
 
-std::string state_by_state(const DriverInput& input, const Function& function) {
+std::string state_loop_text(const DriverInput& input, const Function& function) {
   std::vector<std::string> arguments;
   for (const Opcode argument : arguments_of(input.model, function)) {
     arguments.push_back(gather_expression(argument));
@@ -196,33 +196,33 @@ std::string state_by_state(const DriverInput& input, const Function& function) {
   const bool is_wide = input.scene.numerics.inner != InnerScalar::same;
   const std::string callee =
       is_wide ? "wide::" + function.name : fmt::format("{}<Scalar>", function.name);
-  return fmt::format(one_by_one, fmt::arg("leaves", declared("Scalar", "[[maybe_unused]] ")),
-                     fmt::arg("function", callee),
-                     fmt::arg("arguments", fmt::join(arguments, ",\n        ")),
-                     fmt::arg("stores", stores(function)));
+  return fmt::format(
+      state_loop_template, fmt::arg("leaves", timed_parameter_list("Scalar", "[[maybe_unused]] ")),
+      fmt::arg("function", callee), fmt::arg("arguments", fmt::join(arguments, ",\n        ")),
+      fmt::arg("stores", scatter_statements(function)));
 }
 
-std::string pack_by_pack(const DriverInput& input, const Function& function) {
+std::string pack_loop_text(const DriverInput& input, const Function& function) {
   std::vector<std::string_view> arguments{"model_parameters<Scalar>()", "count"};
   for (const Opcode argument : arguments_of(input.model, function)) {
     if (argument != Opcode::parameter) arguments.push_back(leaf_row(argument).member);
   }
-  return fmt::format(in_packs, fmt::arg("leaves", declared("Scalar", "[[maybe_unused]] ")),
-                     fmt::arg("function", function.name),
-                     fmt::arg("arguments", fmt::join(arguments, ", ")));
+  return fmt::format(
+      pack_loop_template, fmt::arg("leaves", timed_parameter_list("Scalar", "[[maybe_unused]] ")),
+      fmt::arg("function", function.name), fmt::arg("arguments", fmt::join(arguments, ", ")));
 }
 
-std::string pack_by_state(const DriverInput& input, const Function& function) {
+std::string batch_call_loop_text(const DriverInput& input, const Function& function) {
   std::vector<std::string> arguments{"p", "1"};
   for (const Opcode argument : arguments_of(input.model, function)) {
     if (argument == Opcode::parameter) continue;
     arguments.push_back(is_single(argument) ? fmt::format("{} + i", leaf_row(argument).member)
                                             : gather_expression(argument) + ".data()");
   }
-  return fmt::format(one_per_call, fmt::arg("leaves", declared("Scalar", "[[maybe_unused]] ")),
-                     fmt::arg("entries", entry_count(function)),
-                     fmt::arg("function", function.name),
-                     fmt::arg("arguments", fmt::join(arguments, ",\n        ")));
+  return fmt::format(
+      batch_call_template, fmt::arg("leaves", timed_parameter_list("Scalar", "[[maybe_unused]] ")),
+      fmt::arg("entries", entry_count(function)), fmt::arg("function", function.name),
+      fmt::arg("arguments", fmt::join(arguments, ",\n        ")));
 }
 
 /// `first`, then the arguments of the function. `state`: the expressions for q, v and t.
@@ -240,34 +240,36 @@ std::string loop_arguments(const Model& model, const Function& function, const s
 }
 
 /// The name of the template that iterates over the states.
-const char* call_of(const TimedVariant& variant) {
+const char* loop_template_name(const TimedVariant& variant) {
   if (!variant.in_packs) return "one_by_one";
-  return variant.one_per_call ? "one_per_call" : "in_packs";
+  return variant.is_one_per_call ? "one_per_call" : "in_packs";
 }
 
-std::string entry_of(const TimedVariant& variant, std::size_t number) {
+std::string entry_point_text(const TimedVariant& variant, std::size_t number) {
   std::vector<std::string_view> names;
   for (const LeafRow& leaf : leaf_table()) names.push_back(leaf.member);
   const std::string scalar(name_of(variant.scalar));
-  return fmt::format(entry, fmt::arg("symbol", timed_symbol(number)), fmt::arg("scalar", scalar),
-                     fmt::arg("leaves", declared(scalar)), fmt::arg("call", call_of(variant)),
+  return fmt::format(entry_point_template, fmt::arg("symbol", timed_symbol(number)),
+                     fmt::arg("scalar", scalar), fmt::arg("leaves", timed_parameter_list(scalar)),
+                     fmt::arg("call", loop_template_name(variant)),
                      fmt::arg("names", fmt::join(names, ", ")));
 }
 
 }  // namespace
 
-Source timing_driver(const DriverInput& input, const std::vector<TimedVariant>& variants) {
+SourceFile timing_driver(const DriverInput& input, const std::vector<TimedVariant>& variants) {
   const Scene& scene = input.scene;
   const Function& function = input.program.functions.front();
   std::string text = prologue_of(scene);
-  text += state_by_state(input, function);
-  if (scene.emission.batch) text += pack_by_pack(input, function) + pack_by_state(input, function);
+  text += state_loop_text(input, function);
+  if (scene.emission.has_batch_header)
+    text += pack_loop_text(input, function) + batch_call_loop_text(input, function);
   text += "}  // namespace\n";
-  for (std::size_t i = 0; i < variants.size(); ++i) text += entry_of(variants[i], i);
+  for (std::size_t i = 0; i < variants.size(); ++i) text += entry_point_text(variants[i], i);
   return {"timing_driver.cpp", text};
 }
 
-Source step_driver(const DriverInput& input) {
+SourceFile step_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;
   const Function& step = *std::ranges::find(program.functions, OutputKind::step, &Function::kind);
   const Function* const projected = find_function(program, OutputKind::projected);
@@ -288,8 +290,8 @@ Source step_driver(const DriverInput& input) {
                                                          {"to", "to + positions * count", "t"})));
   }
   const std::string loops = fmt::format(
-      step_loops, fmt::arg("one", step_loop_of_one), fmt::arg("in_packs", step_loop_in_packs),
-      fmt::arg("function", step.name),
+      step_loops_template, fmt::arg("one", single_step_loop_symbol),
+      fmt::arg("in_packs", pack_step_loop_symbol), fmt::arg("function", step.name),
       fmt::arg("arguments", loop_arguments(model, step, "p", {"q", "v", "t"})),
       fmt::arg("batch_arguments", loop_arguments(model, step, in_packs, {"q", "v", "t"})),
       fmt::arg("clock", clock("i")), fmt::arg("next", next), fmt::arg("projection", projection));

@@ -17,7 +17,7 @@
 namespace elgen {
 namespace {
 
-bool write(const std::filesystem::path& path, const std::string& text) {
+bool write_file(const std::filesystem::path& path, const std::string& text) {
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
   std::ofstream stream(path, std::ios::binary);
@@ -26,13 +26,14 @@ bool write(const std::filesystem::path& path, const std::string& text) {
   return stream.good();
 }
 
-bool write_all(const std::filesystem::path& directory, const EmittedFiles& files,
-               const std::vector<Source>& sources) {
+bool write_sources(const std::filesystem::path& directory, const EmittedFiles& files,
+                   const std::vector<SourceFile>& sources) {
   const bool headers = std::all_of(
       files.files.begin(), files.files.end(),
-      [&directory](const auto& file) { return write(directory / file.first, file.second); });
-  return headers && std::all_of(sources.begin(), sources.end(), [&directory](const Source& source) {
-           return write(directory / source.file, source.text);
+      [&directory](const auto& file) { return write_file(directory / file.first, file.second); });
+  return headers &&
+         std::all_of(sources.begin(), sources.end(), [&directory](const SourceFile& source) {
+           return write_file(directory / source.file, source.text);
          });
 }
 
@@ -42,10 +43,10 @@ Diagnostic error_without_span(Code code, std::string message) {
 
 }  // namespace
 
-Result<TemporaryDirectory> directory_with(const EmittedFiles& files,
-                                          const std::vector<Source>& sources) {
+Result<TemporaryDirectory> make_source_directory(const EmittedFiles& files,
+                                                 const std::vector<SourceFile>& sources) {
   std::optional<TemporaryDirectory> directory = TemporaryDirectory::create();
-  if (directory && write_all(directory->path(), files, sources)) return std::move(*directory);
+  if (directory && write_sources(directory->path(), files, sources)) return std::move(*directory);
   return error_without_span(Code::E706,
                             "no temporary directory could be written; $TMPDIR names another");
 }
@@ -72,22 +73,23 @@ TemporaryDirectory::~TemporaryDirectory() {
   }
 }
 
-Result<Workshop> Workshop::open(const EmittedFiles& files, const std::vector<Source>& sources,
-                                const Limits& limits) {
-  Result<TemporaryDirectory> directory = directory_with(files, sources);
+Result<CompilerSession> CompilerSession::open(const EmittedFiles& files,
+                                              const std::vector<SourceFile>& sources,
+                                              const Limits& limits) {
+  Result<TemporaryDirectory> directory = make_source_directory(files, sources);
   if (!directory) return directory.diagnostics;
   Result<Compiler> compiler = find_compiler(limits.seconds);
   if (!compiler) return compiler.diagnostics;
-  return Workshop(std::move(*directory), std::move(*compiler));
+  return CompilerSession(std::move(*directory), std::move(*compiler));
 }
 
-Result<Library> Workshop::build(const Source& source, Build build) const {
+Result<SharedLibrary> CompilerSession::build(const SourceFile& source, BuildFlags build) const {
   const std::filesystem::path& directory = directory_.path();
   const std::filesystem::path object = directory / (source.file + ".so");
   const ProcessResult compiled = compile_shared(compiler_, build, directory / source.file, object);
   if (!compiled.succeeded()) return compile_error(compiler_, compiled, directory, source);
-  Library library(object);
-  if (!library.loaded()) {
+  SharedLibrary library(object);
+  if (!library.is_loaded()) {
     return error_without_span(Code::E709,
                               fmt::format("the output of `{}` could not be loaded: {}",
                                           fmt::join(compiler_.command, " "), dlerror()));
@@ -95,11 +97,11 @@ Result<Library> Workshop::build(const Source& source, Build build) const {
   return library;
 }
 
-bool Workshop::takes(Build build, const Source& source) const {
-  return takes_probe(compiler_, build, directory_.path(), source);
+bool CompilerSession::accepts_flags(BuildFlags build, const SourceFile& source) const {
+  return accepts_probe(compiler_, build, directory_.path(), source);
 }
 
-Diagnostic missing_function() {
+Diagnostic missing_function_error() {
   return error_without_span(Code::E705, "a compiled function is missing from the loaded object");
 }
 

@@ -37,20 +37,20 @@ struct Compiler {
 /// Compiles `source` as C++17, or a `.c` file as C99. Build::as_written turns the warnings that
 /// emitted code must not cause into errors, and disables contraction, so that results can be
 /// compared bit by bit.
-[[nodiscard]] ProcessResult compile_shared(const Compiler& compiler, Build build,
+[[nodiscard]] ProcessResult compile_shared(const Compiler& compiler, BuildFlags build,
                                            const std::filesystem::path& source,
                                            const std::filesystem::path& object);
 
 /// True if the compiler accepts the flags of the build for a probe: a function of one line, with
 /// the header that the source needs, if this header is installed.
-[[nodiscard]] bool takes_probe(const Compiler& compiler, Build build,
-                               const std::filesystem::path& directory, const Source& source);
+[[nodiscard]] bool accepts_probe(const Compiler& compiler, BuildFlags build,
+                                 const std::filesystem::path& directory, const SourceFile& source);
 
 /// The error of a failed compilation: E909 if it exceeded its time; E705 if the compiler refuses
 /// the source but accepts the probe; otherwise E709. E705 and E709 contain the compiler's output.
 [[nodiscard]] Diagnostic compile_error(const Compiler& compiler, const ProcessResult& compiled,
                                        const std::filesystem::path& directory,
-                                       const Source& source);
+                                       const SourceFile& source);
 
 /// A new directory; the destructor removes it with its content.
 class TemporaryDirectory {
@@ -73,23 +73,23 @@ class TemporaryDirectory {
 };
 
 /// A temporary directory that contains these files. E706 if they cannot be written.
-[[nodiscard]] Result<TemporaryDirectory> directory_with(const EmittedFiles& files,
-                                                        const std::vector<Source>& sources);
+[[nodiscard]] Result<TemporaryDirectory> make_source_directory(
+    const EmittedFiles& files, const std::vector<SourceFile>& sources);
 
 /// A loaded shared object; the destructor unloads it.
-class Library {
+class SharedLibrary {
  public:
-  explicit Library(const std::filesystem::path& object)
+  explicit SharedLibrary(const std::filesystem::path& object)
       : handle_(dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL)) {}
-  Library(Library&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
-  Library(const Library&) = delete;
-  Library& operator=(const Library&) = delete;
-  Library& operator=(Library&&) = delete;
-  ~Library() {
+  SharedLibrary(SharedLibrary&& other) noexcept : handle_(std::exchange(other.handle_, nullptr)) {}
+  SharedLibrary(const SharedLibrary&) = delete;
+  SharedLibrary& operator=(const SharedLibrary&) = delete;
+  SharedLibrary& operator=(SharedLibrary&&) = delete;
+  ~SharedLibrary() {
     if (handle_ != nullptr) dlclose(handle_);
   }
 
-  [[nodiscard]] bool loaded() const { return handle_ != nullptr; }
+  [[nodiscard]] bool is_loaded() const { return handle_ != nullptr; }
 
   /// The symbol's address; null if the symbol does not exist. Function: a pointer type.
   template <class Function>
@@ -102,23 +102,23 @@ class Library {
 };
 
 /// The destructor removes the directory; loaded objects remain valid. The owner must hold a
-/// NoInterrupts.
-class Workshop {
+/// SignalBlocker.
+class CompilerSession {
  public:
   /// E704 without a compiler; E706 if files cannot be written; E909 if the compiler does not answer
   /// in time.
-  [[nodiscard]] static Result<Workshop> open(const EmittedFiles& files,
-                                             const std::vector<Source>& sources,
-                                             const Limits& limits);
+  [[nodiscard]] static Result<CompilerSession> open(const EmittedFiles& files,
+                                                    const std::vector<SourceFile>& sources,
+                                                    const Limits& limits);
 
   /// Compiles and loads one of the sources. E705, E709 and E909 as in compile_error().
-  [[nodiscard]] Result<Library> build(const Source& source, Build build) const;
+  [[nodiscard]] Result<SharedLibrary> build(const SourceFile& source, BuildFlags build) const;
 
-  /// takes_probe() in this directory: true if the compiler accepts the flags of the build.
-  [[nodiscard]] bool takes(Build build, const Source& source) const;
+  /// accepts_probe() in this directory: true if the compiler accepts the flags of the build.
+  [[nodiscard]] bool accepts_flags(BuildFlags build, const SourceFile& source) const;
 
  private:
-  Workshop(TemporaryDirectory directory, Compiler compiler)
+  CompilerSession(TemporaryDirectory directory, Compiler compiler)
       : directory_(std::move(directory)), compiler_(std::move(compiler)) {}
 
   TemporaryDirectory directory_;
@@ -126,6 +126,6 @@ class Workshop {
 };
 
 /// E705: the loaded object lacks a symbol of a driver.
-[[nodiscard]] Diagnostic missing_function();
+[[nodiscard]] Diagnostic missing_function_error();
 
 }  // namespace elgen

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view massless = "massless";
 
-Span part_of(const SourcePointer& source, std::size_t begin, std::size_t end) {
+Span subspan(const SourcePointer& source, std::size_t begin, std::size_t end) {
   return {source.get(), static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
 }
 
@@ -25,14 +25,14 @@ std::vector<Span> split_words(const SourcePointer& source) {
   const std::string& text = source->text;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    words.push_back(part_of(source, begin, end));
+    words.push_back(subspan(source, begin, end));
     begin = end + 1;
   }
   return words;
 }
 
 /// The position closest to 0 in the range of the joint.
-FileNumber nearest_to_zero(const Joint& joint) {
+FileNumber position_nearest_zero(const Joint& joint) {
   const auto& [lower, upper, velocity, effort] = joint.limit;
   const bool is_limited = joint.type != JointType::continuous && lower && upper;
   if (is_limited && cln::plusp(lower->value)) return *lower;
@@ -52,13 +52,13 @@ class JointChooser {
       for (const Span& name : split_words(list)) keep_joint(name, ++rank);
     }
     if (!options.joints.empty()) weld_other_joints();
-    weld_followers(robot_);
+    weld_mimicking_joints(robot_);
     return found_;
   }
 
  private:
   /// The moving joint with this name; null after E821.
-  Joint* find(const Span& name) {
+  Joint* find_moving_joint(const Span& name) {
     const std::string text(covered_text(name));
     std::vector<std::string> names;
     for (Joint& joint : robot_.joints) {
@@ -67,47 +67,48 @@ class JointChooser {
         continue;
       }
       if (joint.moves()) return &joint;
-      refuse(name, fmt::format("{} is {}", in_backticks(text),
-                               joint.welded ? "welded" : type_word(joint.type)));
+      report_joint_error(name, fmt::format("{} is {}", quote_text(text),
+                                           joint.weld_position ? "welded" : type_word(joint.type)));
       return nullptr;
     }
-    refuse(name, fmt::format("the robot has no joint {}", in_backticks(text)),
-           suggestion(text, names));
+    report_joint_error(name, fmt::format("the robot has no joint {}", quote_text(text)),
+                       suggestion(text, names));
     return nullptr;
   }
 
-  void refuse(const Span& span, std::string message, std::string hint = {}) {
+  void report_joint_error(const Span& span, std::string message, std::string hint = {}) {
     found_.push_back({Code::E821, span, std::move(message), std::move(hint)});
   }
 
   void read_weld(const SourcePointer& weld) {
     const std::size_t size = weld->text.size();
     const std::size_t equals = std::min(weld->text.find('='), size);
-    Joint* joint = find(part_of(weld, 0, equals));
+    Joint* joint = find_moving_joint(subspan(weld, 0, equals));
     if (joint == nullptr) return;
-    joint->welded = FileNumber{};
+    joint->weld_position = FileNumber{};
     if (equals == size) return;
-    const Span value = part_of(weld, equals + 1, size);
+    const Span value = subspan(weld, equals + 1, size);
     const Result<FileNumber> number = read_decimal(value, limits_);
     found_.insert(found_.end(), number.diagnostics.begin(), number.diagnostics.end());
-    if (number) joint->welded = *number;
+    if (number) joint->weld_position = *number;
     if (number && !number->is_zero() && !has_one_coordinate(joint->type)) {
-      refuse(value, fmt::format("{} is {}, so it can be fixed only at 0",
-                                in_backticks(joint->name.text), type_word(joint->type)));
+      report_joint_error(value, fmt::format("{} is {}, so it can be fixed only at 0",
+                                            quote_text(joint->name.text), type_word(joint->type)));
     }
   }
 
   void keep_joint(const Span& name, std::size_t rank) {
-    Joint* joint = find(name);
+    Joint* joint = find_moving_joint(name);
     if (joint == nullptr) return;
     if (joint->mimic) {
       const std::string leader = joint->mimic->joint.text;
-      return refuse(
-          name, fmt::format("{} mimics {}", in_backticks(joint->name.text), in_backticks(leader)),
-          fmt::format("it moves with {}", in_backticks(leader)));
+      return report_joint_error(
+          name, fmt::format("{} mimics {}", quote_text(joint->name.text), quote_text(leader)),
+          fmt::format("it moves with {}", quote_text(leader)));
     }
     if (joint->rank != 0) {
-      return refuse(name, fmt::format("{} is named twice", in_backticks(joint->name.text)));
+      return report_joint_error(name,
+                                fmt::format("{} is named twice", quote_text(joint->name.text)));
     }
     joint->rank = rank;
   }
@@ -115,11 +116,11 @@ class JointChooser {
   void weld_other_joints() {
     for (Joint& joint : robot_.joints) {
       if (!joint.moves() || joint.mimic || joint.rank != 0) continue;
-      joint.welded = nearest_to_zero(joint);
-      if (joint.welded->is_zero()) continue;
+      joint.weld_position = position_nearest_zero(joint);
+      if (joint.weld_position->is_zero()) continue;
       found_.push_back(
           {Code::E820, joint.name.span,
-           fmt::format("{} is held at {}", in_backticks(joint.name.text), joint.welded->text),
+           fmt::format("{} is held at {}", quote_text(joint.name.text), joint.weld_position->text),
            fmt::format("its limits are {} to {}", joint.limit.lower->text,
                        joint.limit.upper->text)});
     }
@@ -131,21 +132,21 @@ class JointChooser {
 };
 
 /// The position of a joint that mimics a held joint; none for other joints.
-std::optional<FileNumber> held_position(const Robot& robot, const Joint& joint) {
+std::optional<FileNumber> mimicked_weld_position(const Robot& robot, const Joint& joint) {
   if (!joint.mimic || !joint.moves() || !has_one_coordinate(joint.type)) return std::nullopt;
   const auto is_mimicked = [&](const Joint& other) {
     return other.name.text == joint.mimic->joint.text;
   };
   const auto other = std::ranges::find_if(robot.joints, is_mimicked);
-  if (other == robot.joints.end() || !other->welded) return std::nullopt;
+  if (other == robot.joints.end() || !other->weld_position) return std::nullopt;
   const cln::cl_RA place =
-      joint.mimic->multiplier.value * other->welded->value + joint.mimic->offset.value;
+      joint.mimic->multiplier.value * other->weld_position->value + joint.mimic->offset.value;
   return FileNumber{decimal_text(place), place, {}};
 }
 
 /// `wanted`; if an element already has this name, a number is appended.
 template <class Named>
-std::string free_name(const std::vector<Named>& elements, const std::string& wanted) {
+std::string unused_name(const std::vector<Named>& elements, const std::string& wanted) {
   std::string name = wanted;
   const auto is_used = [&](const Named& element) { return element.name.text == name; };
   for (int i = 2; std::ranges::any_of(elements, is_used); ++i) {
@@ -156,34 +157,34 @@ std::string free_name(const std::vector<Named>& elements, const std::string& wan
 
 }  // namespace
 
-Diagnostics choose_joints(Robot& robot, const ImportOptions& options, const Limits& limits) {
+Diagnostics apply_joint_options(Robot& robot, const ImportOptions& options, const Limits& limits) {
   return JointChooser(robot, limits).choose(options);
 }
 
-void weld_followers(Robot& robot) {
+void weld_mimicking_joints(Robot& robot) {
   constexpr int longest_chain = 100;
   bool has_changed = true;
   for (int round = 0; has_changed && round < longest_chain; ++round) {
     has_changed = false;
     for (Joint& joint : robot.joints) {
-      const auto place = held_position(robot, joint);
+      const auto place = mimicked_weld_position(robot, joint);
       if (!place) continue;
-      joint.welded = place;
+      joint.weld_position = place;
       has_changed = true;
     }
   }
 }
 
-bool welds_massless(const ImportOptions& options) {
+bool welds_massless_joints(const ImportOptions& options) {
   return std::ranges::any_of(options.welds,
                              [](const SourcePointer& weld) { return weld->text == massless; });
 }
 
 void add_floating_joint(Robot& robot, std::size_t root) {
-  const Text base = robot.links[root].name;
-  const Text world{free_name(robot.links, "world"), base.span};
+  const SpannedText base = robot.links[root].name;
+  const SpannedText world{unused_name(robot.links, "world"), base.span};
   Joint joint;
-  joint.name = {free_name(robot.joints, "base"), base.span};
+  joint.name = {unused_name(robot.joints, "base"), base.span};
   joint.type = JointType::floating;
   joint.parent = world;
   joint.child = base;
@@ -191,7 +192,7 @@ void add_floating_joint(Robot& robot, std::size_t root) {
   robot.joints.push_back(std::move(joint));
 }
 
-const Joint* floating_joint(const Robot& robot, const LinkTree& tree) {
+const Joint* find_floating_joint(const Robot& robot, const LinkTree& tree) {
   std::vector<bool> is_base(robot.links.size());
   is_base[tree.root] = true;
   const Joint* floating = nullptr;

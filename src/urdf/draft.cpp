@@ -32,22 +32,22 @@ std::vector<std::vector<std::string>> tree_rows(const Robot& robot, const LinkTr
   for (const Branch& branch : tree.branches) {
     const Joint& joint = robot.joints[branch.joint];
     std::string text = fmt::format("{}, {}", joint.name.text, type_word(joint.type));
-    if (const auto& mimicked = tree.mimicked[branch.joint]) {
+    if (const auto& mimicked = tree.mimicked_joints[branch.joint]) {
       text += " like " + robot.joints[*mimicked].name.text;
     }
-    if (joint.welded) text += ", welded at " + joint.welded->text;
+    if (joint.weld_position) text += ", welded at " + joint.weld_position->text;
     rows.push_back(tree_row(branch.depth + 1, robot.links[branch.child], text));
   }
   return rows;
 }
 
-std::string head(const Draft& draft, const LinkTree& tree) {
+std::string header_comment(const ModelDraft& draft, const LinkTree& tree) {
   const Robot& robot = draft.robot;
   std::string text = toml_comment(fmt::format("{}, imported from {}.", robot.name, robot.file)) +
-                     "#\n" + comments(aligned(tree_rows(robot, tree)));
+                     "#\n" + comment_lines(align_columns(tree_rows(robot, tree)));
   text += legend;
   const std::vector<std::string>& renamed = draft.glossary.name_changes();
-  return text + (renamed.empty() ? "" : "#\n") + comments(renamed);
+  return text + (renamed.empty() ? "" : "#\n") + comment_lines(renamed);
 }
 
 std::string model_table(const Robot& robot) {
@@ -66,8 +66,8 @@ std::string parameters_table(const std::vector<ParameterGroup>& groups) {
       "}\n";
   for (const ParameterGroup& group : groups) {
     if (group.rows.empty()) continue;
-    text +=
-        fmt::format("\n{}{}\n", toml_comment(group.title), fmt::join(aligned(group.rows), "\n"));
+    text += fmt::format("\n{}{}\n", toml_comment(group.title),
+                        fmt::join(align_columns(group.rows), "\n"));
   }
   return text;
 }
@@ -86,7 +86,7 @@ std::vector<std::string> table_texts(const Robot& robot, std::vector<JointTable>
   return result;
 }
 
-std::vector<JointTable> with_armatures(const Draft& draft) {
+std::vector<JointTable> coordinate_tables(const ModelDraft& draft) {
   std::vector<JointTable> tables = draft.coordinates;
   for (JointTable& table : tables) {
     const auto armature = draft.armatures.find(table.joint);
@@ -96,24 +96,24 @@ std::vector<JointTable> with_armatures(const Draft& draft) {
   return tables;
 }
 
-std::string model_text(const Draft& draft, const LinkTree& tree) {
+std::string model_text(const ModelDraft& draft, const LinkTree& tree) {
   std::vector<std::string> parts{model_table(draft.robot)};
   const auto append = [&](const std::vector<std::string>& tables) {
     parts.insert(parts.end(), tables.begin(), tables.end());
   };
-  append(table_texts(draft.robot, with_armatures(draft)));
+  append(table_texts(draft.robot, coordinate_tables(draft)));
   parts.push_back(parameters_table(draft.glossary.groups()));
-  append(draft.links);
+  append(draft.link_tables);
   parts.emplace_back("[gravity]\nvector = [\"0\", \"0\", \"-g\"]\n");
   if (!draft.dissipation.empty()) parts.push_back(dissipation_table(draft.dissipation));
   append(draft.forces);
   append(table_texts(draft.robot, draft.inputs));
-  return head(draft, tree) + fmt::format("{}", fmt::join(parts, "\n"));
+  return header_comment(draft, tree) + fmt::format("{}", fmt::join(parts, "\n"));
 }
 
 }  // namespace
 
-std::string comments(const std::vector<std::string>& lines) {
+std::string comment_lines(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += toml_comment(line);
   return text;
@@ -126,14 +126,14 @@ std::string vector_text(const Components& components) {
 }
 
 std::string model_text(const Robot& robot, const LinkTree& tree) {
-  Draft draft{robot, tree, Glossary(robot, tree)};
+  ModelDraft draft{robot, tree, Glossary(robot, tree)};
   for (const Branch& branch : tree.branches) {
     draft.glossary.open_group(fmt::format("{}, on {}", robot.links[branch.child].name.text,
                                           robot.joints[branch.joint].name.text),
                               branch);
     const JointMotion motion = draft_joint(draft, branch);
     draft_frames(draft, branch, motion);
-    if (branch.moves) draft_body(draft, branch.child);
+    if (branch.is_moving) draft_body(draft, branch.child);
   }
   return model_text(draft, tree);
 }

@@ -22,15 +22,15 @@ struct Coupling {
   [[nodiscard]] bool is_constant() const { return factor == "0"; }
   [[nodiscard]] bool has_sign_only() const { return factor == "1" || factor == "-1"; }
 
-  [[nodiscard]] std::string position() const;
-  [[nodiscard]] std::string rate() const;  ///< factor*dot(coordinate)
+  [[nodiscard]] std::string position_text() const;
+  [[nodiscard]] std::string rate_text() const;  ///< factor*dot(coordinate)
 };
 
 // Expressions of the model language as text; zero terms and factors of 1 are omitted.
 [[nodiscard]] std::string sum_text(const std::string& left, const std::string& right);
-[[nodiscard]] std::string negated(const std::string& expression);
+[[nodiscard]] std::string negated_text(const std::string& expression);
 [[nodiscard]] std::string product_text(const std::string& factor, const std::string& expression);
-[[nodiscard]] std::string quotient(const std::string& expression, const std::string& divisor);
+[[nodiscard]] std::string quotient_text(const std::string& expression, const std::string& divisor);
 
 /// The table of a coordinate or an input, and the index of its joint.
 struct JointTable {
@@ -39,12 +39,12 @@ struct JointTable {
 };
 
 /// The texts of the model's tables, each list in the order of the file, and the terms of D.
-struct Draft {
+struct ModelDraft {
   const Robot& robot;
   const LinkTree& tree;
   Glossary glossary;
   std::vector<JointTable> coordinates = {};
-  std::vector<std::string> links = {};  ///< frames and bodies, parents first
+  std::vector<std::string> link_tables = {};  ///< frames and bodies, parents first
   std::vector<std::string> dissipation = {};
   std::vector<std::string> forces = {};
   std::vector<JointTable> inputs = {};
@@ -77,7 +77,7 @@ struct FrameDraft {
 [[nodiscard]] std::string vector_text(const Components& components);
 
 /// ["z", "-pi/2"]; `axis` is a TOML value.
-[[nodiscard]] std::string step_text(const std::string& axis, const std::string& angle);
+[[nodiscard]] std::string turn_text(const std::string& axis, const std::string& angle);
 
 /// "0 0 1.57", with the digits of the file.
 [[nodiscard]] std::string numbers_text(const Vector& numbers);
@@ -87,10 +87,10 @@ struct FrameDraft {
                                              const Vector& xyz);
 
 /// The comments above a table, one per line.
-[[nodiscard]] std::string comments(const std::vector<std::string>& lines);
+[[nodiscard]] std::string comment_lines(const std::vector<std::string>& lines);
 
 /// Steps of a constant rotation, in the order z, y, x: R = Rz(yaw) Ry(pitch) Rx(roll).
-[[nodiscard]] std::vector<std::string> steps_of(const RollPitchYaw& rotation);
+[[nodiscard]] std::vector<std::string> turn_texts(const RollPitchYaw& rotation);
 
 /// The title; if angles were rounded, also "rpy in the URDF: 1.57079632679 0 0".
 [[nodiscard]] std::vector<std::string> frame_comments(const std::string& title,
@@ -107,24 +107,24 @@ struct JointUnits {
   std::string_view damping;
 };
 
-[[nodiscard]] JointUnits units_of(JointType type);
+[[nodiscard]] JointUnits joint_units(JointType type);
 
 /// The position of a joint that has one coordinate. Repeated calls do not add its parameters again.
-[[nodiscard]] const Coupling& coupling_of(Draft& draft, std::size_t joint);
+[[nodiscard]] const Coupling& find_or_add_coupling(ModelDraft& draft, std::size_t joint);
 
 /// Adds the damping, the friction and the rotor of a joint that has one coordinate.
-void draft_resistance(Draft& draft, std::size_t joint);
+void draft_joint_dynamics(ModelDraft& draft, std::size_t joint);
 
 /// Adds the coordinates, inputs, damping and friction of a joint; returns its motion.
-[[nodiscard]] JointMotion draft_joint(Draft& draft, const Branch& branch);
+[[nodiscard]] JointMotion draft_joint(ModelDraft& draft, const Branch& branch);
 
 /// Adds the frame of the branch's child. If the joint slides and its origin is rotated, a frame for
 /// the origin comes first.
-void draft_frames(Draft& draft, const Branch& branch, const JointMotion& motion);
+void draft_frames(ModelDraft& draft, const Branch& branch, const JointMotion& motion);
 
 /// Adds the body of a link in its frame. If the inertia cannot be rotated exactly, a frame in the
 /// axes of the inertia comes first.
-void draft_body(Draft& draft, std::size_t link);
+void draft_body(ModelDraft& draft, std::size_t link);
 
 /// The text of the model file; the robot must have no errors.
 [[nodiscard]] std::string model_text(const Robot& robot, const LinkTree& tree);

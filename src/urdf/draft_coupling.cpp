@@ -10,58 +10,59 @@ namespace elgen::urdf {
 namespace {
 
 std::string ratio_unit(JointType type, JointType other) {
-  const auto own = units_of(type).position;
-  const auto others = units_of(other).position;
+  const auto own = joint_units(type).position;
+  const auto others = joint_units(other).position;
   return own == others ? "1" : fmt::format("{}/{}", own, others);
 }
 
-std::string ratio_of(Draft& draft, std::size_t index, JointType other) {
+std::string mimic_ratio(ModelDraft& draft, std::size_t index, JointType other) {
   const Joint& joint = draft.robot.joints[index];
   const FileNumber& ratio = joint.mimic->multiplier;
   const std::string unit = ratio_unit(joint.type, other);
   // 1 rad/m has a unit, so it stays a parameter
   const bool is_sign = unit == "1" && cln::abs(ratio.value) == 1;
   if (is_sign) return cln::minusp(ratio.value) ? "-1" : "1";
-  return draft.glossary.parameter("ratio_" + draft.glossary.joint(index), ratio, unit);
+  return draft.glossary.add_parameter("ratio_" + draft.glossary.joint_name(index), ratio, unit);
 }
 
-Coupling mimic_coupling(Draft& draft, std::size_t index, std::size_t mimicked) {
+Coupling mimic_coupling(ModelDraft& draft, std::size_t index, std::size_t mimicked) {
   const Joint& joint = draft.robot.joints[index];
-  const Coupling& other = coupling_of(draft, mimicked);
-  const std::string ratio = ratio_of(draft, index, draft.robot.joints[mimicked].type);
-  const std::string offset =
-      draft.glossary.parameter("offset_" + draft.glossary.joint(index), joint.mimic->offset,
-                               std::string(units_of(joint.type).position));
+  const Coupling& other = find_or_add_coupling(draft, mimicked);
+  const std::string ratio = mimic_ratio(draft, index, draft.robot.joints[mimicked].type);
+  const std::string offset = draft.glossary.add_parameter(
+      "offset_" + draft.glossary.joint_name(index), joint.mimic->offset,
+      std::string(joint_units(joint.type).position));
   return {other.coordinate, product_text(ratio, other.factor),
           sum_text(product_text(ratio, other.offset), offset)};
 }
 
-void draft_damping(Draft& draft, std::size_t index, const Coupling& coupling) {
+void draft_damping(ModelDraft& draft, std::size_t index, const Coupling& coupling) {
   const Joint& joint = draft.robot.joints[index];
-  const std::string damping = draft.glossary.parameter(
-      "damping_" + draft.glossary.joint(index), joint.damping,
-      std::string(units_of(joint.type).damping), "assume = \"nonnegative\"");
+  const std::string damping = draft.glossary.add_parameter(
+      "damping_" + draft.glossary.joint_name(index), joint.damping,
+      std::string(joint_units(joint.type).damping), "assume = \"nonnegative\"");
   if (damping == "0") return;
   const std::string plain = fmt::format("dot({})", coupling.coordinate);
   draft.dissipation.push_back(fmt::format(
-      "1/2*{}*{}^2", damping, coupling.has_sign_only() ? plain : "(" + coupling.rate() + ")"));
+      "1/2*{}*{}^2", damping, coupling.has_sign_only() ? plain : "(" + coupling.rate_text() + ")"));
 }
 
 /// Dry friction, smoothed: -friction*tanh(rate/stiction_rate).
-void draft_friction(Draft& draft, std::size_t index, const Coupling& coupling) {
+void draft_friction(ModelDraft& draft, std::size_t index, const Coupling& coupling) {
   const Joint& joint = draft.robot.joints[index];
-  const std::string& name = draft.glossary.joint(index);
-  const JointUnits units = units_of(joint.type);
-  const std::string friction = draft.glossary.parameter(
+  const std::string& name = draft.glossary.joint_name(index);
+  const JointUnits units = joint_units(joint.type);
+  const std::string friction = draft.glossary.add_parameter(
       "friction_" + name, joint.friction, std::string(units.force), "assume = \"nonnegative\"");
   if (friction == "0") return;
   const FileNumber scale{"0.01", cln::cl_RA(1) / 100, {}};
-  const std::string stiction_rate = draft.glossary.parameter(
+  const std::string stiction_rate = draft.glossary.add_parameter(
       name + "_stiction_rate", scale, std::string(units.rate),
       "assume = \"positive\", doc = \"friction is full at some times this rate\"");
   const bool is_plain = coupling.has_sign_only();
   const std::string factor = is_plain ? "" : coupling.factor + "*";
-  const std::string rate = is_plain ? fmt::format("dot({})", coupling.coordinate) : coupling.rate();
+  const std::string rate =
+      is_plain ? fmt::format("dot({})", coupling.coordinate) : coupling.rate_text();
   TomlTable table("[[force]]");
   table.add("on", toml_string(coupling.coordinate));
   table.add("value",
@@ -70,17 +71,18 @@ void draft_friction(Draft& draft, std::size_t index, const Coupling& coupling) {
 }
 
 /// Adds the armature of a rotor to its coordinate: J N^2 times (d joint/d coordinate)^2.
-void draft_rotor(Draft& draft, std::size_t index, const Coupling& coupling) {
+void draft_rotor(ModelDraft& draft, std::size_t index, const Coupling& coupling) {
   const Joint& joint = draft.robot.joints[index];
   if (!has_rotor(joint)) return;
-  const std::string& name = draft.glossary.joint(index);
-  std::string armature = draft.glossary.parameter("rotor_" + name, joint.rotor->inertia, "kg*m^2",
-                                                  "assume = \"positive\"");
+  const std::string& name = draft.glossary.joint_name(index);
+  std::string armature = draft.glossary.add_parameter("rotor_" + name, joint.rotor->inertia,
+                                                      "kg*m^2", "assume = \"positive\"");
   const bool slides = joint.type == JointType::prismatic;
   const FileNumber& ratio = joint.rotor->gear_ratio;
   if (slides || ratio.value != 1) {
     armature = product_text(
-        armature, draft.glossary.parameter("gear_" + name, ratio, slides ? "rad/m" : "1") + "^2");
+        armature,
+        draft.glossary.add_parameter("gear_" + name, ratio, slides ? "rad/m" : "1") + "^2");
   }
   if (!coupling.has_sign_only()) armature += fmt::format("*({})^2", coupling.factor);
   std::string& sum_of_all =
@@ -89,12 +91,13 @@ void draft_rotor(Draft& draft, std::size_t index, const Coupling& coupling) {
 }
 
 /// The position at which a joint is held, as a parameter or expression.
-std::string held_position_text(Draft& draft, std::size_t index) {
+std::string weld_position_text(ModelDraft& draft, std::size_t index) {
   const Joint& joint = draft.robot.joints[index];
   if (joint.type != JointType::prismatic) {
-    return angle_of(*joint.welded, draft.robot.digits).text;
+    return round_angle(*joint.weld_position, draft.robot.digits).text;
   }
-  return draft.glossary.parameter("at_" + draft.glossary.joint(index), *joint.welded, "m");
+  return draft.glossary.add_parameter("at_" + draft.glossary.joint_name(index),
+                                      *joint.weld_position, "m");
 }
 
 std::string parenthesise(const std::string& expression) { return "(" + expression + ")"; }
@@ -115,24 +118,24 @@ std::string parenthesise_factor(const std::string& expression) {
 
 }  // namespace
 
-JointUnits units_of(JointType type) {
+JointUnits joint_units(JointType type) {
   if (type == JointType::prismatic) return {"m", "m/s", "N", "N*s/m"};
   return {"rad", "rad/s", "N*m", "N*m*s"};
 }
 
-const Coupling& coupling_of(Draft& draft, std::size_t joint) {
+const Coupling& find_or_add_coupling(ModelDraft& draft, std::size_t joint) {
   const auto known = draft.couplings.find(joint);
   if (known != draft.couplings.end()) return known->second;
-  const auto& mimicked = draft.tree.mimicked[joint];
-  const bool is_welded = draft.robot.joints[joint].welded.has_value();
-  Coupling coupling = is_welded  ? Coupling{{}, "0", held_position_text(draft, joint)}
+  const auto& mimicked = draft.tree.mimicked_joints[joint];
+  const bool is_welded = draft.robot.joints[joint].weld_position.has_value();
+  Coupling coupling = is_welded  ? Coupling{{}, "0", weld_position_text(draft, joint)}
                       : mimicked ? mimic_coupling(draft, joint, *mimicked)
-                                 : Coupling{draft.glossary.joint(joint)};
+                                 : Coupling{draft.glossary.joint_name(joint)};
   return draft.couplings.emplace(joint, std::move(coupling)).first->second;
 }
 
-void draft_resistance(Draft& draft, std::size_t joint) {
-  const Coupling& coupling = coupling_of(draft, joint);
+void draft_joint_dynamics(ModelDraft& draft, std::size_t joint) {
+  const Coupling& coupling = find_or_add_coupling(draft, joint);
   if (coupling.is_constant()) return;
   draft_damping(draft, joint, coupling);
   draft_friction(draft, joint, coupling);
@@ -146,7 +149,7 @@ std::string sum_text(const std::string& left, const std::string& right) {
   return left + " + " + right;
 }
 
-std::string negated(const std::string& expression) {
+std::string negated_text(const std::string& expression) {
   if (expression == "0") return expression;
   if (is_sum(expression)) return "-" + parenthesise(expression);
   return expression.front() == '-' ? expression.substr(1) : "-" + expression;
@@ -155,22 +158,22 @@ std::string negated(const std::string& expression) {
 std::string product_text(const std::string& factor, const std::string& expression) {
   if (factor == "0" || expression == "0") return "0";
   if (factor == "1") return expression;
-  if (factor == "-1") return negated(expression);
+  if (factor == "-1") return negated_text(expression);
   if (expression == "1") return factor;
-  if (expression == "-1") return negated(factor);
+  if (expression == "-1") return negated_text(factor);
   return factor + "*" + parenthesise_factor(expression);
 }
 
-std::string quotient(const std::string& expression, const std::string& divisor) {
+std::string quotient_text(const std::string& expression, const std::string& divisor) {
   if (expression == "0" || divisor == "1") return expression;
   return (is_sum(expression) ? parenthesise(expression) : expression) + "/" + divisor;
 }
 
-std::string Coupling::position() const {
+std::string Coupling::position_text() const {
   return sum_text(product_text(factor, coordinate), offset);
 }
 
-std::string Coupling::rate() const {
+std::string Coupling::rate_text() const {
   return product_text(factor, fmt::format("dot({})", coordinate));
 }
 

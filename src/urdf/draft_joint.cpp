@@ -18,7 +18,7 @@ std::string symmetric_range(const std::optional<FileNumber>& limit) {
 
 /// The length of an axis that is not along x, y or z: "sqrt(0.7^2 + 0.7^2)", or "1" if it is
 /// exactly 1.
-std::string length_of(const Vector& axis) {
+std::string length_text(const Vector& axis) {
   cln::cl_RA square = 0;
   std::string terms;
   for (const FileNumber& component : axis) {
@@ -32,46 +32,53 @@ std::string length_of(const Vector& axis) {
 }
 
 /// The rotation about an axis as a list of one step; no step if the angle is "0".
-std::vector<std::string> turn_by(const std::string& angle, const Vector& xyz, AngleDigits digits) {
+std::vector<std::string> turn_about_axis(const std::string& angle, const Vector& xyz,
+                                         AngleRounding digits) {
   if (angle == "0") return {};
-  const Axis axis = axis_of(xyz, digits);
-  if (!axis.along) {
-    return {step_text(vector_text({xyz[0].text, xyz[1].text, xyz[2].text}), angle)};
+  const Axis axis = round_axis(xyz, digits);
+  if (!axis.index) {
+    return {turn_text(vector_text({xyz[0].text, xyz[1].text, xyz[2].text}), angle)};
   }
-  return {
-      step_text(toml_string(axis_letter(*axis.along)), axis.is_reversed ? negated(angle) : angle)};
+  return {turn_text(toml_string(axis_letter(*axis.index)),
+                    axis.is_reversed ? negated_text(angle) : angle)};
 }
 
-Components slide_by(const std::string& way, const Vector& xyz, AngleDigits digits) {
+Components slide_along_axis(const std::string& way, const Vector& xyz, AngleRounding digits) {
   Components result{"0", "0", "0"};
-  const Axis axis = axis_of(xyz, digits);
-  if (axis.along) {
-    result[*axis.along] = axis.is_reversed ? negated(way) : way;
+  const Axis axis = round_axis(xyz, digits);
+  if (axis.index) {
+    result[*axis.index] = axis.is_reversed ? negated_text(way) : way;
     return result;
   }
-  const std::string length = length_of(xyz);
-  for (std::size_t i = 0; i < 3; ++i) result[i] = quotient(product_text(xyz[i].text, way), length);
+  const std::string length = length_text(xyz);
+  for (std::size_t i = 0; i < 3; ++i)
+    result[i] = quotient_text(product_text(xyz[i].text, way), length);
   return result;
 }
 
 class JointDrafter {
  public:
-  JointDrafter(Draft& draft, const Branch& branch)
+  JointDrafter(ModelDraft& draft, const Branch& branch)
       : robot_(draft.robot),
         glossary_(draft.glossary),
         draft_(draft),
         branch_(branch),
         joint_(robot_.joints[branch.joint]),
-        name_(glossary_.joint(branch.joint)) {}
+        name_(glossary_.joint_name(branch.joint)) {}
 
   JointMotion draft() {
     switch (joint_.type) {
       case JointType::revolute:
       case JointType::continuous:
         return {
-            {"0", "0", "0"}, turn_by(draft_coupling().position(), joint_.axis, robot_.digits), {}};
+            {"0", "0", "0"},
+            turn_about_axis(draft_single_coordinate().position_text(), joint_.axis, robot_.digits),
+            {}};
       case JointType::prismatic:
-        return {slide_by(draft_coupling().position(), joint_.axis, robot_.digits), {}, {}};
+        return {
+            slide_along_axis(draft_single_coordinate().position_text(), joint_.axis, robot_.digits),
+            {},
+            {}};
       case JointType::floating:
         return draft_floating();
       case JointType::planar:
@@ -89,13 +96,13 @@ class JointDrafter {
                        robot_.links[branch_.child].name.text);
   }
 
-  const Coupling& draft_coupling() {
-    const Coupling& coupling = coupling_of(draft_, branch_.joint);
-    if (joint_.moves() && !draft_.tree.mimicked[branch_.joint]) {
+  const Coupling& draft_single_coordinate() {
+    const Coupling& coupling = find_or_add_coupling(draft_, branch_.joint);
+    if (joint_.moves() && !draft_.tree.mimicked_joints[branch_.joint]) {
       draft_coordinate();
       add_input(name_, joint_.type != JointType::prismatic, symmetric_range(joint_.limit.effort));
     }
-    draft_resistance(draft_, branch_.joint);
+    draft_joint_dynamics(draft_, branch_.joint);
     return coupling;
   }
 
@@ -124,8 +131,8 @@ class JointDrafter {
     } else if (low.value < high.value) {
       range = toml_list({low.text, high.text});
     }
-    add_coordinate(name_, units_of(joint_.type).position, glossary_.symbol(branch_.joint), range,
-                   symmetric_range(limit.velocity));
+    add_coordinate(name_, joint_units(joint_.type).position, glossary_.joint_symbol(branch_.joint),
+                   range, symmetric_range(limit.velocity));
   }
 
   /// Adds a torque or force on a coordinate.
@@ -142,8 +149,8 @@ class JointDrafter {
 
   /// Adds a coordinate NAME_end and returns its name. Its `symbol` in formulas is not numbered by
   /// joint.
-  std::string draft_free(const std::string& end, const std::string& unit,
-                         const std::string& symbol) {
+  std::string draft_extra_coordinate(const std::string& end, const std::string& unit,
+                                     const std::string& symbol) {
     const std::string name = glossary_.claim(name_ + "_" + end, "joint");
     add_coordinate(name, unit, symbol, std::string(unit == "rad" ? full_turn : ""));
     return name;
@@ -151,33 +158,33 @@ class JointDrafter {
 
   JointMotion draft_floating() {
     JointMotion motion;
-    if (joint_.welded) return motion;
+    if (joint_.weld_position) return motion;
     for (std::size_t i = 0; i < 3; ++i) {
-      motion.translate[i] = draft_free(axis_letter(i), "m", axis_letter(i));
+      motion.translate[i] = draft_extra_coordinate(axis_letter(i), "m", axis_letter(i));
     }
-    motion.attitude = draft_free("attitude", "", "e");
+    motion.attitude = draft_extra_coordinate("attitude", "", "e");
     return motion;
   }
 
   JointMotion draft_planar() {
-    const std::size_t normal = *axis_of(joint_.axis, AngleDigits::rounded).along;
+    const std::size_t normal = *round_axis(joint_.axis, AngleRounding::round).index;
     JointMotion motion;
-    if (joint_.welded) return motion;
+    if (joint_.weld_position) return motion;
     for (const std::size_t i : {(normal + 1) % 3, (normal + 2) % 3}) {
-      const std::string name = draft_free(axis_letter(i), "m", axis_letter(i));
+      const std::string name = draft_extra_coordinate(axis_letter(i), "m", axis_letter(i));
       motion.translate[i] = name;
       add_input(name, false);
     }
     if (joint_.is_angle_welded) return motion;
-    const std::string angle = draft_free("angle", "rad", "\\varphi");
+    const std::string angle = draft_extra_coordinate("angle", "rad", "\\varphi");
     add_input(angle, true);
-    motion.turn = turn_by(angle, joint_.axis, robot_.digits);
+    motion.turn = turn_about_axis(angle, joint_.axis, robot_.digits);
     return motion;
   }
 
   const Robot& robot_;
   Glossary& glossary_;
-  Draft& draft_;
+  ModelDraft& draft_;
   const Branch& branch_;
   const Joint& joint_;
   const std::string& name_;
@@ -187,7 +194,7 @@ class JointDrafter {
 
 std::string axis_letter(std::size_t axis) { return std::string(1, "xyz"[axis]); }
 
-JointMotion draft_joint(Draft& draft, const Branch& branch) {
+JointMotion draft_joint(ModelDraft& draft, const Branch& branch) {
   return JointDrafter(draft, branch).draft();
 }
 

@@ -60,7 +60,7 @@ Diagnostic loss_warning(const Span& span, const std::string& what, std::string_v
 }
 
 std::string child_text(const Element& parent, const Element& child) {
-  return fmt::format("{} in `<{}>`", in_backticks("<" + child.name + ">"), parent.name);
+  return fmt::format("{} in `<{}>`", quote_text("<" + child.name + ">"), parent.name);
 }
 
 /// Reports E822 if the child or an element inside it affects the motion; false if neither does.
@@ -85,72 +85,73 @@ bool changes_mechanics(const Attribute& attribute, const Limits& limits) {
 
 }  // namespace
 
-const Attribute* ElementReader::attribute(std::string_view name) {
+const Attribute* ElementReader::take_attribute(std::string_view name) {
   const auto& all = element_.attributes;
   const auto found = std::ranges::find(all, name, &Attribute::name);
   if (found == all.end()) return nullptr;
-  read_.insert(&*found);
+  read_items_.insert(&*found);
   return &*found;
 }
 
 void ElementReader::report_missing(std::string_view kind, std::string_view name) {
-  reading_.found.push_back(
+  reading_.diagnostics.push_back(
       {Code::E803, element_.span, fmt::format("`<{}>` has no {} `{}`", element_.name, kind, name)});
 }
 
-Text ElementReader::text(std::string_view name) {
-  const Attribute* found = attribute(name);
-  return found == nullptr ? Text{} : Text{found->value, found->span};
+SpannedText ElementReader::read_text(std::string_view name) {
+  const Attribute* found = take_attribute(name);
+  return found == nullptr ? SpannedText{} : SpannedText{found->value, found->span};
 }
 
-Text ElementReader::required_text(std::string_view name) {
-  const Attribute* found = attribute(name);
+SpannedText ElementReader::require_text(std::string_view name) {
+  const Attribute* found = take_attribute(name);
   if (found != nullptr && !found->value.empty()) return {found->value, found->span};
   report_missing("attribute", name);
   return {};
 }
 
-std::optional<FileNumber> ElementReader::decimal(const Span& word) {
+std::optional<FileNumber> ElementReader::parse_decimal(const Span& word) {
   Result<FileNumber> number = read_decimal(word, reading_.limits);
-  auto& all = reading_.found;
+  auto& all = reading_.diagnostics;
   all.insert(all.end(), number.diagnostics.begin(), number.diagnostics.end());
   return std::move(number.value);
 }
 
-std::optional<FileNumber> ElementReader::number(std::string_view name) {
-  const Attribute* found = attribute(name);
+std::optional<FileNumber> ElementReader::read_number(std::string_view name) {
+  const Attribute* found = take_attribute(name);
   if (found == nullptr) return std::nullopt;
-  const std::vector<Span> words = words_of(found->span);
+  const std::vector<Span> words = word_spans(found->span);
   if (words.size() != 1) {
-    reading_.found.push_back({Code::E805, found->span,
-                              fmt::format("{} numbers, but `{}` is one number", words.size(), name),
-                              remedy_of(found->span)});
+    reading_.diagnostics.push_back(
+        {Code::E805, found->span,
+         fmt::format("{} numbers, but `{}` is one number", words.size(), name),
+         xacro_hint(found->span)});
     return std::nullopt;
   }
-  return decimal(words.front());
+  return parse_decimal(words.front());
 }
 
-std::optional<FileNumber> ElementReader::required_number(std::string_view name) {
-  if (attribute(name) != nullptr) return number(name);
+std::optional<FileNumber> ElementReader::require_number(std::string_view name) {
+  if (take_attribute(name) != nullptr) return read_number(name);
   report_missing("attribute", name);
   return std::nullopt;
 }
 
-bool ElementReader::vector(std::string_view name, Vector& vector) {
-  const Attribute* found = attribute(name);
+bool ElementReader::read_vector(std::string_view name, Vector& vector) {
+  const Attribute* found = take_attribute(name);
   if (found == nullptr) return false;
-  const std::vector<Span> words = words_of(found->span);
+  const std::vector<Span> words = word_spans(found->span);
   if (words.size() != vector.size()) {
-    reading_.found.push_back(
+    reading_.diagnostics.push_back(
         {Code::E805, found->span,
          fmt::format("{}, but `{}` has 3", count_text(words.size(), "number"), name),
-         remedy_of(found->span)});
+         xacro_hint(found->span)});
     return false;
   }
   Vector read;
   bool is_complete = true;
   for (std::size_t i = 0; i < read.size(); ++i) {
-    const std::optional<FileNumber> number = decimal(words[i]);
+    const std::optional<FileNumber> number = parse_decimal(words[i]);
     is_complete = is_complete && number;
     read[i] = number.value_or(FileNumber{});
   }
@@ -158,19 +159,19 @@ bool ElementReader::vector(std::string_view name, Vector& vector) {
   return is_complete;
 }
 
-const Element* ElementReader::first_child(std::string_view name) {
+const Element* ElementReader::take_first_child(std::string_view name) {
   const auto& all = element_.children;
   const auto found = std::ranges::find(all, name, &Element::name);
   if (found == all.end()) return nullptr;
-  read_.insert(&*found);
+  read_items_.insert(&*found);
   return &*found;
 }
 
-std::vector<const Element*> ElementReader::children(std::string_view name) {
+std::vector<const Element*> ElementReader::take_children(std::string_view name) {
   std::vector<const Element*> found;
   for (const Element& element : element_.children) {
     if (element.name != name) continue;
-    read_.insert(&element);
+    read_items_.insert(&element);
     found.push_back(&element);
   }
   return found;
@@ -178,35 +179,36 @@ std::vector<const Element*> ElementReader::children(std::string_view name) {
 
 void ElementReader::ignore(std::initializer_list<std::string_view> names) {
   for (const std::string_view name : names) {
-    (void)attribute(name);
-    (void)children(name);
+    (void)take_attribute(name);
+    (void)take_children(name);
   }
 }
 
-void ElementReader::note_unread() const {
+void ElementReader::report_unread() const {
   for (const Attribute& attribute : element_.attributes) {
-    if (read_.count(&attribute) > 0 || belongs_to_xml(attribute.name)) continue;
+    if (read_items_.count(&attribute) > 0 || belongs_to_xml(attribute.name)) continue;
     const std::string what =
-        fmt::format("attribute {} of `<{}>`", in_backticks(attribute.name), element_.name);
+        fmt::format("attribute {} of `<{}>`", quote_text(attribute.name), element_.name);
     if (changes_mechanics(attribute, reading_.limits)) {
-      reading_.found.push_back(loss_warning(attribute.name_span, what, force_remedy));
+      reading_.diagnostics.push_back(loss_warning(attribute.name_span, what, force_remedy));
     } else {
-      reading_.found.push_back({Code::E815, attribute.name_span, what + " is not imported"});
+      reading_.diagnostics.push_back({Code::E815, attribute.name_span, what + " is not imported"});
     }
   }
   for (const Element& child : element_.children) {
-    if (read_.count(&child) > 0 || warn_of_mechanical_effect(element_, child, reading_.found))
+    if (read_items_.count(&child) > 0 ||
+        warn_of_mechanical_effect(element_, child, reading_.diagnostics))
       continue;
-    reading_.found.push_back(
+    reading_.diagnostics.push_back(
         {Code::E815, child.span, child_text(element_, child) + " is not imported"});
   }
 }
 
 Pose read_origin(ElementReader& parent) {
   Pose pose;
-  parent.child("origin", [&](ElementReader& origin) {
-    (void)origin.vector("xyz", pose.xyz);
-    (void)origin.vector("rpy", pose.rpy);
+  parent.read_child("origin", [&](ElementReader& origin) {
+    (void)origin.read_vector("xyz", pose.xyz);
+    (void)origin.read_vector("rpy", pose.rpy);
   });
   return pose;
 }

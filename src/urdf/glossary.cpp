@@ -28,7 +28,7 @@ bool is_reserved(const std::string& name) {
 bool is_long(const std::string& name) { return name.size() > 1 && is_letter(name[1]); }
 
 /// m_1 or I_{xx,1}
-std::string with_script(std::string_view base, const std::string& script) {
+std::string with_subscript(std::string_view base, const std::string& script) {
   return fmt::format(fmt::runtime(script.size() == 1 ? "{}_{}" : "{}_{{{}}}"), base, script);
 }
 
@@ -48,7 +48,7 @@ std::string well_formed_name(std::string_view text) {
   return is_digit(name.front()) ? "n" + name : name;
 }
 
-std::string Names::claim(std::string_view wanted, std::string_view kind) {
+std::string NameRegistry::claim(std::string_view wanted, std::string_view kind) {
   std::string name = well_formed_name(wanted);
   if (is_reserved(name) || used_.count(name) > 0) name = std::string(kind) + "_" + name;
   const std::string stem = name;
@@ -60,7 +60,7 @@ std::string Names::claim(std::string_view wanted, std::string_view kind) {
 
 std::string model_name(std::string_view robot) {
   std::string name = well_formed_name(robot);
-  std::transform(name.begin(), name.end(), name.begin(), in_lower_case);
+  std::transform(name.begin(), name.end(), name.begin(), to_lower_case);
   return is_reserved(name) ? "robot_" + name : name;
 }
 
@@ -72,16 +72,16 @@ Glossary::Glossary(const Robot& robot, const LinkTree& tree)
     const Joint& joint = robot.joints[branch.joint];
     const std::string& name = joint.name.text;
     const bool is_coordinate =
-        has_one_coordinate(joint.type) && joint.moves() && !tree.mimicked[branch.joint];
+        has_one_coordinate(joint.type) && joint.moves() && !tree.mimicked_joints[branch.joint];
     joints_[branch.joint] = is_coordinate ? names_.claim(name, "joint") : well_formed_name(name);
     if (is_coordinate) coordinates.push_back(branch.joint);
-    note_change(name, joints_[branch.joint]);
+    record_name_change(name, joints_[branch.joint]);
   }
   frames_[tree.root] = "world";
   for (const Branch& branch : tree.branches) {
     const std::string& name = robot.links[branch.child].name.text;
     frames_[branch.child] = names_.claim(name, "link");
-    note_change(name, frames_[branch.child]);
+    record_name_change(name, frames_[branch.child]);
   }
   number_joints(robot, std::move(coordinates));
 }
@@ -96,8 +96,8 @@ void Glossary::number_joints(const Robot& robot, std::vector<std::size_t> coordi
   }
 }
 
-std::string Glossary::symbol(std::size_t joint) const {
-  return numbers_[joint].empty() ? "" : with_script("q", numbers_[joint]);
+std::string Glossary::joint_symbol(std::size_t joint) const {
+  return numbers_[joint].empty() ? "" : with_subscript("q", numbers_[joint]);
 }
 
 /// "Ixx_elbow" -> I_{xx,2}, "damping_elbow" -> \mathrm{damping}_2; empty for names of another form.
@@ -105,18 +105,19 @@ std::string Glossary::parameter_symbol(const std::string& name) const {
   const std::string& number = numbers_[open_.joint];
   const std::string& joint = joints_[open_.joint];
   if (number.empty()) return {};
-  if (name == joint + "_stiction_rate") return with_script("\\mathrm{stiction}", number);
+  if (name == joint + "_stiction_rate") return with_subscript("\\mathrm{stiction}", number);
   const std::string stem = name.substr(0, name.find('_'));
   const std::string owner = name.substr(std::min(stem.size() + 1, name.size()));
   if (owner != joint && owner != frames_[open_.child]) return {};
-  if (stem.size() > 3) return with_script("\\mathrm{" + stem + "}", number);
-  return with_script(stem.substr(0, 1), stem.size() > 1 ? stem.substr(1) + "," + number : number);
+  if (stem.size() > 3) return with_subscript("\\mathrm{" + stem + "}", number);
+  return with_subscript(stem.substr(0, 1),
+                        stem.size() > 1 ? stem.substr(1) + "," + number : number);
 }
 
-void Glossary::note_change(const std::string& from, const std::string& to) {
+void Glossary::record_name_change(const std::string& from, const std::string& to) {
   const std::string change = fmt::format("`{}` is called {}", from, to);
-  const bool is_known = std::ranges::find(renamed_, change) != renamed_.end();
-  if (from != to && !is_known) renamed_.push_back(change);
+  const bool is_known = std::ranges::find(name_changes_, change) != name_changes_.end();
+  if (from != to && !is_known) name_changes_.push_back(change);
 }
 
 void Glossary::open_group(std::string title, const Branch& branch) {
@@ -124,8 +125,8 @@ void Glossary::open_group(std::string title, const Branch& branch) {
   open_ = branch;
 }
 
-std::string Glossary::parameter(const std::string& name, const FileNumber& number,
-                                const std::string& unit, const std::string& more) {
+std::string Glossary::add_parameter(const std::string& name, const FileNumber& number,
+                                    const std::string& unit, const std::string& more) {
   if (number.is_zero()) return "0";
   const std::string claimed = names_.claim(name, "parameter");
   // a negative value violates the assumption in `more`

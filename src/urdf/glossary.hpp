@@ -13,7 +13,7 @@
 
 namespace elgen::urdf {
 
-class Names {
+class NameRegistry {
  public:
   /// Returns `wanted` or a similar name that is not in use yet, and reserves it. If `wanted` is
   /// reserved or in use, `kind` is prepended: `union` becomes `link_union`.
@@ -41,14 +41,14 @@ class Glossary {
   Glossary(const Robot& robot, const LinkTree& tree);
 
   /// "world", or the frame of a link.
-  [[nodiscard]] const std::string& frame(std::size_t link) const { return frames_[link]; }
+  [[nodiscard]] const std::string& frame_name(std::size_t link) const { return frames_[link]; }
   /// The name of the joint's coordinate. For a joint with several coordinates or none: the prefix
   /// of the names that belong to it.
-  [[nodiscard]] const std::string& joint(std::size_t joint) const { return joints_[joint]; }
+  [[nodiscard]] const std::string& joint_name(std::size_t joint) const { return joints_[joint]; }
   /// The symbol of a joint's coordinate; empty if all names are short.
-  [[nodiscard]] std::string symbol(std::size_t joint) const;
+  [[nodiscard]] std::string joint_symbol(std::size_t joint) const;
   /// Names that differ from the URDF: "`left-leg` is called left_leg".
-  [[nodiscard]] const std::vector<std::string>& name_changes() const { return renamed_; }
+  [[nodiscard]] const std::vector<std::string>& name_changes() const { return name_changes_; }
 
   std::string claim(const std::string& wanted, const std::string& kind) {
     return names_.claim(wanted, kind);
@@ -58,21 +58,21 @@ class Glossary {
   void open_group(std::string title, const Branch& branch);
   /// Adds a parameter to the open group and returns its name. For the number 0 it adds nothing and
   /// returns "0". `more`: further keys of the parameter, `key = value, …`
-  std::string parameter(const std::string& name, const FileNumber& number, const std::string& unit,
-                        const std::string& more = {});
+  std::string add_parameter(const std::string& name, const FileNumber& number,
+                            const std::string& unit, const std::string& more = {});
   [[nodiscard]] const std::vector<ParameterGroup>& groups() const { return groups_; }
 
  private:
   void number_joints(const Robot& robot, std::vector<std::size_t> coordinates);
   [[nodiscard]] std::string parameter_symbol(const std::string& name) const;
-  void note_change(const std::string& from, const std::string& to);
+  void record_name_change(const std::string& from, const std::string& to);
 
-  Names names_ = {};
+  NameRegistry names_ = {};
   std::vector<std::string> frames_;
   std::vector<std::string> joints_;
   std::vector<std::string> numbers_;  ///< number of the joint's coordinate in symbols, by joint
   Branch open_ = {};                  ///< the branch of the open group
-  std::vector<std::string> renamed_ = {};
+  std::vector<std::string> name_changes_ = {};
   std::vector<ParameterGroup> groups_ = {};
 };
 

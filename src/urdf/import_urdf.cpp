@@ -15,21 +15,21 @@ namespace urdf {
 
 namespace {
 
-void append(Diagnostics& to, const Diagnostics& more) {
+void append_diagnostics(Diagnostics& to, const Diagnostics& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
 /// The tree after adding a floating joint above the root: because no joint moves (E818), or because
 /// the user asks for it; E821 if the robot floats already.
-Result<LinkTree> floating_tree(Robot& robot, const LinkTree& tree, bool is_asked_for,
-                               Diagnostics& found) {
-  const Text& root = robot.links[tree.root].name;
+Result<LinkTree> make_floating_tree(Robot& robot, const LinkTree& tree, bool is_asked_for,
+                                    Diagnostics& found) {
+  const SpannedText& root = robot.links[tree.root].name;
   if (!is_asked_for) {
-    found.push_back({Code::E818, root.span, fmt::format("{} floats", in_backticks(root.text)),
+    found.push_back({Code::E818, root.span, fmt::format("{} floats", quote_text(root.text)),
                      "no joint of the robot moves"});
-  } else if (const Joint* joint = floating_joint(robot, tree)) {
+  } else if (const Joint* joint = find_floating_joint(robot, tree)) {
     found.push_back({Code::E821, joint->name.span,
-                     fmt::format("{} floats already", in_backticks(joint->name.text)),
+                     fmt::format("{} floats already", quote_text(joint->name.text)),
                      "omit `--floating-base`"});
     return found;
   }
@@ -38,16 +38,17 @@ Result<LinkTree> floating_tree(Robot& robot, const LinkTree& tree, bool is_asked
 }
 
 /// The tree after all options are applied. Options are not applied after an error.
-Result<LinkTree> chosen_tree(Robot& robot, const ImportOptions& options, Diagnostics& found) {
+Result<LinkTree> make_tree_with_options(Robot& robot, const ImportOptions& options,
+                                        Diagnostics& found) {
   Result<LinkTree> tree = make_tree(robot);
-  append(found, tree.diagnostics);
+  append_diagnostics(found, tree.diagnostics);
   if (!tree || has_errors(found)) return tree;
-  if (welds_massless(options)) {
-    append(found, weld_massless(robot, *tree));
+  if (welds_massless_joints(options)) {
+    append_diagnostics(found, weld_massless_joints(robot, *tree));
     tree = make_tree(robot);
   }
   const bool floats = options.floating_base || (!tree->has_moving_link() && has_mass(robot));
-  return floats ? floating_tree(robot, *tree, options.floating_base, found) : tree;
+  return floats ? make_floating_tree(robot, *tree, options.floating_base, found) : tree;
 }
 
 /// Drops all errors except E802: the file has another format, or contains macros that are not
@@ -66,18 +67,18 @@ Result<ImportedModel> import_urdf(const SourcePointer& source, const Limits& lim
   const Result<urdf::Element> root = urdf::read_xml(*source);
   if (!root) return root.diagnostics;
   Diagnostics found;
-  urdf::RobotReading reading{limits, found, options.file};
+  urdf::RobotReadState reading{limits, found, options.file};
   urdf::Robot robot = urdf::read_robot(*root, reading);
   const Diagnostics foreign = urdf::keep_foreign_errors(found);
   if (!foreign.empty()) return foreign;
   if (!options.name.empty()) robot.model = options.name;
-  if (options.exact_angles) robot.digits = urdf::AngleDigits::kept;
-  urdf::append(found, urdf::choose_joints(robot, options, limits));
+  if (options.exact_angles) robot.digits = urdf::AngleRounding::exact;
+  urdf::append_diagnostics(found, urdf::apply_joint_options(robot, options, limits));
   const bool is_read = !has_errors(found);
-  const Result<urdf::LinkTree> tree = urdf::chosen_tree(robot, options, found);
+  const Result<urdf::LinkTree> tree = urdf::make_tree_with_options(robot, options, found);
   if (is_read && tree) {
-    urdf::append(found, urdf::check_masses(robot, *tree));
-    urdf::append(found, urdf::note_right_angles(robot, *tree));
+    urdf::append_diagnostics(found, urdf::check_masses(robot, *tree));
+    urdf::append_diagnostics(found, urdf::report_rounded_angles(robot, *tree));
   }
   sort_by_position(found);
   if (has_errors(found)) return found;

@@ -12,16 +12,16 @@ namespace elgen::urdf {
 
 namespace {
 
-enum class CountedLinks : unsigned char { all_behind, fixed_behind };
+enum class CarriedLinks : unsigned char { all_carried, rigidly_carried };
 
 /// One flag per link: true if the link, or a link that it carries, satisfies `has`. With
-/// CountedLinks::fixed_behind, only links carried by fixed joints count.
-std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, CountedLinks behind,
-                                bool (Link::*has)() const = &Link::has_mass) {
+/// CarriedLinks::rigidly_carried, only links carried by fixed joints count.
+std::vector<bool> links_carrying_mass(const Robot& robot, const LinkTree& tree, CarriedLinks behind,
+                                      bool (Link::*has)() const = &Link::has_mass) {
   std::vector<bool> massive;
   for (const Link& link : robot.links) massive.push_back((link.*has)());
   for (auto branch = tree.branches.rbegin(); branch != tree.branches.rend(); ++branch) {
-    const bool counts = behind == CountedLinks::all_behind || !robot.joints[branch->joint].moves();
+    const bool counts = behind == CarriedLinks::all_carried || !robot.joints[branch->joint].moves();
     if (counts && massive[branch->child]) massive[branch->parent] = true;
   }
   return massive;
@@ -29,9 +29,9 @@ std::vector<bool> massive_links(const Robot& robot, const LinkTree& tree, Counte
 
 /// One flag per joint: true if it moves mass or turns an inertia.
 std::vector<bool> joints_moving_mass(const Robot& robot, const LinkTree& tree,
-                                     CountedLinks behind) {
-  const std::vector<bool> massive = massive_links(robot, tree, behind);
-  const std::vector<bool> inert = massive_links(robot, tree, behind, &Link::has_inertia);
+                                     CarriedLinks behind) {
+  const std::vector<bool> massive = links_carrying_mass(robot, tree, behind);
+  const std::vector<bool> inert = links_carrying_mass(robot, tree, behind, &Link::has_inertia);
   std::vector<bool> result(robot.joints.size());
   for (const Branch& branch : tree.branches) {
     const JointType type = robot.joints[branch.joint].type;
@@ -43,8 +43,8 @@ std::vector<bool> joints_moving_mass(const Robot& robot, const LinkTree& tree,
 
 /// One flag per joint: true if its coordinate moves a rotor, or mass behind the joint or behind a
 /// joint that mimics it.
-std::vector<bool> joints_with_mass(const Robot& robot, const LinkTree& tree) {
-  const std::vector<bool> moves = joints_moving_mass(robot, tree, CountedLinks::all_behind);
+std::vector<bool> coordinates_moving_mass(const Robot& robot, const LinkTree& tree) {
+  const std::vector<bool> moves = joints_moving_mass(robot, tree, CarriedLinks::all_carried);
   std::vector<bool> result(robot.joints.size());
   for (const Branch& branch : tree.branches) {
     if (moves[branch.joint] || has_rotor(robot.joints[branch.joint])) {
@@ -65,7 +65,7 @@ void check_inertia(const Link& link, Diagnostics& found) {
   if (is_physical_inertia(tensor)) return;
   found.push_back(
       {Code::E508, link.inertial->span,
-       fmt::format("inertia {} of {} belongs to no body", listed, in_backticks(link.name.text)),
+       fmt::format("inertia {} of {} belongs to no body", listed, quote_text(link.name.text)),
        "a principal inertia exceeds the sum of the other two"});
 }
 
@@ -77,37 +77,39 @@ bool are_zero(const auto& numbers) {
 /// The link has none if all mass is in points on the axis. Mass behind a moving joint counts as
 /// inertia, because it may leave the axis. Mass behind a fixed joint that is rotated or off the
 /// axis counts, too.
-class InertiaAbout {
+class AxisInertia {
  public:
-  InertiaAbout(const Robot& robot, const LinkTree& tree, std::size_t axis)
+  AxisInertia(const Robot& robot, const LinkTree& tree, std::size_t axis)
       : robot_(robot),
         tree_(tree),
         axis_(axis),
-        massive_(massive_links(robot, tree, CountedLinks::all_behind)),
-        inert_(massive_links(robot, tree, CountedLinks::all_behind, &Link::has_inertia)) {}
+        massive_(links_carrying_mass(robot, tree, CarriedLinks::all_carried)),
+        inert_(links_carrying_mass(robot, tree, CarriedLinks::all_carried, &Link::has_inertia)) {}
 
-  [[nodiscard]] bool carries(std::size_t link) const { return massive_[link] || inert_[link]; }
+  [[nodiscard]] bool carries_mass_or_inertia(std::size_t link) const {
+    return massive_[link] || inert_[link];
+  }
 
-  [[nodiscard]] bool has(std::size_t link) const {
-    if (robot_.links[link].inertial && turns(*robot_.links[link].inertial)) return true;
+  [[nodiscard]] bool has_inertia(std::size_t link) const {
+    if (robot_.links[link].inertial && resists_turning(*robot_.links[link].inertial)) return true;
     return std::ranges::any_of(tree_.branches, [&](const Branch& branch) {
-      if (branch.parent != link || !carries(branch.child)) return false;
+      if (branch.parent != link || !carries_mass_or_inertia(branch.child)) return false;
       const Joint& joint = robot_.joints[branch.joint];
-      const bool is_on_axis = joint.type == JointType::fixed && are_zero(joint.origin.rpy) &&
-                              is_on_axis_point(joint.origin);
-      return !is_on_axis || has(branch.child);
+      const bool stays_on_axis =
+          joint.type == JointType::fixed && are_zero(joint.origin.rpy) && is_on_axis(joint.origin);
+      return !stays_on_axis || has_inertia(branch.child);
     });
   }
 
  private:
-  [[nodiscard]] bool is_on_axis_point(const Pose& pose) const {
+  [[nodiscard]] bool is_on_axis(const Pose& pose) const {
     return pose.xyz[(axis_ + 1) % 3].is_zero() && pose.xyz[(axis_ + 2) % 3].is_zero();
   }
 
-  [[nodiscard]] bool turns(const Inertial& inertial) const {
+  [[nodiscard]] bool resists_turning(const Inertial& inertial) const {
     const bool has_inertia = are_zero(inertial.origin.rpy) ? !inertial.inertia[axis_].is_zero()
                                                            : !are_zero(inertial.inertia);
-    return has_inertia || (!inertial.mass.is_zero() && !is_on_axis_point(inertial.origin));
+    return has_inertia || (!inertial.mass.is_zero() && !is_on_axis(inertial.origin));
   }
 
   const Robot& robot_;
@@ -119,17 +121,18 @@ class InertiaAbout {
 
 /// Whether a rotation about the normal of a planar joint moves mass.
 bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& planar) {
-  const std::size_t normal = *axis_of(robot.joints[planar.joint].axis, AngleDigits::rounded).along;
-  const InertiaAbout about(robot, tree, normal);
-  const bool is_rotor_alone = !about.carries(planar.child);
-  return is_rotor_alone || about.has(planar.child);
+  const std::size_t normal =
+      *round_axis(robot.joints[planar.joint].axis, AngleRounding::round).index;
+  const AxisInertia about(robot, tree, normal);
+  const bool is_rotor_alone = !about.carries_mass_or_inertia(planar.child);
+  return is_rotor_alone || about.has_inertia(planar.child);
 }
 
-/// `has_mass`: the joint moves mass. `has_mass_without_joint`: the joint moves mass with no other
+/// `has_mass`: the joint moves mass. `has_rigid_mass`: the joint moves mass with no other
 /// moving joint between the joint and the mass.
 struct MovedMass {
   bool has_mass = false;
-  bool has_mass_without_joint = false;
+  bool has_rigid_mass = false;
 };
 
 void check_joint(const Robot& robot, const Branch& branch, const MovedMass& moved,
@@ -141,12 +144,12 @@ void check_joint(const Robot& robot, const Branch& branch, const MovedMass& move
                                  ? "has a `<mass>` of 0, and no link that it carries has mass"
                                  : "has no `<mass>`, nor has any link that it carries";
     found.push_back({Code::E810, joint.name.span,
-                     fmt::format("{} moves no mass", in_backticks(joint.name.text)),
+                     fmt::format("{} moves no mass", quote_text(joint.name.text)),
                      fmt::format("{} {}; `--weld massless` fixes such joints",
-                                 in_backticks(child.name.text), mass)});
-  } else if (!moved.has_mass_without_joint) {
+                                 quote_text(child.name.text), mass)});
+  } else if (!moved.has_rigid_mass) {
     found.push_back({Code::E816, child.name.span,
-                     fmt::format("{} moves but has no mass", in_backticks(child.name.text))});
+                     fmt::format("{} moves but has no mass", quote_text(child.name.text))});
   }
 }
 
@@ -166,8 +169,8 @@ void check_world(const Robot& robot, const LinkTree& tree, Diagnostics& found) {
     if (is_held[branch.child] && child.has_mass()) held.push_back(&child);
   }
   if (held.empty()) return;
-  const Text& first = held.front()->name;
-  const std::string name = in_backticks(first.text);
+  const SpannedText& first = held.front()->name;
+  const std::string name = quote_text(first.text);
   const std::string others = count_text(held.size() - 1, "more link");
   found.push_back(
       {Code::E817, first.span,
@@ -185,10 +188,11 @@ Diagnostics check_masses(const Robot& robot, const LinkTree& tree) {
   for (const Link& link : robot.links) {
     if (link.inertial) check_inertia(link, found);
   }
-  const auto moves_mass = joints_with_mass(robot, tree);
-  const auto moves_mass_directly = joints_moving_mass(robot, tree, CountedLinks::fixed_behind);
+  const auto moves_mass = coordinates_moving_mass(robot, tree);
+  const auto moves_mass_directly = joints_moving_mass(robot, tree, CarriedLinks::rigidly_carried);
   for (const Branch& branch : tree.branches) {
-    const bool has_coordinate = robot.joints[branch.joint].moves() && !tree.mimicked[branch.joint];
+    const bool has_coordinate =
+        robot.joints[branch.joint].moves() && !tree.mimicked_joints[branch.joint];
     const MovedMass moved{moves_mass[branch.joint], moves_mass_directly[branch.joint]};
     if (has_coordinate) check_joint(robot, branch, moved, found);
   }
@@ -198,28 +202,29 @@ Diagnostics check_masses(const Robot& robot, const LinkTree& tree) {
   return found;
 }
 
-Diagnostics weld_massless(Robot& robot, const LinkTree& tree) {
+Diagnostics weld_massless_joints(Robot& robot, const LinkTree& tree) {
   Diagnostics found;
-  const std::vector<bool> moves_mass = joints_with_mass(robot, tree);
+  const std::vector<bool> moves_mass = coordinates_moving_mass(robot, tree);
   for (const Branch& branch : tree.branches) {
     Joint& joint = robot.joints[branch.joint];
-    if (!joint.moves() || tree.mimicked[branch.joint] || moves_mass[branch.joint]) continue;
-    joint.welded = FileNumber{};
+    if (!joint.moves() || tree.mimicked_joints[branch.joint] || moves_mass[branch.joint]) continue;
+    joint.weld_position = FileNumber{};
     found.push_back({Code::E820, joint.name.span,
-                     fmt::format("{} is held at 0", in_backticks(joint.name.text)),
+                     fmt::format("{} is held at 0", quote_text(joint.name.text)),
                      "it moves no mass"});
   }
   for (const Branch& branch : tree.branches) {
     Joint& joint = robot.joints[branch.joint];
-    if (joint.type != JointType::planar || joint.welded || turns_inertia(robot, tree, branch)) {
+    if (joint.type != JointType::planar || joint.weld_position ||
+        turns_inertia(robot, tree, branch)) {
       continue;
     }
     joint.is_angle_welded = true;
     found.push_back({Code::E820, joint.name.span,
-                     fmt::format("the angle of {} is held at 0", in_backticks(joint.name.text)),
+                     fmt::format("the angle of {} is held at 0", quote_text(joint.name.text)),
                      "it moves no inertia"});
   }
-  weld_followers(robot);
+  weld_mimicking_joints(robot);
   return found;
 }
 

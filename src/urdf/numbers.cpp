@@ -60,14 +60,14 @@ std::optional<std::string> toml_digits(std::string_view rest) {
 }
 
 Diagnostic number_error(const Span& span) {
-  const std::string shown = in_backticks(covered_text(span));
+  const std::string shown = quote_text(covered_text(span));
   if (is_not_finite(covered_text(span))) return {Code::E804, span, shown + " is not finite"};
-  return {Code::E804, span, shown + " is not a decimal number", remedy_of(span)};
+  return {Code::E804, span, shown + " is not a decimal number", xacro_hint(span)};
 }
 
 }  // namespace
 
-std::string remedy_of(const Span& span) {
+std::string xacro_hint(const Span& span) {
   const bool is_macro = covered_text(span).find('$') != std::string_view::npos;
   return std::string(is_macro ? xacro_remedy : "");
 }
@@ -75,7 +75,7 @@ std::string remedy_of(const Span& span) {
 bool is_not_finite(std::string_view text) {
   take(text, "+-");
   std::string word(text);
-  std::transform(word.begin(), word.end(), word.begin(), in_lower_case);
+  std::transform(word.begin(), word.end(), word.begin(), to_lower_case);
   return word == "nan" || word == "inf" || word == "infinity";
 }
 
@@ -86,7 +86,7 @@ double clamped_double(const cln::cl_RA& value) {
   return size * large * large * large < 1 ? 0.0 : cln::double_approx(value);
 }
 
-FileNumber decimal_of(int value) { return {std::to_string(value), value, {}}; }
+FileNumber make_file_number(int value) { return {std::to_string(value), value, {}}; }
 
 FileNumber negate_number(FileNumber number) {
   if (number.is_zero()) return number;
@@ -113,7 +113,7 @@ Result<FileNumber> read_decimal(const Span& span, const Limits& limits) {
   return is_negative ? negate_number(number) : number;
 }
 
-std::vector<Span> words_of(const Span& span) {
+std::vector<Span> word_spans(const Span& span) {
   constexpr std::string_view blanks = " \t\r\n";
   const std::string_view text = covered_text(span);
   std::vector<Span> words;

@@ -27,14 +27,14 @@ inline constexpr std::string_view xacro_remedy =
     "robot.urdf`";
 
 /// xacro_remedy if the text of `span` has a macro of xacro, "$(arg x)" or "${pi/2}"; else "".
-[[nodiscard]] std::string remedy_of(const Span& span);
+[[nodiscard]] std::string xacro_hint(const Span& span);
 
 /// True for "inf", "-Infinity", "nan".
 [[nodiscard]] bool is_not_finite(std::string_view text);
 
 using Vector = std::array<FileNumber, 3>;
 
-[[nodiscard]] FileNumber decimal_of(int value);
+[[nodiscard]] FileNumber make_file_number(int value);
 
 /// The nearest double, only for comparisons with a tolerance. Magnitudes above 1e9 become 1e9,
 /// magnitudes below 1e-27 become 0.
@@ -46,6 +46,6 @@ using Vector = std::array<FileNumber, 3>;
 [[nodiscard]] Result<FileNumber> read_decimal(const Span& span, const Limits& limits);
 
 /// The spans of the words in a span.
-[[nodiscard]] std::vector<Span> words_of(const Span& span);
+[[nodiscard]] std::vector<Span> word_spans(const Span& span);
 
 }  // namespace elgen::urdf

@@ -19,29 +19,29 @@ double length(const Vector& xyz) {
 /// The change of a pose, in rad and m.
 struct PoseChange {
   double angle = 0.0;
-  double place = 0.0;
+  double position = 0.0;
 };
 
-class PoseChanges {
+class PoseChangeBounds {
  public:
-  explicit PoseChanges(const Robot& robot) : robot_(robot), changes_(robot.links.size()) {}
+  explicit PoseChangeBounds(const Robot& robot) : robot_(robot), changes_(robot.links.size()) {}
 
-  Diagnostics note(const LinkTree& tree) {
+  Diagnostics report_changes(const LinkTree& tree) {
     for (const Branch& branch : tree.branches) {
       add_branch_change(branch);
       const auto& inertial = robot_.links[branch.child].inertial;
-      if (!branch.moves || !inertial) continue;
+      if (!branch.is_moving || !inertial) continue;
       const PoseChange& link = changes_[branch.child];
       update_worst({link.angle + rotation_change(inertial->origin.rpy),
-                    link.place + link.angle * length(inertial->origin.xyz)});
+                    link.position + link.angle * length(inertial->origin.xyz)});
     }
     if (count_ == 0) return {};
-    return {
-        {Code::E819, robot_.span,
-         fmt::format("{} {} rounded to right angles: no pose changes by more than {:.1e} rad and "
-                     "{:.1e} m",
-                     count_, count_ == 1 ? "angle is" : "angles are", worst_.angle, worst_.place),
-         "`--exact-angles` keeps their digits"}};
+    return {{Code::E819, robot_.span,
+             fmt::format(
+                 "{} {} rounded to right angles: no pose changes by more than {:.1e} rad and "
+                 "{:.1e} m",
+                 count_, count_ == 1 ? "angle is" : "angles are", worst_.angle, worst_.position),
+             "`--exact-angles` keeps their digits"}};
   }
 
  private:
@@ -49,14 +49,14 @@ class PoseChanges {
   void add_branch_change(const Branch& branch) {
     const Joint& joint = robot_.joints[branch.joint];
     PoseChange change = changes_[branch.parent];
-    change.place += change.angle * length(joint.origin.xyz);
+    change.position += change.angle * length(joint.origin.xyz);
     change.angle += rotation_change(joint.origin.rpy);
     if (has_one_coordinate(joint.type)) {
-      const Axis axis = axis_of(joint.axis, robot_.digits);
+      const Axis axis = round_axis(joint.axis, robot_.digits);
       count_ += axis.is_rounded ? 1 : 0;
       change.angle += axis.change;
       if (joint.type == JointType::prismatic)
-        change.place += change.angle * largest_displacement(joint);
+        change.position += change.angle * largest_displacement(joint);
     }
     changes_[branch.child] = change;
     update_worst(change);
@@ -65,7 +65,7 @@ class PoseChanges {
   /// The change in rad by rounding a rotation; also counts the rounded angles.
   double rotation_change(const Vector& rpy) {
     double change = 0.0;
-    for (const Angle& angle : rotation_of(rpy, robot_.digits).rpy) {
+    for (const Angle& angle : round_rotation(rpy, robot_.digits).rpy) {
       count_ += angle.is_rounded ? 1 : 0;
       change += angle.change;
     }
@@ -74,7 +74,7 @@ class PoseChanges {
 
   static double largest_displacement(const Joint& joint) {
     double farthest = 0.0;
-    for (const auto& end : {joint.limit.lower, joint.limit.upper, joint.welded}) {
+    for (const auto& end : {joint.limit.lower, joint.limit.upper, joint.weld_position}) {
       if (end) farthest = std::max(farthest, std::abs(clamped_double(end->value)));
     }
     return farthest;
@@ -82,7 +82,7 @@ class PoseChanges {
 
   void update_worst(const PoseChange& change) {
     worst_.angle = std::max(worst_.angle, change.angle);
-    worst_.place = std::max(worst_.place, change.place);
+    worst_.position = std::max(worst_.position, change.position);
   }
 
   const Robot& robot_;
@@ -93,8 +93,8 @@ class PoseChanges {
 
 }  // namespace
 
-Diagnostics note_right_angles(const Robot& robot, const LinkTree& tree) {
-  return PoseChanges(robot).note(tree);
+Diagnostics report_rounded_angles(const Robot& robot, const LinkTree& tree) {
+  return PoseChangeBounds(robot).report_changes(tree);
 }
 
 }  // namespace elgen::urdf

@@ -20,7 +20,7 @@
 namespace elgen::urdf {
 
 /// A text of the file, with the span for messages.
-struct Text {
+struct SpannedText {
   std::string text = {};
   Span span = {};
 };
@@ -38,7 +38,7 @@ struct Inertial {
 };
 
 struct Link {
-  Text name = {};
+  SpannedText name = {};
   std::optional<Inertial> inertial = {};
 
   [[nodiscard]] bool has_mass() const { return inertial && !inertial->mass.is_zero(); }
@@ -62,7 +62,7 @@ struct JointLimit {
 };
 
 struct Mimic {
-  Text joint = {};
+  SpannedText joint = {};
   FileNumber multiplier = {};
   FileNumber offset = {};
 };
@@ -70,27 +70,28 @@ struct Mimic {
 /// The rotor of a motor; it turns gear_ratio times as fast as the joint.
 struct Rotor {
   FileNumber inertia = {};
-  FileNumber gear_ratio = decimal_of(1);
+  FileNumber gear_ratio = make_file_number(1);
 };
 
 struct Joint {
-  Text name = {};
+  SpannedText name = {};
   JointType type = JointType::fixed;
-  Text parent = {};
-  Text child = {};
+  SpannedText parent = {};
+  SpannedText child = {};
   Pose origin = {};
-  Vector axis = {decimal_of(1), decimal_of(0), decimal_of(0)};  ///< URDF's default
+  Vector axis = {make_file_number(1), make_file_number(0),
+                 make_file_number(0)};  ///< URDF's default
   Span axis_span = {};
   JointLimit limit = {};
   FileNumber damping = {};
   FileNumber friction = {};
   std::optional<Mimic> mimic = {};
   std::optional<Rotor> rotor = {};
-  std::optional<FileNumber> welded = {};  ///< the position at which the joint is held
-  bool is_angle_welded = false;           ///< planar joint: the angle is held, the lengths are not
-  std::size_t rank = 0;                   ///< sort key of the coordinates
+  std::optional<FileNumber> weld_position = {};  ///< the position at which the joint is held
+  bool is_angle_welded = false;  ///< planar joint: the angle is held, the lengths are not
+  std::size_t rank = 0;          ///< sort key of the coordinates
 
-  [[nodiscard]] bool moves() const { return type != JointType::fixed && !welded; }
+  [[nodiscard]] bool moves() const { return type != JointType::fixed && !weld_position; }
 };
 
 /// Whether a rotor resists the acceleration of the joint.
@@ -103,8 +104,8 @@ struct Robot {
   std::string name = {};   ///< the file's name if the robot has none
   std::string model = {};  ///< the name of the model
   Span span = {};          ///< the word `robot` in the tag
-  bool is_of_xacro = false;
-  AngleDigits digits = AngleDigits::rounded;
+  bool uses_xacro = false;
+  AngleRounding digits = AngleRounding::round;
   std::vector<Link> links = {};
   std::vector<Joint> joints = {};
 };
@@ -114,14 +115,14 @@ struct Robot {
 }
 
 /// Limits and diagnostics shared while a robot is read.
-struct RobotReading {
+struct RobotReadState {
   const Limits& limits;
-  Diagnostics& found;
+  Diagnostics& diagnostics;
   std::string file = {};  ///< the name of the file; empty: the source's name
 };
 
 /// Reads a `<robot>`. Errors and warnings: E108, E802 to E806, E811, E813, E814, E822, E903, E904;
 /// notes: E815. Missing values keep their defaults.
-[[nodiscard]] Robot read_robot(const Element& root, RobotReading& reading);
+[[nodiscard]] Robot read_robot(const Element& root, RobotReadState& reading);
 
 }  // namespace elgen::urdf

@@ -31,19 +31,19 @@ std::string multiple_of_right_angle(int count) {
   return sign + (times == 1 ? "" : fmt::format("{}*", times)) + (size % 2 == 0 ? "pi" : "pi/2");
 }
 
-/// Row i of a signed permutation has `sign` in column `from`: (R x)[i] = sign * x[from].
+/// Row i of a signed permutation has `sign` in column `column`: (R x)[i] = sign * x[from].
 struct SignedAxis {
-  std::size_t from = 0;
+  std::size_t column = 0;
   int sign = 1;
 };
-using Permutation = std::array<SignedAxis, 3>;
+using SignedPermutation = std::array<SignedAxis, 3>;
 
 /// The rotation `before`, followed by a quarter turn about an axis.
-Permutation quarter_turned(const Permutation& before, std::size_t axis) {
+SignedPermutation apply_quarter_turn(const SignedPermutation& before, std::size_t axis) {
   const std::size_t next = (axis + 1) % 3;
   const std::size_t last = (axis + 2) % 3;
-  Permutation after = before;
-  after[next] = {before[last].from, -before[last].sign};
+  SignedPermutation after = before;
+  after[next] = {before[last].column, -before[last].sign};
   after[last] = before[next];
   return after;
 }
@@ -54,9 +54,9 @@ std::size_t inertia_index(std::size_t row, std::size_t column) {
 
 }  // namespace
 
-Angle angle_of(const FileNumber& number, AngleDigits digits) {
+Angle round_angle(const FileNumber& number, AngleRounding digits) {
   if (number.is_zero()) return {};
-  if (digits == AngleDigits::kept) return {number.text, std::nullopt};
+  if (digits == AngleRounding::exact) return {number.text, std::nullopt};
   const double angle = clamped_double(number.value);
   constexpr double largest = 1e6;  // larger angles are never meant as multiples of a right angle
   if (std::abs(angle) > largest) return {number.text, std::nullopt};
@@ -67,18 +67,18 @@ Angle angle_of(const FileNumber& number, AngleDigits digits) {
           distance(number.value, turns)};
 }
 
-RollPitchYaw rotation_of(const Vector& rpy, AngleDigits digits) {
-  return {{angle_of(rpy[0], digits), angle_of(rpy[1], digits), angle_of(rpy[2], digits)}};
+RollPitchYaw round_rotation(const Vector& rpy, AngleRounding digits) {
+  return {{round_angle(rpy[0], digits), round_angle(rpy[1], digits), round_angle(rpy[2], digits)}};
 }
 
-std::optional<std::array<FileNumber, 6>> rotated(const RollPitchYaw& rotation,
-                                                 const std::array<FileNumber, 6>& inertia) {
-  Permutation permutation{{{0, 1}, {1, 1}, {2, 1}}};
+std::optional<std::array<FileNumber, 6>> rotate_inertia(const RollPitchYaw& rotation,
+                                                        const std::array<FileNumber, 6>& inertia) {
+  SignedPermutation permutation{{{0, 1}, {1, 1}, {2, 1}}};
   for (std::size_t axis = 0; axis < 3; ++axis) {  // about x, y, z of the outer frame, in this order
     const std::optional<int>& count = rotation.rpy[axis].quarter_turns;
     if (!count) return std::nullopt;
     for (int turn = 0; turn < (*count % 4 + 4) % 4; ++turn)
-      permutation = quarter_turned(permutation, axis);
+      permutation = apply_quarter_turn(permutation, axis);
   }
   std::array<FileNumber, 6> result;
   for (std::size_t row = 0; row < 3; ++row) {
@@ -92,7 +92,7 @@ std::optional<std::array<FileNumber, 6>> rotated(const RollPitchYaw& rotation,
   return result;
 }
 
-Axis axis_of(const Vector& direction, AngleDigits digits) {
+Axis round_axis(const Vector& direction, AngleRounding digits) {
   const auto shorter = [](const FileNumber& left, const FileNumber& right) {
     return cln::abs(left.value) < cln::abs(right.value);
   };
@@ -103,7 +103,7 @@ Axis axis_of(const Vector& direction, AngleDigits digits) {
   const double sine = std::hypot(clamped_double(second.value / longest->value),
                                  clamped_double(third.value / longest->value));
   const bool is_exact = second.is_zero() && third.is_zero();
-  if (sine > tolerance || (digits == AngleDigits::kept && !is_exact)) return {};
+  if (sine > tolerance || (digits == AngleRounding::exact && !is_exact)) return {};
   return {along, cln::minusp(longest->value), !is_exact, std::asin(sine)};
 }
 

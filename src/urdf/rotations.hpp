@@ -13,7 +13,7 @@
 namespace elgen::urdf {
 
 /// Whether angles and axes close to right angles are rounded.
-enum class AngleDigits : unsigned char { rounded, kept };
+enum class AngleRounding : unsigned char { round, exact };
 
 struct Angle {
   std::string text = "0";                ///< "-pi/2", or the digits of the file
@@ -24,7 +24,7 @@ struct Angle {
   [[nodiscard]] bool is_zero() const { return text == "0"; }
 };
 
-[[nodiscard]] Angle angle_of(const FileNumber& number, AngleDigits digits);
+[[nodiscard]] Angle round_angle(const FileNumber& number, AngleRounding digits);
 
 struct RollPitchYaw {
   std::array<Angle, 3> rpy = {};  ///< R = Rz(yaw) Ry(pitch) Rx(roll)
@@ -33,20 +33,20 @@ struct RollPitchYaw {
   [[nodiscard]] bool is_rounded() const { return std::ranges::any_of(rpy, &Angle::is_rounded); }
 };
 
-[[nodiscard]] RollPitchYaw rotation_of(const Vector& rpy, AngleDigits digits);
+[[nodiscard]] RollPitchYaw round_rotation(const Vector& rpy, AngleRounding digits);
 
 /// R I R^T (xx yy zz xy xz yz), with the digits of I; none unless all angles are quarter turns.
-[[nodiscard]] std::optional<std::array<FileNumber, 6>> rotated(
+[[nodiscard]] std::optional<std::array<FileNumber, 6>> rotate_inertia(
     const RollPitchYaw& rotation, const std::array<FileNumber, 6>& inertia);
 
 /// A direction: an axis of the frame, or three numbers.
 struct Axis {
-  std::optional<std::size_t> along = {};  ///< 0 x, 1 y, 2 z
+  std::optional<std::size_t> index = {};  ///< 0 x, 1 y, 2 z
   bool is_reversed = false;               ///< along -x, -y, -z
   bool is_rounded = false;
   double change = 0.0;  ///< by rounding, in rad
 };
 
-[[nodiscard]] Axis axis_of(const Vector& direction, AngleDigits digits);
+[[nodiscard]] Axis round_axis(const Vector& direction, AngleRounding digits);
 
 }  // namespace elgen::urdf

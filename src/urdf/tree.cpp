@@ -29,14 +29,15 @@ Diagnostic duplicate_error(Code code, const Span& span, std::string message, con
 /// The index of every element by its name; E807 for a duplicate. Missing names are already
 /// reported.
 template <class Named>
-Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Diagnostics& found) {
+Indices index_by_name(const std::vector<Named>& elements, std::string_view noun,
+                      Diagnostics& found) {
   Indices indices;
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    const Text& name = elements[i].name;
+    const SpannedText& name = elements[i].name;
     const auto [first, is_new] = indices.emplace(name.text, i);
     if (is_new || name.text.empty()) continue;
     found.push_back(duplicate_error(Code::E807, name.span,
-                                    fmt::format("{} names two {}s", in_backticks(name.text), noun),
+                                    fmt::format("{} names two {}s", quote_text(name.text), noun),
                                     elements[first->second].name.span));
   }
   indices.erase("");
@@ -46,12 +47,12 @@ Indices indices_of(const std::vector<Named>& elements, std::string_view noun, Di
 /// The joint that a joint mimics; none after E812.
 std::optional<std::size_t> find_mimicked(const Joint& joint, const Robot& robot,
                                          const Indices& joints, Diagnostics& found) {
-  if (!joint.mimic || joint.welded || joint.mimic->joint.text.empty()) return std::nullopt;
-  const Text& name = joint.mimic->joint;
+  if (!joint.mimic || joint.weld_position || joint.mimic->joint.text.empty()) return std::nullopt;
+  const SpannedText& name = joint.mimic->joint;
   const auto other = joints.find(name.text);
   if (other == joints.end()) {
     found.push_back({Code::E812, name.span,
-                     fmt::format("the robot has no joint {}", in_backticks(name.text)),
+                     fmt::format("the robot has no joint {}", quote_text(name.text)),
                      suggestion(name.text, names_of(joints))});
     return std::nullopt;
   }
@@ -59,7 +60,7 @@ std::optional<std::size_t> find_mimicked(const Joint& joint, const Robot& robot,
     if (has_one_coordinate(one->type)) continue;
     found.push_back({Code::E812, name.span,
                      fmt::format("{} is {}: it has no coordinate to share",
-                                 in_backticks(one->name.text), type_word(one->type)),
+                                 quote_text(one->name.text), type_word(one->type)),
                      fmt::format("`--weld {}` fixes the joint that mimics", joint.name.text)});
     return std::nullopt;
   }
@@ -70,21 +71,21 @@ class TreeBuilder {
  public:
   explicit TreeBuilder(const Robot& robot)
       : robot_(robot),
-        links_(indices_of(robot.links, "link", found_)),
-        joints_(indices_of(robot.joints, "joint", found_)),
+        links_(index_by_name(robot.links, "link", found_)),
+        joints_(index_by_name(robot.joints, "joint", found_)),
         joint_above_(robot.links.size()),
         joints_below_(robot.links.size()) {}
 
-  Result<LinkTree> make() {
+  Result<LinkTree> build() {
     for (std::size_t i = 0; i < robot_.joints.size(); ++i) connect(i);
     if (is_connected_ && !has_errors(found_)) find_root();
     if (is_connected_ && !has_errors(found_)) build_branches();
-    tree_.mimicked.resize(robot_.joints.size());
+    tree_.mimicked_joints.resize(robot_.joints.size());
     for (const Branch& branch : tree_.branches) {
       const Joint& joint = robot_.joints[branch.joint];
-      tree_.mimicked[branch.joint] = find_mimicked(joint, robot_, joints_, found_);
+      tree_.mimicked_joints[branch.joint] = find_mimicked(joint, robot_, joints_, found_);
     }
-    for (const Branch& branch : tree_.branches) follow_mimics(branch.joint);
+    for (const Branch& branch : tree_.branches) check_mimic_chain(branch.joint);
     if (has_errors(found_)) return found_;
     return tree_;
   }
@@ -92,13 +93,13 @@ class TreeBuilder {
  private:
   void connect(std::size_t index) {
     const Joint& joint = robot_.joints[index];
-    const auto parent = link_of(joint.parent);
-    const auto child = link_of(joint.child);
+    const auto parent = find_link(joint.parent);
+    const auto child = find_link(joint.child);
     if (!parent || !child) return;
     if (const auto& first = joint_above_[*child]) {
       found_.push_back(duplicate_error(
           Code::E809, joint.child.span,
-          fmt::format("{} is the child of two joints", in_backticks(joint.child.text)),
+          fmt::format("{} is the child of two joints", quote_text(joint.child.text)),
           robot_.joints[*first].child.span));
       return;
     }
@@ -106,13 +107,13 @@ class TreeBuilder {
     joints_below_[*parent].push_back(index);
   }
 
-  std::optional<std::size_t> link_of(const Text& name) {
+  std::optional<std::size_t> find_link(const SpannedText& name) {
     is_connected_ = is_connected_ && !name.text.empty();
     if (name.text.empty()) return std::nullopt;  // E803 is already reported
     const auto link = links_.find(name.text);
     if (link != links_.end()) return link->second;
     found_.push_back({Code::E808, name.span,
-                      fmt::format("the robot has no link {}", in_backticks(name.text)),
+                      fmt::format("the robot has no link {}", quote_text(name.text)),
                       suggestion(name.text, names_of(links_))});
     return std::nullopt;
   }
@@ -125,16 +126,16 @@ class TreeBuilder {
         root = i;
         continue;
       }
-      const Text& name = robot_.links[i].name;
+      const SpannedText& name = robot_.links[i].name;
       found_.push_back(duplicate_error(
           Code::E809, name.span,
-          fmt::format("{} is a second root link: no joint leads to it", in_backticks(name.text)),
+          fmt::format("{} is a second root link: no joint leads to it", quote_text(name.text)),
           robot_.links[*root].name.span));
     }
     tree_.root = root.value_or(0);
     if (robot_.links.empty()) {
       found_.push_back({Code::E803, robot_.span, "`<robot>` has no element `link`",
-                        robot_.is_of_xacro
+                        robot_.uses_xacro
                             ? "xacro expanded no macro here: expand the file that calls them"
                             : ""});
     } else if (!root) {
@@ -160,7 +161,7 @@ class TreeBuilder {
       open.pop_back();
       tree_.branches.push_back(branch);
       reached[branch.child] = true;
-      open_below(branch.child, branch.depth + 1, branch.moves);
+      open_below(branch.child, branch.depth + 1, branch.is_moving);
     }
     const auto left = std::find(reached.begin(), reached.end(), false);
     if (left != reached.end()) report_loop(static_cast<std::size_t>(left - reached.begin()));
@@ -170,7 +171,7 @@ class TreeBuilder {
   void report_loop(std::size_t link) {
     std::set<std::size_t> seen;
     while (seen.insert(link).second) link = parent_of(link);
-    const Text& last = robot_.joints[*joint_above_[link]].child;
+    const SpannedText& last = robot_.joints[*joint_above_[link]].child;
     std::string way = last.text;
     for (std::size_t up = parent_of(link); up != link; up = parent_of(up)) {
       way = fmt::format("{} -> {}", robot_.links[up].name.text, way);
@@ -184,18 +185,18 @@ class TreeBuilder {
   }
 
   /// E812 if a joint mimics itself through other joints, or if the chain of mimics is too long.
-  void follow_mimics(std::size_t index) {
+  void check_mimic_chain(std::size_t index) {
     constexpr int longest_chain = 100;  // the expressions grow with the length of the chain
-    std::optional<std::size_t> at = tree_.mimicked[index];
+    std::optional<std::size_t> at = tree_.mimicked_joints[index];
     for (int length = 1; at && *at != index && length < longest_chain; ++length) {
-      at = tree_.mimicked[*at];
+      at = tree_.mimicked_joints[*at];
     }
     if (!at) return;
     const Joint& joint = robot_.joints[index];
     found_.push_back({Code::E812, joint.mimic->joint.span,
-                      *at == index ? fmt::format("{} mimics itself", in_backticks(joint.name.text))
+                      *at == index ? fmt::format("{} mimics itself", quote_text(joint.name.text))
                                    : fmt::format("{} mimics through {} joints or more",
-                                                 in_backticks(joint.name.text), longest_chain)});
+                                                 quote_text(joint.name.text), longest_chain)});
   }
 
   const Robot& robot_;
@@ -210,6 +211,6 @@ class TreeBuilder {
 
 }  // namespace
 
-Result<LinkTree> make_tree(const Robot& robot) { return TreeBuilder(robot).make(); }
+Result<LinkTree> make_tree(const Robot& robot) { return TreeBuilder(robot).build(); }
 
 }  // namespace elgen::urdf

@@ -14,22 +14,22 @@ struct Branch {
   std::size_t joint = 0;   ///< index in Robot::joints
   std::size_t parent = 0;  ///< indices in Robot::links
   std::size_t child = 0;
-  std::size_t depth = 0;  ///< joints between the root and the parent
-  bool moves = false;     ///< a joint on the path from the root to the child moves
+  std::size_t depth = 0;   ///< joints between the root and the parent
+  bool is_moving = false;  ///< a joint on the path from the root to the child moves
 };
 
 struct LinkTree {
   std::size_t root = 0;
   std::vector<Branch> branches = {};
-  std::vector<std::optional<std::size_t>> mimicked = {};  ///< by joint: the joint it mimics
+  std::vector<std::optional<std::size_t>> mimicked_joints = {};  ///< by joint: the joint it mimics
 
   /// The joint at the end of the chain of mimics, whose coordinate all joints of the chain share.
   [[nodiscard]] std::size_t leader(std::size_t joint) const {
-    while (mimicked[joint]) joint = *mimicked[joint];
+    while (mimicked_joints[joint]) joint = *mimicked_joints[joint];
     return joint;
   }
   [[nodiscard]] bool has_moving_link() const {
-    return std::ranges::any_of(branches, &Branch::moves);
+    return std::ranges::any_of(branches, &Branch::is_moving);
   }
 };
 
@@ -41,6 +41,6 @@ struct LinkTree {
 [[nodiscard]] Diagnostics check_masses(const Robot& robot, const LinkTree& tree);
 
 /// Reports E819 if angles or axes were rounded, so that they differ from the file.
-[[nodiscard]] Diagnostics note_right_angles(const Robot& robot, const LinkTree& tree);
+[[nodiscard]] Diagnostics report_rounded_angles(const Robot& robot, const LinkTree& tree);
 
 }  // namespace elgen::urdf

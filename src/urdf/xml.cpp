@@ -33,7 +33,7 @@ constexpr std::array mistakes{
     XmlErrorRow{tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED, "elements are nested more than 100 deep"},
 };
 
-std::string_view words_of(tinyxml2::XMLError error) {
+std::string_view error_words(tinyxml2::XMLError error) {
   const auto row = std::ranges::find(mistakes, error, &XmlErrorRow::error);
   return row == mistakes.end() ? "an element is malformed" : row->words;
 }
@@ -52,7 +52,7 @@ Span span_of_line(const SourceText& source, int line) {
   return span_at(source, begin, text.size() - blanks);
 }
 
-Diagnostic malformed(const SourceText& source, int line, std::string_view words) {
+Diagnostic malformed_error(const SourceText& source, int line, std::string_view words) {
   return {Code::E801, span_of_line(source, line), fmt::format("not XML: {}", words)};
 }
 
@@ -71,7 +71,7 @@ std::size_t skip_piece(std::string_view text, std::size_t position, std::string_
 }
 
 /// The position of the first attribute beyond most_attributes in an element, if there is one.
-std::optional<std::size_t> find_element_with_too_many_attributes(std::string_view text) {
+std::optional<std::size_t> find_excess_attribute(std::string_view text) {
   std::size_t attributes = 0;
   bool is_inside = false;
   for (std::size_t i = 0; i < text.size();) {
@@ -148,21 +148,23 @@ Result<Element> read_xml(const SourceText& source) {
   if (const std::size_t zero = source.text.find('\0'); zero != std::string::npos) {
     return Diagnostic{Code::E801, span_at(source, zero, 1), "not XML: a byte is zero"};
   }
-  if (const auto endless = find_element_with_too_many_attributes(source.text)) {
+  if (const auto endless = find_excess_attribute(source.text)) {
     return Diagnostic{Code::E801, span_at(source, *endless, 1),
                       fmt::format("an element has more than {} attributes", most_attributes)};
   }
   tinyxml2::XMLDocument document;
   document.Parse(source.text.data(), source.text.size());
   if (document.Error()) {
-    return malformed(source, document.ErrorLineNum(), words_of(document.ErrorID()));
+    return malformed_error(source, document.ErrorLineNum(), error_words(document.ErrorID()));
   }
   const tinyxml2::XMLElement* root = document.RootElement();
   for (const auto* node = document.FirstChild(); node != nullptr; node = node->NextSibling()) {
     if (node->ToText() == nullptr && (node->ToElement() == nullptr || node == root)) continue;
-    return malformed(source, node->GetLineNum(), "something follows or precedes the root element");
+    return malformed_error(source, node->GetLineNum(),
+                           "something follows or precedes the root element");
   }
-  if (root == nullptr) return malformed(source, 1, words_of(tinyxml2::XML_ERROR_EMPTY_DOCUMENT));
+  if (root == nullptr)
+    return malformed_error(source, 1, error_words(tinyxml2::XML_ERROR_EMPTY_DOCUMENT));
   return ElementCopier(source, start_of_copy(document, source.text)).copy(*root);
 }
 

@@ -47,15 +47,15 @@ std::string skipped_text(const CertificateRow& row) {
   std::string text;
   for (const SkippedStates& some : row.skipped) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", some.states,
-                        word(obstacle_words, some.obstacle));
+                        word(obstacle_words, some.reason));
   }
   return text;
 }
 
 /// Why the row is skipped: the obstacles at its states, or "<Eigen/Core> is not installed" if the
 /// check did not run.
-std::string why_skipped(const CertificateRow& row) {
-  return row.skipped.empty() ? row.worst : skipped_text(row);
+std::string skip_reason(const CertificateRow& row) {
+  return row.skipped.empty() ? row.worst_value : skipped_text(row);
 }
 
 void append_detail(std::string& text, std::string_view label, const std::string& value) {
@@ -80,7 +80,7 @@ void append_details(std::string& text, const CertificateRow& row) {
   append_detail(text, "formula", row.formula);
   append_detail(text, "decided", evidence_text(row));
   append_detail(text, "skipped", skipped_text(row));
-  append_detail(text, "worst at", row.where);
+  append_detail(text, "worst at", row.worst_state);
   append_detail(text, "tolerance", row.tolerance);
   for (const std::string& finding : row.findings) append_detail(text, "found", finding);
 }
@@ -97,7 +97,7 @@ Verdict verdict_of(const Rows& rows) {
 }
 
 /// Rows grouped by output, in the order in which outputs first occur.
-std::vector<OutputRows> by_output(const Certificate& certificate) {
+std::vector<OutputRows> group_by_output(const Certificate& certificate) {
   std::vector<OutputRows> groups;
   for (const CertificateRow& row : certificate.rows) {
     auto known = std::ranges::find(groups, row.output, &OutputRows::first);
@@ -107,7 +107,7 @@ std::vector<OutputRows> by_output(const Certificate& certificate) {
   return groups;
 }
 
-bool rests_on(const Rows& rows, Evidence evidence) {
+bool has_evidence(const Rows& rows, Evidence evidence) {
   return std::ranges::count(rows, evidence, &CertificateRow::evidence) > 0;
 }
 
@@ -123,10 +123,10 @@ std::optional<std::size_t> fewest_states(const Rows& rows, bool with_loss) {
   return fewest;
 }
 
-/// The largest `skipped_inside` of all rows.
-std::size_t most_skipped_inside(const Rows& rows) {
+/// The largest `skipped_in_ranges` of all rows.
+std::size_t max_skipped_in_ranges(const Rows& rows) {
   std::size_t most = 0;
-  for (const CertificateRow* row : rows) most = std::max(most, row->skipped_inside);
+  for (const CertificateRow* row : rows) most = std::max(most, row->skipped_in_ranges);
   return most;
 }
 
@@ -135,19 +135,19 @@ std::string summary(const Rows& rows) {
   const std::size_t failed = count_of(rows, Verdict::fails);
   if (failed > 0) return fmt::format("{} of {}", failed, count_text(rows.size(), "check"));
   std::string text = count_text(rows.size(), "check");
-  if (rests_on(rows, Evidence::numbers)) return text + ", exact";
-  if (!rests_on(rows, Evidence::states)) return text + ", proved";
+  if (has_evidence(rows, Evidence::numbers)) return text + ", exact";
+  if (!has_evidence(rows, Evidence::states)) return text + ", proved";
   std::optional<double> loss;
   for (const CertificateRow* row : rows) {
     if (row->loss) loss = std::max(loss.value_or(1), *row->loss);
   }
   const auto states = fewest_states(rows, loss.has_value());
   if (states) text += ", at " + count_text(*states, "state");
-  const std::size_t skipped = most_skipped_inside(rows);
+  const std::size_t skipped = max_skipped_in_ranges(rows);
   if (skipped > 0) text += fmt::format(", {} inside the ranges skipped", skipped);
-  if (loss) text += ", " + lost_text(std::log10(*loss));
-  if (rests_on(rows, Evidence::proof)) text += ", some proved";
-  if (rests_on(rows, Evidence::zeros)) text += ", relies on unproved zeros";
+  if (loss) text += ", " + lost_digits_text(std::log10(*loss));
+  if (has_evidence(rows, Evidence::proof)) text += ", some proved";
+  if (has_evidence(rows, Evidence::zeros)) text += ", relies on unproved zeros";
   return text;
 }
 
@@ -163,9 +163,9 @@ void append_output(std::string& text, const std::string& name, const Rows& rows,
     const std::string prefix = fails ? "" : fmt::format("{}: ", word(verdict_words, row->verdict));
     text += fmt::format("           {}{}, {}\n", prefix, row->check, row->subject);
     append_detail(text, is_skipped ? "because" : "worst",
-                  is_skipped ? why_skipped(*row) : row->worst);
+                  is_skipped ? skip_reason(*row) : row->worst_value);
     if (fails) append_details(text, *row);
-    if (row->verdict == Verdict::noted) append_detail(text, "worst at", row->where);
+    if (row->verdict == Verdict::noted) append_detail(text, "worst at", row->worst_state);
   }
 }
 
@@ -174,20 +174,20 @@ std::string heading(const Certificate& certificate) {
                      certificate.scene, certificate.seed);
 }
 
-std::string counts(const Certificate& certificate) {
-  const std::size_t held = count(certificate, Verdict::holds);
-  const std::size_t failed = count(certificate, Verdict::fails);
-  const std::size_t noted = count(certificate, Verdict::noted);
+std::string counts_text(const Certificate& certificate) {
+  const std::size_t held = count_rows(certificate, Verdict::holds);
+  const std::size_t failed = count_rows(certificate, Verdict::fails);
+  const std::size_t noted = count_rows(certificate, Verdict::noted);
   return fmt::format("{} hold{}, {} fail{}, {} skipped{}", count_text(held, "check"),
                      held == 1 ? "s" : "", failed, failed == 1 ? "s" : "",
-                     count(certificate, Verdict::skipped),
+                     count_rows(certificate, Verdict::skipped),
                      noted > 0 ? fmt::format(", {} noted", noted) : "");
 }
 
 Json json_of(const CertificateRow& row) {
   Json skipped = Json::object();
   for (const SkippedStates& some : row.skipped) {
-    skipped[std::string(word(obstacle_names, some.obstacle))] = some.states;
+    skipped[std::string(word(obstacle_names, some.reason))] = some.states;
   }
   Json json{{"check", row.check},     {"output", row.output},
             {"subject", row.subject}, {"verdict", word(verdict_names, row.verdict)},
@@ -195,8 +195,8 @@ Json json_of(const CertificateRow& row) {
             {"samples", row.samples}, {"skipped_states", skipped}};
   if (row.loss) json["loss"] = *row.loss;
   if (row.loss_of_field) json["loss_of_field"] = *row.loss_of_field;
-  json["worst"] = row.worst;
-  json["worst_at"] = row.where;
+  json["worst"] = row.worst_value;
+  json["worst_at"] = row.worst_state;
   json["tolerance"] = row.tolerance;
   if (!row.findings.empty()) json["findings"] = row.findings;
   return json;
@@ -204,30 +204,30 @@ Json json_of(const CertificateRow& row) {
 
 }  // namespace
 
-std::size_t count(const Certificate& certificate, Verdict verdict) {
+std::size_t count_rows(const Certificate& certificate, Verdict verdict) {
   return static_cast<std::size_t>(
       std::ranges::count(certificate.rows, verdict, &CertificateRow::verdict));
 }
 
-bool holds(const Certificate& certificate) { return count(certificate, Verdict::fails) == 0; }
+bool holds(const Certificate& certificate) { return count_rows(certificate, Verdict::fails) == 0; }
 
-std::string lost_text(double digits) {
+std::string lost_digits_text(double digits) {
   return digits < 0.05 ? "no digit lost" : fmt::format("at most {:.1f} digits lost", digits);
 }
 
 std::string verdict_line(const Certificate& certificate) {
   const bool is_full = certificate.scene == "full";
   return certificate.model + (is_full ? "" : ", scene " + certificate.scene) + ": " +
-         counts(certificate) + "\n";
+         counts_text(certificate) + "\n";
 }
 
 std::string to_text(const Certificate& certificate) {
-  const auto groups = by_output(certificate);
+  const auto groups = group_by_output(certificate);
   std::size_t width = 0;
   for (const auto& [name, rows] : groups) width = std::max(width, name.size());
   std::string text = heading(certificate);
   for (const auto& [name, rows] : groups) append_output(text, name, rows, width);
-  return text + "\n" + counts(certificate) + "\n";
+  return text + "\n" + counts_text(certificate) + "\n";
 }
 
 std::string to_full_text(const Certificate& certificate) {
@@ -239,10 +239,10 @@ std::string to_full_text(const Certificate& certificate) {
     if (row.check != check) text += fmt::format("{}{}\n", check.empty() ? "" : "\n", row.check);
     check = row.check;
     text += fmt::format("  {:<8} {:<{}}  {}\n", word(verdict_words, row.verdict), row.subject,
-                        width, row.worst);
+                        width, row.worst_value);
     append_details(text, row);
   }
-  return text + "\n" + counts(certificate) + "\n";
+  return text + "\n" + counts_text(certificate) + "\n";
 }
 
 std::string to_json(const Certificate& certificate) {
@@ -251,10 +251,10 @@ std::string to_json(const Certificate& certificate) {
   const Json json{{"model", certificate.model},
                   {"scene", certificate.scene},
                   {"seed", certificate.seed},
-                  {"holds", count(certificate, Verdict::holds)},
-                  {"fails", count(certificate, Verdict::fails)},
-                  {"skipped", count(certificate, Verdict::skipped)},
-                  {"noted", count(certificate, Verdict::noted)},
+                  {"holds", count_rows(certificate, Verdict::holds)},
+                  {"fails", count_rows(certificate, Verdict::fails)},
+                  {"skipped", count_rows(certificate, Verdict::skipped)},
+                  {"noted", count_rows(certificate, Verdict::noted)},
                   {"checks", checks}};
   return json.dump(2) + "\n";
 }

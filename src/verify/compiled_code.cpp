@@ -24,21 +24,21 @@ namespace elgen {
 namespace {
 
 template <class Scalar>
-bool same_bits(Scalar x, Scalar y) {
+bool has_same_bits(Scalar x, Scalar y) {
   if (std::isnan(x) || std::isnan(y)) return std::isnan(x) && std::isnan(y);
   return x == y && std::signbit(x) == std::signbit(y);
 }
 
 /// The kind of code in words: "float, batch, -O3 -march=native"; `first`: its first word.
-std::string kind_of_code(const CompiledHeader& compiled, std::string_view first) {
+std::string code_kind_text(const CompiledHeader& compiled, std::string_view first) {
   std::string text(first);
   const auto add = [&text](std::string_view word) {
     if (!text.empty() && !word.empty()) text += ", ";
     text += word;
   };
   add(compiled.types);
-  if (compiled.build != Build::as_written) add("-O3 -march=native");
-  if (compiled.build == Build::user_flags) add("contraction on");
+  if (compiled.build != BuildFlags::as_written) add("-O3 -march=native");
+  if (compiled.build == BuildFlags::user_flags) add("contraction on");
   return text;
 }
 
@@ -58,15 +58,15 @@ double allowed_roundings(const CompiledHeader& compiled, const Function& functio
 /// or Scalar is float. Needed for interpreters with their own library functions, because cancelling
 /// sums magnify the difference of both libraries.
 template <class Scalar>
-std::vector<double> running_errors(const Subject& subject, const Function& function,
+std::vector<double> running_errors(const SystemUnderTest& subject, const Function& function,
                                    const Arguments<Scalar>& at, double most) {
   std::vector<double> errors(entry_count(function));
   if constexpr (std::is_same_v<Scalar, double>) {
     if (most == 0) return errors;
-    const RunningErrorRules<double> rules{running_leaves<double>(at, Leaves::exact)};
+    const RunningErrorRules<double> rules{running_leaves<double>(at, LeafRounding::exact)};
     const auto entries =
-        entries_of(function, fold<Running<double>>(rules, subject.program, function));
-    std::ranges::transform(entries, errors.begin(), [](const Running<double>& entry) {
+        entries_of(function, fold<RunningValue<double>>(rules, subject.program, function));
+    std::ranges::transform(entries, errors.begin(), [](const RunningValue<double>& entry) {
       return entry.is_lost ? std::numeric_limits<double>::infinity() : entry.error;
     });
   }
@@ -77,9 +77,9 @@ std::vector<double> running_errors(const Subject& subject, const Function& funct
 /// entry and `most` times the entry's running error. `given` is empty if the code threw an
 /// exception; an empty `given` agrees with `expected` if not all expected values are finite.
 template <class Scalar>
-std::size_t differing_entries(const Function& function, const std::vector<Scalar>& given,
-                              const std::vector<Scalar>& expected,
-                              const std::vector<double>& errors, double most) {
+std::size_t count_differing_entries(const Function& function, const std::vector<Scalar>& given,
+                                    const std::vector<Scalar>& expected,
+                                    const std::vector<double>& errors, double most) {
   const auto is_finite = [](Scalar x) { return std::isfinite(x); };
   if (given.empty() && !std::ranges::all_of(expected, is_finite)) return 0;
   if (given.size() != expected.size()) return std::max(given.size(), expected.size());
@@ -98,42 +98,43 @@ std::size_t differing_entries(const Function& function, const std::vector<Scalar
       // If a pivot is pure rounding error, one library may give a number and the other NaN.
       const bool is_known = std::isfinite(errors[i]);
       const bool is_near = most > 0 && (!is_known || error <= allowed);
-      if (!is_near && !same_bits(given[i], expected[i])) ++count;
+      if (!is_near && !has_same_bits(given[i], expected[i])) ++count;
     }
   }
   return count;
 }
 
-std::string tolerance_of(const CompiledHeader& compiled, double most) {
+std::string tolerance_text(const CompiledHeader& compiled, double most) {
   if (most > 0) {
     return fmt::format(
         "{0} u of the largest entry, or {0} times the running error: the interpreter has its own "
         "code for the functions of the library",
         most);
   }
-  return compiled.in_packs ? "exact: same operations, same order, no contraction, the requested "
-                             "polynomials"
-                           : "exact: same operations, same order, no contraction, one libm";
+  return compiled.is_in_packs ? "exact: same operations, same order, no contraction, the requested "
+                                "polynomials"
+                              : "exact: same operations, same order, no contraction, one libm";
 }
 
 template <class Scalar>
-CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compiled,
+CertificateRow compiled_row(const SystemUnderTest& subject, const CompiledHeader& compiled,
                             const Function& function,
                             const std::vector<SampledState<Scalar>>& states,
                             const std::vector<std::vector<Scalar>>& values) {
   // A batch evaluates a needs_order() function state by state, with the scalar sine and cosine.
-  const bool in_packs = compiled.in_packs && !needs_order(function);
-  const Sines<Scalar> sines(subject.scene,
-                            in_packs ? SineArithmetic::packs : SineArithmetic::numbers);
+  const bool in_packs = compiled.is_in_packs && !needs_ordered_scalar(function);
+  const SineEvaluator<Scalar> sines(subject.scene,
+                                    in_packs ? SineArithmetic::packs : SineArithmetic::numbers);
   const double most = allowed_roundings(compiled, function);
   std::size_t wrong = 0;
   std::size_t entries = 0;
   std::string where;
   for (std::size_t i = 0; i < states.size(); ++i) {
-    const auto expected = evaluate_code(subject.program, function, states[i].values, sines);
+    const auto expected = evaluate_as_emitted(subject.program, function, states[i].values, sines);
     const auto errors = running_errors(subject, function, states[i].values, most);
-    const std::size_t count = differing_entries(function, values[i], expected, errors, most);
-    if (wrong == 0 && count > 0) where = describe(subject, exact_state(subject, states[i].values));
+    const std::size_t count = count_differing_entries(function, values[i], expected, errors, most);
+    if (wrong == 0 && count > 0)
+      where = describe_state(subject, exact_state(subject, states[i].values));
     wrong += count;
     entries += expected.size();
   }
@@ -141,12 +142,12 @@ CertificateRow compiled_row(const Subject& subject, const CompiledHeader& compil
   row.check = "compiled code vs program";
   row.output = function.name;
   row.subject =
-      fmt::format("{} ({})", function.name, kind_of_code(compiled, name_of(scalar_kind<Scalar>)));
+      fmt::format("{} ({})", function.name, code_kind_text(compiled, name_of(scalar_kind<Scalar>)));
   row.formula = "same bits";
   row.samples = states.size();
-  row.worst = fmt::format("{} of {} entries differ", wrong, entries);
-  row.where = where;
-  row.tolerance = tolerance_of(compiled, most);
+  row.worst_value = fmt::format("{} of {} entries differ", wrong, entries);
+  row.worst_state = where;
+  row.tolerance = tolerance_text(compiled, most);
   row.verdict = wrong == 0 ? Verdict::holds : Verdict::fails;
   return row;
 }
@@ -170,7 +171,7 @@ double error_of_sines(const CompiledModel& functions, Scalar angle) {
 }
 
 template <class Scalar>
-CertificateRow sine_row(const Subject& subject, const CompiledHeader& compiled) {
+CertificateRow sine_row(const SystemUnderTest& subject, const CompiledHeader& compiled) {
   constexpr ScalarKind scalar = scalar_kind<Scalar>;
   constexpr std::size_t angles = 256;
   const double domain = angle_reduction(scalar).domain;
@@ -188,11 +189,11 @@ CertificateRow sine_row(const Subject& subject, const CompiledHeader& compiled) 
   }
   CertificateRow row;
   row.check = row.output = "sines of packs";
-  row.subject = fmt::format("sine and cosine ({})", kind_of_code(compiled, name_of(scalar)));
+  row.subject = fmt::format("sine and cosine ({})", code_kind_text(compiled, name_of(scalar)));
   row.formula = fmt::format("|s - sin x|, |c - cos x| in 64 digits, |x| <= {:g}", domain);
   row.samples = angles;
-  row.worst = fmt::format("{:.2g}", worst);
-  row.where = fmt::format("x = {:.17g}", at);
+  row.worst_value = fmt::format("{:.2g}", worst);
+  row.worst_state = fmt::format("x = {:.17g}", at);
   row.tolerance = fmt::format("{:.2g}: {}", most,
                               subject.scene.numerics.trigonometry_error
                                   ? "the `max_error` of `trigonometry`"
@@ -217,8 +218,9 @@ CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
     const Real exact{exact_value(static_cast<double>(x))};
     const Real truth = interpreter::call(helper.id, exact, exact_order);
     const Scalar value = interpreter::call(helper.id, x, order);
-    const double error = in_roundoffs(excess_error(value, truth, 1, rounding<Scalar>()), abs(truth),
-                                      rounding<Scalar>());
+    const double error =
+        error_in_roundoffs(excess_error(value, truth, 1, rounding_constants<Scalar>()), abs(truth),
+                           rounding_constants<Scalar>());
     if (error <= worst) continue;
     worst = error;
     at = x;
@@ -228,8 +230,8 @@ CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
   row.subject = fmt::format("{}(x, {}) ({})", helper.name, order, name_of(scalar_kind<Scalar>));
   row.formula = fmt::format("|f - f*| / |f*| in 64 digits, 2^-26 <= x < 2^{}", last);
   row.samples = arguments;
-  row.worst = fmt::format("{:.1f} u", worst);
-  row.where = fmt::format("x = {:.17g}", at);
+  row.worst_value = fmt::format("{:.1f} u", worst);
+  row.worst_state = fmt::format("x = {:.17g}", at);
   row.tolerance = fmt::format("{} u, u half the epsilon: the bound in the table of functions",
                               helper.roundings);
   row.verdict = worst <= helper.roundings ? Verdict::holds : Verdict::fails;
@@ -238,9 +240,10 @@ CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
 
 }  // namespace
 
-std::vector<CertificateRow> check_sines(const Subject& subject, const CompiledHeader& compiled) {
+std::vector<CertificateRow> check_pack_sines(const SystemUnderTest& subject,
+                                             const CompiledHeader& compiled) {
   std::vector<CertificateRow> rows;
-  if (!compiled.in_packs) return rows;
+  if (!compiled.is_in_packs) return rows;
   if (compiled.functions->has(scalar_kind<double>)) {
     rows.push_back(sine_row<double>(subject, compiled));
   }
@@ -250,7 +253,7 @@ std::vector<CertificateRow> check_sines(const Subject& subject, const CompiledHe
   return rows;
 }
 
-std::vector<CertificateRow> check_helpers(const Subject& subject) {
+std::vector<CertificateRow> check_helper_functions(const SystemUnderTest& subject) {
   std::set<std::pair<FunctionId, double>> calls;
   for (const Function& function : subject.program.functions) {
     for (const Instruction& i : function.instructions) {
@@ -269,11 +272,12 @@ std::vector<CertificateRow> check_helpers(const Subject& subject) {
 
 CertificateRow missing_code_row(const CompiledHeader& compiled) {
   CertificateRow row;
-  row.check = compiled.build == Build::user_flags ? "as users compile" : "compiled code vs program";
+  row.check =
+      compiled.build == BuildFlags::user_flags ? "as users compile" : "compiled code vs program";
   row.output = row.check;
-  const std::string kind = kind_of_code(compiled, "");
+  const std::string kind = code_kind_text(compiled, "");
   row.subject = kind.empty() ? "all outputs" : fmt::format("all outputs ({})", kind);
-  row.worst = compiled.failure_reason;
+  row.worst_value = compiled.failure_reason;
   row.verdict = Verdict::skipped;
   return row;
 }
@@ -281,12 +285,12 @@ CertificateRow missing_code_row(const CompiledHeader& compiled) {
 namespace {
 
 /// The row of code whose interpreter ended without results.
-CertificateRow silent_code_row(const Diagnostic& why) {
+CertificateRow failed_code_row(const Diagnostic& why) {
   CertificateRow row;
   row.check = row.output = "compiled code vs program";
   row.subject = "all outputs";
   row.formula = "same bits";
-  row.worst = why.message;
+  row.worst_value = why.message;
   row.verdict = Verdict::fails;
   return row;
 }
@@ -294,28 +298,31 @@ CertificateRow silent_code_row(const Diagnostic& why) {
 }  // namespace
 
 template <class Scalar>
-std::vector<CertificateRow> check_compiled(const Subject& subject, const CompiledHeader& compiled,
-                                           const std::vector<SampledState<Scalar>>& states) {
+std::vector<CertificateRow> check_compiled_code(const SystemUnderTest& subject,
+                                                const CompiledHeader& compiled,
+                                                const std::vector<SampledState<Scalar>>& states) {
   std::vector<CertificateRow> rows;
-  if (compiled.build == Build::user_flags || compiled.is_wide) return rows;
+  if (compiled.build == BuildFlags::user_flags || compiled.is_wide) return rows;
   std::vector<const Function*> functions;
   for (const Function& function : subject.program.functions) {
-    if (!compiled.in_packs || is_returned(function)) functions.push_back(&function);
+    if (!compiled.is_in_packs || is_returned_by_value(function)) functions.push_back(&function);
   }
   std::vector<std::string_view> names;
   for (const Function* const function : functions) names.push_back(function->name);
   std::vector<Arguments<Scalar>> arguments;
   for (const SampledState<Scalar>& sample : states) arguments.push_back(sample.values);
-  const auto values = compiled.functions->call_all(names, arguments);
-  if (!values) return {silent_code_row(values.diagnostics.front())};
+  const auto values = compiled.functions->call_at_states(names, arguments);
+  if (!values) return {failed_code_row(values.diagnostics.front())};
   for (std::size_t i = 0; i < functions.size(); ++i) {
     rows.push_back(compiled_row(subject, compiled, *functions[i], states, (*values)[i]));
   }
   return rows;
 }
 
-CertificateRow check_declared(const std::vector<DeclaredNumber>& numbers) {
-  const auto differs = [](const DeclaredNumber& x) { return !same_bits(x.declared, x.of_model); };
+CertificateRow check_declared_numbers(const std::vector<DeclaredNumber>& numbers) {
+  const auto differs = [](const DeclaredNumber& x) {
+    return !has_same_bits(x.declared, x.model_value);
+  };
   const auto wrong = std::ranges::count_if(numbers, differs);
   CertificateRow row;
   row.check = "declared numbers vs model";
@@ -323,20 +330,22 @@ CertificateRow check_declared(const std::vector<DeclaredNumber>& numbers) {
   row.evidence = Evidence::numbers;
   row.samples = numbers.size();
   row.formula = "values and order of parameters, counts, ranges, limits";
-  row.worst = fmt::format("{} of {} numbers differ", wrong, numbers.size());
+  row.worst_value = fmt::format("{} of {} numbers differ", wrong, numbers.size());
   if (wrong > 0) {
     const DeclaredNumber& first = *std::ranges::find_if(numbers, differs);
-    row.where = fmt::format("{} is {:.17g}, in the model {:.17g}", first.name, first.declared,
-                            first.of_model);
+    row.worst_state = fmt::format("{} is {:.17g}, in the model {:.17g}", first.name, first.declared,
+                                  first.model_value);
   }
   row.tolerance = "exact: the model's numbers rounded to the scalar";
   row.verdict = wrong == 0 ? Verdict::holds : Verdict::fails;
   return row;
 }
 
-template std::vector<CertificateRow> check_compiled(const Subject&, const CompiledHeader&,
-                                                    const std::vector<SampledState<double>>&);
-template std::vector<CertificateRow> check_compiled(const Subject&, const CompiledHeader&,
-                                                    const std::vector<SampledState<float>>&);
+template std::vector<CertificateRow> check_compiled_code(const SystemUnderTest&,
+                                                         const CompiledHeader&,
+                                                         const std::vector<SampledState<double>>&);
+template std::vector<CertificateRow> check_compiled_code(const SystemUnderTest&,
+                                                         const CompiledHeader&,
+                                                         const std::vector<SampledState<float>>&);
 
 }  // namespace elgen

@@ -12,25 +12,25 @@ namespace elgen {
 
 /// One row per function for one scalar: compares all entries at all states; NaN equals NaN.
 template <class Scalar>
-[[nodiscard]] std::vector<CertificateRow> check_compiled(
-    const Subject& subject, const CompiledHeader& compiled,
+[[nodiscard]] std::vector<CertificateRow> check_compiled_code(
+    const SystemUnderTest& subject, const CompiledHeader& compiled,
     const std::vector<SampledState<Scalar>>& states);
 
 /// One row per scalar of a header with packs, for any Build; none for other headers. Compares sines
 /// and cosines with 64 digits, at equally distributed angles: half of them up to 4, half of them up
 /// to the end of the domain.
-[[nodiscard]] std::vector<CertificateRow> check_sines(const Subject& subject,
-                                                      const CompiledHeader& compiled);
+[[nodiscard]] std::vector<CertificateRow> check_pack_sines(const SystemUnderTest& subject,
+                                                           const CompiledHeader& compiled);
 
 /// One row per scalar, per function that the code itself defines (stumpff), and per order that the
 /// program calls. Compares 256 values with 64 digits. A comparison of bits would show nothing,
 /// because code and interpreter share the algorithm.
-[[nodiscard]] std::vector<CertificateRow> check_helpers(const Subject& subject);
+[[nodiscard]] std::vector<CertificateRow> check_helper_functions(const SystemUnderTest& subject);
 
 /// The row of a header whose code does not exist: skipped, with the reason.
 [[nodiscard]] CertificateRow missing_code_row(const CompiledHeader& compiled);
 
 /// One row: compares the numbers that the code declares with the model's, bit by bit.
-[[nodiscard]] CertificateRow check_declared(const std::vector<DeclaredNumber>& numbers);
+[[nodiscard]] CertificateRow check_declared_numbers(const std::vector<DeclaredNumber>& numbers);
 
 }  // namespace elgen

@@ -20,18 +20,19 @@ namespace elgen {
 namespace {
 
 /// The default effort: `samples` random states, all extremes, and states near zeros of sums. If
-/// work_of_state() times the number of states exceeds `work`, fewer states are used, at least one.
+/// state_check_cost() times the number of states exceeds `work`, fewer states are used, at least
+/// one.
 struct Effort {
   std::size_t samples;
   std::size_t work;
 };
 
 /// About half a minute in 64 digits.
-constexpr Effort thorough{256, 1 << 20};
+constexpr Effort thorough_effort{256, 1 << 20};
 /// A few seconds. The longest programs are compared at one state per scalar.
-constexpr Effort quick{16, 1 << 18};
+constexpr Effort quick_effort{16, 1 << 18};
 /// With this many velocities or more, the oracle takes minutes for all entries of all outputs.
-constexpr std::size_t projected_velocities = 9;
+constexpr std::size_t min_projected_velocities = 9;
 /// Identities hold at all states or at none, so few states suffice.
 constexpr std::size_t structure_samples = 32;
 
@@ -39,7 +40,7 @@ void append(std::vector<CertificateRow>& rows, const std::vector<CertificateRow>
   rows.insert(rows.end(), more.begin(), more.end());
 }
 
-std::vector<State> nominal_states(const Subject& subject,
+std::vector<State> nominal_states(const SystemUnderTest& subject,
                                   const std::vector<SampledState<double>>& samples) {
   std::vector<State> states;
   for (const SampledState<double>& sample : samples) {
@@ -50,14 +51,15 @@ std::vector<State> nominal_states(const Subject& subject,
 }
 
 template <class Scalar>
-std::vector<SampledState<Scalar>> states_for(const Subject& subject, const VerifyOptions& options) {
-  const Effort& effort = options.quick ? quick : thorough;
+std::vector<SampledState<Scalar>> verification_states(const SystemUnderTest& subject,
+                                                      const VerifyOptions& options) {
+  const Effort& effort = options.is_quick ? quick_effort : thorough_effort;
   const std::size_t count = options.samples.value_or(effort.samples);
   auto states = sample_states<Scalar>(subject, {count, options.seed, true});
   auto near_zeros = states_near_zeros<Scalar>(subject, {count, options.seed, true});
   for (auto& state : near_zeros) states.push_back(std::move(state));
   if (options.samples) return states;
-  const std::size_t affordable = std::max<std::size_t>(effort.work / work_of_state(subject), 1);
+  const std::size_t affordable = std::max<std::size_t>(effort.work / state_check_cost(subject), 1);
   if (states.size() <= affordable) return states;
   std::vector<SampledState<Scalar>> some;
   for (std::size_t i = 0; i < affordable; ++i) {
@@ -69,20 +71,20 @@ std::vector<SampledState<Scalar>> states_for(const Subject& subject, const Verif
 /// Each kink has two sides. Draws more states, and adds each state that is the first on some side.
 /// Returns the kinks that still have states on one side only.
 template <class Scalar>
-std::string add_sides(const Subject& subject, const VerifyOptions& options,
-                      std::vector<SampledState<Scalar>>& states) {
-  Kinks kinks(subject.model);
+std::string add_states_at_kinks(const SystemUnderTest& subject, const VerifyOptions& options,
+                                std::vector<SampledState<Scalar>>& states) {
+  KinkCoverage kinks(subject.model);
   for (const auto& state : states) {
-    if (kinks.all_are_seen()) return {};
-    kinks.add(exact_state(subject, state.values));
+    if (kinks.is_complete()) return {};
+    kinks.add_state(exact_state(subject, state.values));
   }
   StateSequence<Scalar> more(subject, {most_draws_for_kinks, options.seed + 1, false});
-  while (!kinks.all_are_seen()) {
+  while (!kinks.is_complete()) {
     auto state = more.next();
     if (!state) break;
-    if (kinks.add(exact_state(subject, state->values))) states.push_back(std::move(*state));
+    if (kinks.add_state(exact_state(subject, state->values))) states.push_back(std::move(*state));
   }
-  return kinks.unseen();
+  return kinks.one_sided_kinks_text();
 }
 
 CertificateRow one_sided_kinks_row(const std::string& kinks, std::size_t states) {
@@ -91,14 +93,14 @@ CertificateRow one_sided_kinks_row(const std::string& kinks, std::size_t states)
   row.output = row.subject = "forces";
   row.formula = "the sign of x in abs(x), sign(x), and of x - y in min(x, y), max(x, y)";
   row.samples = states;
-  row.worst = "sampled on one side only: " + kinks;
+  row.worst_value = "sampled on one side only: " + kinks;
   row.tolerance = fmt::format("both signs in {} draws", most_draws_for_kinks);
   row.verdict = Verdict::noted;
   return row;
 }
 
-CertificateRow row_of(const std::string& equilibrium, const char* subject, const char* formula,
-                      ClaimStatus status) {
+CertificateRow equilibrium_row(const std::string& equilibrium, const char* subject,
+                               const char* formula, ClaimStatus status) {
   CertificateRow row;
   row.check = "[[equilibrium]]";
   row.output = fmt::format("{} {}", row.check, equilibrium);
@@ -106,29 +108,30 @@ CertificateRow row_of(const std::string& equilibrium, const char* subject, const
   row.formula = formula;
   const bool is_proved = status == ClaimStatus::proved;
   row.evidence = is_proved ? Evidence::proof : Evidence::states;
-  row.worst = is_proved ? "proved: the difference is the empty canonical sum" : "";
+  row.worst_value = is_proved ? "proved: the difference is the empty canonical sum" : "";
   row.tolerance = "1e-30 in 60 digits at random parameters: sampled, no proof";
   if (is_proved) row.tolerance = "proved";
-  row.verdict = status == ClaimStatus::wrong  ? Verdict::fails
-                : status == ClaimStatus::open ? Verdict::skipped
-                                              : Verdict::holds;
+  row.verdict = status == ClaimStatus::wrong       ? Verdict::fails
+                : status == ClaimStatus::undecided ? Verdict::skipped
+                                                   : Verdict::holds;
   return row;
 }
 
-std::vector<CertificateRow> claimed_equilibria(const std::vector<EquilibriumVerdict>& claims) {
+std::vector<CertificateRow> equilibrium_rows(const std::vector<EquilibriumVerdict>& claims) {
   std::vector<CertificateRow> rows;
   for (const EquilibriumVerdict& claim : claims) {
-    rows.push_back(row_of(claim.name, "balance", "bias(q, 0) - B u = 0", claim.balance));
-    rows.back().where = claim.balance == ClaimStatus::wrong ? claim.witness : "";
+    rows.push_back(equilibrium_row(claim.name, "balance", "bias(q, 0) - B u = 0", claim.balance));
+    rows.back().worst_state = claim.balance == ClaimStatus::wrong ? claim.witness : "";
     if (!claim.frequencies) continue;
-    rows.push_back(row_of(claim.name, "frequencies_squared",
-                          "det(x M - K) = det M (x - w1^2) (x - w2^2) ...", *claim.frequencies));
-    rows.back().where = *claim.frequencies == ClaimStatus::wrong ? claim.witness : "";
+    rows.push_back(equilibrium_row(claim.name, "frequencies_squared",
+                                   "det(x M - K) = det M (x - w1^2) (x - w2^2) ...",
+                                   *claim.frequencies));
+    rows.back().worst_state = *claim.frequencies == ClaimStatus::wrong ? claim.witness : "";
   }
   return rows;
 }
 
-std::string numbers(const std::vector<std::uint32_t>& entries) {
+std::string entry_numbers_text(const std::vector<std::uint32_t>& entries) {
   std::string text;
   for (const std::uint32_t entry : entries) {
     text += fmt::format("{}{}", text.empty() ? "" : ", ", entry + 1);
@@ -139,7 +142,7 @@ std::string numbers(const std::vector<std::uint32_t>& entries) {
 /// The entries that were replaced by 0 because `cancel` found them 0 at sampled points
 /// (elgen/cancel.hpp): one row per function with such entries. Each row holds, because cancel
 /// checked all points.
-std::vector<CertificateRow> sampled_zeros(const Program& program) {
+std::vector<CertificateRow> sampled_zero_rows(const Program& program) {
   std::vector<CertificateRow> rows;
   for (const Function& function : program.functions) {
     if (function.sampled_zeros.empty()) continue;
@@ -149,8 +152,8 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
     row.formula = "|x| <= 1e-40 E in 60 digits for every x replaced by 0";
     row.evidence = Evidence::zeros;
     row.samples = zero_sample_count;
-    row.worst = fmt::format("in entr{} {}", function.sampled_zeros.size() == 1 ? "y" : "ies",
-                            numbers(function.sampled_zeros));
+    row.worst_value = fmt::format("in entr{} {}", function.sampled_zeros.size() == 1 ? "y" : "ies",
+                                  entry_numbers_text(function.sampled_zeros));
     row.tolerance =
         "20 digits above rounding error: no proof, but a value other than 0 would hardly stay "
         "below";
@@ -161,19 +164,22 @@ std::vector<CertificateRow> sampled_zeros(const Program& program) {
 
 /// The functions for single states, compiled as users compile them; in the wider scalar if
 /// `is_wide`. Null if there is no such code, or if the code lacks `scalar`.
-const CompiledModel* users_code(const CompiledHeaders& compiled, bool is_wide, ScalarKind scalar) {
+const CompiledModel* find_user_code(const CompiledHeaders& compiled, bool is_wide,
+                                    ScalarKind scalar) {
   for (const CompiledHeader& header : compiled) {
-    const bool is_sought = !header.in_packs && header.is_wide == is_wide;
-    if (header.build != Build::user_flags || !is_sought || header.functions == nullptr) continue;
+    const bool is_sought = !header.is_in_packs && header.is_wide == is_wide;
+    if (header.build != BuildFlags::user_flags || !is_sought || header.functions == nullptr)
+      continue;
     return header.functions->has(scalar) ? header.functions.get() : nullptr;
   }
   return nullptr;
 }
 
 /// The rows that compare compiled code with the program, not with the oracle.
-std::vector<CertificateRow> check_code(const Subject& subject, const CompiledHeaders& compiled,
-                                       const std::vector<SampledState<double>>& doubles,
-                                       const std::vector<SampledState<float>>& floats) {
+std::vector<CertificateRow> check_compiled_headers(const SystemUnderTest& subject,
+                                                   const CompiledHeaders& compiled,
+                                                   const std::vector<SampledState<double>>& doubles,
+                                                   const std::vector<SampledState<float>>& floats) {
   std::vector<CertificateRow> rows;
   std::vector<CertificateRow> sines;
   std::vector<CertificateRow> lacking;
@@ -184,39 +190,40 @@ std::vector<CertificateRow> check_code(const Subject& subject, const CompiledHea
     }
     const bool has_doubles = header.functions->has(ScalarKind::double_precision);
     const bool has_floats = header.functions->has(ScalarKind::single_precision);
-    if (has_doubles) append(rows, check_compiled(subject, header, doubles));
-    if (has_floats) append(rows, check_compiled(subject, header, floats));
-    append(sines, check_sines(subject, header));
+    if (has_doubles) append(rows, check_compiled_code(subject, header, doubles));
+    if (has_floats) append(rows, check_compiled_code(subject, header, floats));
+    append(sines, check_pack_sines(subject, header));
   }
   append(rows, lacking);
   append(rows, sines);
-  if (!compiled.empty()) append(rows, check_helpers(subject));
+  if (!compiled.empty()) append(rows, check_helper_functions(subject));
   for (const CompiledHeader& header : compiled) {
-    if (!header.declared.empty()) rows.push_back(check_declared(header.declared));
+    if (!header.declared.empty()) rows.push_back(check_declared_numbers(header.declared));
   }
   return rows;
 }
 
 /// Projections, to save time, if `options.quick` or if velocities are many; otherwise entries.
-Comparison comparison_for(const Model& model, const VerifyOptions& options) {
-  const bool is_large = model.velocities.size() >= projected_velocities;
-  return options.quick || is_large ? Comparison::projections : Comparison::entries;
+ComparisonMode comparison_for(const Model& model, const VerifyOptions& options) {
+  const bool is_large = model.velocities.size() >= min_projected_velocities;
+  return options.is_quick || is_large ? ComparisonMode::projections : ComparisonMode::entries;
 }
 
 }  // namespace
 
 Verification verify(const Model& model, const Scene& scene, const Program& program,
                     const CompiledHeaders& compiled, const VerifyOptions& options) {
-  const Subject subject{model, scene, program};
-  auto doubles = states_for<double>(subject, options);
-  auto floats = states_for<float>(subject, options);
-  const std::string one_sided_kinks = add_sides(subject, options, doubles);
-  (void)add_sides(subject, options, floats);
+  const SystemUnderTest subject{model, scene, program};
+  auto doubles = verification_states<double>(subject, options);
+  auto floats = verification_states<float>(subject, options);
+  const std::string one_sided_kinks = add_states_at_kinks(subject, options, doubles);
+  (void)add_states_at_kinks(subject, options, floats);
   const auto accuracy = [&](ScalarKind scalar) {
-    VisitOptions visit{comparison_for(model, options)};
-    visit.loss_states = options.extremes ? LossStates::everywhere : LossStates::inside_ranges;
-    visit.as_users = users_code(compiled, false, scalar);
-    visit.wide = users_code(compiled, true, scalar);
+    StateCheckOptions visit{comparison_for(model, options)};
+    visit.loss_states =
+        options.checks_extremes ? LossStates::everywhere : LossStates::inside_ranges;
+    visit.user_code = find_user_code(compiled, false, scalar);
+    visit.wide_code = find_user_code(compiled, true, scalar);
     return AccuracyOptions{visit, options.on_step, options.jobs};
   };
 
@@ -225,13 +232,14 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   std::vector<CertificateRow>& rows = result.certificate.rows;
   ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
   append(rows, expected.rows);
-  if (options.claims != nullptr) append(rows, claimed_equilibria(*options.claims));
+  if (options.equilibrium_verdicts != nullptr)
+    append(rows, equilibrium_rows(*options.equilibrium_verdicts));
   append(rows, check_accuracy(subject, doubles, accuracy(ScalarKind::double_precision)));
-  const bool fits_float = fits(model, program, ScalarKind::single_precision);
+  const bool fits_float = literals_fit(model, program, ScalarKind::single_precision);
   if (fits_float)
     append(rows, check_accuracy(subject, floats, accuracy(ScalarKind::single_precision)));
-  append(rows, check_code(subject, compiled, doubles, floats));
-  append(rows, sampled_zeros(program));
+  append(rows, check_compiled_headers(subject, compiled, doubles, floats));
+  append(rows, sampled_zero_rows(program));
   if (!one_sided_kinks.empty())
     rows.push_back(one_sided_kinks_row(one_sided_kinks, doubles.size()));
   append(rows, check_structure(subject, nominal_states(subject, doubles)));

@@ -11,7 +11,7 @@ using namespace elgen::test;
 
 namespace {
 
-using Value = Running<Real>;
+using Value = RunningValue<Real>;
 
 const RunningErrorRules<Real> rules{};
 const RunningErrorRules<double> rules_in_double{};
@@ -25,7 +25,7 @@ Value operator/(const Value& x, const Value& y) { return rules.divide(x, y); }
 Value sqrt(const Value& x) { return rules.square_root(x); }
 Value call(FunctionId function, const Value& x) { return rules.call(function, x, x); }
 
-Value leaf(const char* text) { return running_leaf(exact(text), rounding<double>()); }
+Value leaf(const char* text) { return running_leaf(exact(text), rounding_constants<double>()); }
 Value value_with_error(const char* text, const char* error) {
   return {Real(exact(text)), Real(exact(error))};
 }
@@ -38,11 +38,11 @@ TEST_CASE("leaves: numbers of the scalar are exact, others are rounded") {
   CHECK(error(leaf("-3/4")) == 0);
   CHECK(error(leaf("1/10")) == Approx(0.1));
   CHECK(error(leaf("16777217")) == 0);
-  CHECK(number(running_leaf(cln::cl_R("16777217"), rounding<float>()).error) == 16777217);
+  CHECK(number(running_leaf(cln::cl_R("16777217"), rounding_constants<float>()).error) == 16777217);
   Arguments<double> point;
   point.q = {-3};
-  CHECK(error(running_leaves<Real>(point, Leaves::exact).q[0]) == 0);
-  CHECK(error(running_leaves<Real>(point, Leaves::rounded).q[0]) == 3);
+  CHECK(error(running_leaves<Real>(point, LeafRounding::exact).q[0]) == 0);
+  CHECK(error(running_leaves<Real>(point, LeafRounding::rounded).q[0]) == 3);
 }
 
 TEST_CASE("each operation rounds once, and passes errors on") {
@@ -103,7 +103,7 @@ TEST_CASE("functions have the values in their rows of the table") {
   for (const FunctionRow& row : function_table()) {
     INFO(row.name);
     if (row.arity == 1)
-      CHECK(interpreter::call<double>(row.id, row.exact_at, 0) == row.exact_value);
+      CHECK(interpreter::call<double>(row.id, row.exact_argument, 0) == row.exact_value);
     if (!row.limits_at_infinity) continue;
     CHECK(interpreter::call<double>(row.id, -1e6, 0) == row.limits_at_infinity->left);
     CHECK(interpreter::call<double>(row.id, 1e6, 0) == row.limits_at_infinity->right);
@@ -116,7 +116,7 @@ TEST_CASE("exponentials of huge arguments take their limits") {
   CHECK(number(call(FunctionId::exp, -far).value) == 0);
   for (const Value& infinite : {call(FunctionId::exp, far), call(FunctionId::cosh, far),
                                 call(FunctionId::sinh, far), -call(FunctionId::sinh, -far)}) {
-    CHECK(infinite.value > rounding<double>().largest);
+    CHECK(infinite.value > rounding_constants<double>().largest);
   }
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("errors do not grow in an iteration that contracts") {
 
 TEST_CASE("errors in double agree with errors in 64 digits") {
   const auto both = [](double x, double e) {
-    return std::pair(Value{Real(exact_value(x)), Real(exact_value(e))}, Running<double>{x, e});
+    return std::pair(Value{Real(exact_value(x)), Real(exact_value(e))}, RunningValue<double>{x, e});
   };
   const auto [x, x_rough] = both(0.75, 3);
   const auto [y, y_rough] = both(-2.5, 1);

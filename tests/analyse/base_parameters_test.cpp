@@ -114,11 +114,11 @@ TEST_CASE("point masses on a line, tilted by a multiple of a right angle or by a
     CHECK(found.is_exact == is_exact);
     REQUIRE(found.base.size() == 2);
     // 3 = -3 * 1 + 3 * 2 and 9 = -3 * 1 + 3 * 4
-    REQUIRE(found.base[0].others.size() == 1);
-    CHECK(double_of(found.base[0].others[0].factor) == Approx(-3).epsilon(1e-15));
-    CHECK(double_of(found.base[1].others[0].factor) == Approx(3).epsilon(1e-15));
+    REQUIRE(found.base[0].regrouped_terms.size() == 1);
+    CHECK(double_of(found.base[0].regrouped_terms[0].factor) == Approx(-3).epsilon(1e-15));
+    CHECK(double_of(found.base[1].regrouped_terms[0].factor) == Approx(3).epsilon(1e-15));
     CHECK(double_of(found.base[0].value) == Approx(-6).epsilon(1e-15));
-    CHECK(found.without_effect.empty());
+    CHECK(found.unidentifiable.empty());
   }
 }
 
@@ -126,10 +126,10 @@ TEST_CASE("rational numbers are recovered from their residues") {
   for (const char* const text :
        {"0", "1", "-3/7", "316/1000", "-12345678901234567/98765432109876543"}) {
     const cln::cl_RA number = cln::the<cln::cl_RA>(exact(text));
-    CHECK(rational_of(residue_of(number)) == number);
+    CHECK(reconstruct_rational(residue_of(number)) == number);
   }
   // The numerator and the denominator of (3/7)^1000 are too large to be recovered from a residue.
-  CHECK_FALSE(rational_of(cln::expt_pos(residue_of(cln::cl_RA(3) / 7), 1000)));
+  CHECK_FALSE(reconstruct_rational(cln::expt_pos(residue_of(cln::cl_RA(3) / 7), 1000)));
 }
 
 }  // namespace elgen::test

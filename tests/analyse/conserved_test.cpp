@@ -73,9 +73,9 @@ std::string expecting_conserved(const std::vector<std::string>& entries) {
 }
 
 Trajectory run_of(const std::string& text, const Model& model) {
-  const Products products = derived(inputs_of(text), outputs_of_run(model));
+  const Products products = derived(inputs_of(text), outputs_for_run(model));
   const Result<Trajectory> run =
-      simulate(*products.checked, *products.program, nullptr, {.time = 5, .tolerance = 1e-11});
+      simulate(*products.checked, *products.program, nullptr, {.duration = 5, .tolerance = 1e-11});
   INFO(format(run.diagnostics));
   REQUIRE(run);
   return *run;

@@ -112,6 +112,6 @@ frequencies_squared = [")toml" + square + "\"]\n" +
   CHECK(wrong.frequencies == ClaimStatus::wrong);
   CHECK_FALSE(wrong.witness.empty());
   const EquilibriumVerdict never = well("2*k/m", "when = \"k < 0\"\n");
-  CHECK(never.balance == ClaimStatus::open);
-  CHECK(never.frequencies == ClaimStatus::open);
+  CHECK(never.balance == ClaimStatus::undecided);
+  CHECK(never.frequencies == ClaimStatus::undecided);
 }

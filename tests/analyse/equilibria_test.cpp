@@ -169,10 +169,10 @@ TEST_CASE("a two-link arm has four equilibria, a pendulum two") {
 TEST_CASE("a coordinate that occurs in no equation may have any value") {
   const Analysed cart = analyse_model(model_file("cart_pole"));
   REQUIRE(cart.equilibria.points.size() == 2);
-  CHECK(cart.equilibria.points[0].coordinates[0].is_any);
+  CHECK(cart.equilibria.points[0].coordinates[0].is_arbitrary);
   CHECK(cart.equilibria.points[0].stability.kind == Stability::unstable);
   // x may drift at any constant speed, so the linear part does not decide stability.
-  CHECK(cart.equilibria.points[1].stability.kind == Stability::open);
+  CHECK(cart.equilibria.points[1].stability.kind == Stability::undecided);
   CHECK(analyse_model(model_file("cart_pole"), {.laws = {"u=1"}}).equilibria.points.empty());
 }
 
@@ -230,7 +230,7 @@ TEST_CASE("springs on a line have one equilibrium for every position of the firs
                                     "1/2*(x2 - x1 - 1)^2 + 1/2*(x3 - x2 - 1)^2"));
   REQUIRE(molecule.equilibria.points.size() == 1);
   const RestPoint& point = molecule.equilibria.points[0];
-  CHECK(point.coordinates[0].is_any);
+  CHECK(point.coordinates[0].is_arbitrary);
   CHECK(value(point, 1) == 1);
   CHECK(value(point, 2) == 2);
   CHECK(molecule.equilibria.completeness == Completeness::proved);
@@ -245,7 +245,7 @@ TEST_CASE("a coordinate that cancels only at the values of the parameters is any
     const Analysed found =
         analyse_model(potential_model(coordinates, potential) + "[parameters]\n" + parameters);
     REQUIRE(found.equilibria.points.size() == 1);
-    CHECK(found.equilibria.points[0].coordinates[0].is_any);
+    CHECK(found.equilibria.points[0].coordinates[0].is_arbitrary);
     CHECK_FALSE(found.equilibria.points[0].is_exact);
     CHECK(mentions(text_of(equilibria_page(found.checked, found.equilibria)),
                    "  \"any\" and stability computed at the parameters' values\n"
@@ -270,7 +270,7 @@ TEST_CASE("an equilibrium is exact if the equations are 0 for all values of the 
                                          "[parameters]\na = 1\nb = 1\n");
   REQUIRE(special.equilibria.points.size() == 1);
   CHECK(special.equilibria.points[0].is_exact);
-  CHECK(special.equilibria.points[0].coordinates[0].form);
+  CHECK(special.equilibria.points[0].coordinates[0].closed_form);
 }
 
 TEST_CASE("a null direction of two coupled coordinates leaves stability and completeness open") {
@@ -278,7 +278,7 @@ TEST_CASE("a null direction of two coupled coordinates leaves stability and comp
   const Analysed found = analyse_model(potential_model(both, "(y - x^2)^2 - x^6"));
   REQUIRE(found.equilibria.points.size() == 1);
   CHECK(value(found.equilibria.points[0], 0) == 0);
-  CHECK(found.equilibria.points[0].stability.kind == Stability::open);
+  CHECK(found.equilibria.points[0].stability.kind == Stability::undecided);
   CHECK(found.equilibria.completeness == Completeness::undecided);
 }
 
@@ -290,13 +290,13 @@ TEST_CASE("double roots are exact at simple numbers, and undecided elsewhere") {
   CHECK(exact.equilibria.points[0].stability.leading->order == 4);
   const Analysed inflection = analyse_model(potential_model(coordinate("x", "[-1, 1]"), "x^3"));
   REQUIRE(inflection.equilibria.points.size() == 1);
-  CHECK(inflection.equilibria.points[0].stability.kind == Stability::open);
+  CHECK(inflection.equilibria.points[0].stability.kind == Stability::undecided);
   // V' = (x - 0.3)^2 (x^2 + 1) has a double zero at 0.3, which is not among the simple numbers.
   const Analysed open = analyse_model(potential_model(
       coordinate("x", "[-1, 1]"), "1/5*x^5 - 0.15*x^4 + 1.09/3*x^3 - 0.3*x^2 + 0.09*x"));
   CHECK(open.equilibria.completeness == Completeness::undecided);
-  REQUIRE(open.equilibria.undecided.size() == 1);
-  const Interval& sides = open.equilibria.undecided[0].at(0);
+  REQUIRE(open.equilibria.undecided_boxes.size() == 1);
+  const Interval& sides = open.equilibria.undecided_boxes[0].at(0);
   CHECK(to_double(sides.low) == Approx(0.3).margin(1e-5));
   CHECK(to_double(sides.high) == Approx(0.3).margin(1e-5));
 }
@@ -330,14 +330,14 @@ on = "l"
        {analyse_model(load, {.laws = {"F=-196.2"}, .boxes = 5000}),
         analyse_model(potential_model(both, "(x - y)^4 + (x - y)^2"), {.boxes = 5000})}) {
     CHECK(found.equilibria.completeness != Completeness::proved);
-    REQUIRE(found.equilibria.undecided.size() == 1);
+    REQUIRE(found.equilibria.undecided_boxes.size() == 1);
     const std::string text = text_of(equilibria_page(found.checked, found.equilibria));
     INFO(text);
     CHECK(mentions(text, "undecided near "));
     CHECK_FALSE(mentions(text, "no equilibrium was found"));
   }
   const Analysed held = analyse_model(load, {.laws = {"F=-196.2"}, .boxes = 5000});
-  const UndecidedBox& box = held.equilibria.undecided.front();
+  const UndecidedBox& box = held.equilibria.undecided_boxes.front();
   CHECK(to_double(box.at(0).low) == Approx(0.5));
   CHECK(to_double(box.at(0).high) == Approx(5));
   CHECK(std::abs(to_double(box.at(1).low)) < 0.1);

@@ -27,8 +27,8 @@ m = { value = 1, unit = "kg" }
 T = "m*(dot(a)^2 + dot(b)^2*a^2)/2"
 )toml");
   REQUIRE(free.equilibria.points.size() == 1);
-  CHECK(free.equilibria.points[0].coordinates[0].is_any);
-  CHECK(free.equilibria.points[0].coordinates[1].is_any);
+  CHECK(free.equilibria.points[0].coordinates[0].is_arbitrary);
+  CHECK(free.equilibria.points[0].coordinates[1].is_arbitrary);
 }
 
 TEST_CASE("exact equilibria stay equilibria at other values of the parameters") {
@@ -45,9 +45,10 @@ TEST_CASE("exact equilibria stay equilibria at other values of the parameters") 
           parameter = parameter * cln::cl_RA(95 + (++moved * 7) % 11) / 100;
         }
         for (std::size_t i = 0; i < state.q.size(); ++i) {
-          if (!point.coordinates[i].form) continue;
-          const Real place = value_of(found.equilibria.forms.algebra, *point.coordinates[i].form,
-                                      arguments_at<Real>(state));
+          if (!point.coordinates[i].closed_form) continue;
+          const Real place =
+              evaluate_form(found.equilibria.forms.algebra, *point.coordinates[i].closed_form,
+                            arguments_at<Real>(state));
           REQUIRE(place.is_defined());
           state.q[i] = place.value();
         }
@@ -68,10 +69,10 @@ TEST_CASE("an angle is reduced to the first value not below a bound") {
        {std::pair{-2, 2}, std::pair{2, 2}, std::pair{3, 3}, std::pair{1, 5}, std::pair{-9, 3},
         std::pair{6, 2}, std::pair{40, 4}}) {
     INFO(quarters);
-    const Real turned = turned_above(half * Real(quarters) / Real(2), half);
+    const Real turned = wrap_above(half * Real(quarters) / Real(2), half);
     CHECK(is_near(turned, half * Real(expected) / Real(2)));
   }
   // The bound minus a rounding error counts as the bound.
   const Real rounding(power_of_ten(-30));
-  CHECK(is_near(turned_above(half - rounding, half), half - rounding));
+  CHECK(is_near(wrap_above(half - rounding, half), half - rounding));
 }

@@ -46,12 +46,12 @@ inline Analysed analyse_model(const std::string& text, const AnalysisOptions& wo
 }
 
 /// The normal modes about the state `at`, or about all stable equilibria if `at` is empty.
-inline Products modes_products(const Inputs& inputs, const std::string& at = {},
+inline Products modes_products(const PipelineSources& inputs, const std::string& at = {},
                                const std::vector<std::string>& sizes = {}) {
   PipelineOptions options;
   options.goals = {Goal::modes};
   if (!at.empty()) options.scene.starts = {make_source("--at", at)};
-  if (!at.empty()) options.about = "";
+  if (!at.empty()) options.equilibrium_name = "";
   for (const std::string& size : sizes) options.scene.sizes.push_back(make_source("--size", size));
   return run_pipeline(inputs, options);
 }

@@ -114,7 +114,7 @@ TEST_CASE("the cart-pole is controllable in the upright position") {
   CHECK(about.poles[1].real() == Approx(-4.64564).epsilon(1e-6));
   CHECK(about.poles[2] == 0.0);
   CHECK(about.poles[3] == 0.0);
-  CHECK(about.controllable == 4);
+  CHECK(about.controllable_rank == 4);
   CHECK(mentions(page(upright), "linearised equations at x = 0, θ = 0, u = 0 (unstable)\n"));
   CHECK(mentions(page(upright), "inputs        u: controllable (rank 4 of 4)"));
 }

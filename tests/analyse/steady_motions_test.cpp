@@ -43,7 +43,7 @@ std::string steady_page(const Products& products) {
 TEST_CASE("circular Kepler orbit: r = p^2/(m^2 mu), and nearby orbits close") {
   const Products orbit = steady_products("kepler_polar", "phi = true\n");
   CHECK(rest_coordinate(orbit) == Approx(1.44).epsilon(1e-14));
-  CHECK(orbit.modes->motions.front().point.coordinates[0].form);
+  CHECK(orbit.modes->motions.front().point.coordinates[0].closed_form);
   CHECK(omega_squared(orbit) == Approx(std::pow(0.5, 6) / std::pow(0.6, 6)).epsilon(1e-14));
   const std::string text = steady_page(orbit);
   INFO(text);

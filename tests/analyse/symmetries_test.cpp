@@ -33,7 +33,7 @@ void check_all(const std::string& model, const std::vector<ExpectedSymmetry>& ex
     INFO(integral);
     const Symmetry& symmetry = found.symmetry_with(integral);
     CHECK(symmetry.kind == kind);
-    CHECK(found.equals(symmetry.total, total));
+    CHECK(found.equals(symmetry.gauge_function, total));
     CHECK(found.equals(symmetry.rate, rate));
     CHECK(symmetry.is_proved);
   }
@@ -44,7 +44,7 @@ void check_closed(const std::string& model, const std::string& integral,
                   const std::string& closed) {
   FoundSymmetries found(symmetric_model(model));
   INFO(model << ": " << integral);
-  CHECK(found.equals(found.symmetry_with(integral).closed, closed));
+  CHECK(found.equals(found.symmetry_with(integral).velocity_form, closed));
 }
 
 /// `page` without its formulas: each row ends after the generator, and the list of integrals ends
@@ -67,9 +67,9 @@ std::string without_formulas(const std::string& page) {
 
 /// Checks that the formulas in the JSON `row`, parsed again, equal the closed forms of `symmetry`.
 void check_row(FoundSymmetries& found, const Symmetry& symmetry, const nlohmann::json& row) {
-  CHECK(found.equals(symmetry.by_names, row.at("integral")));
-  CHECK(found.equals(symmetry.closed, row.at("closed_form")));
-  CHECK(found.equals(symmetry.total, row.at("F")));
+  CHECK(found.equals(symmetry.momentum_form, row.at("integral")));
+  CHECK(found.equals(symmetry.velocity_form, row.at("closed_form")));
+  CHECK(found.equals(symmetry.gauge_function, row.at("F")));
   CHECK(found.equals(symmetry.rate, row.at("rate")));
   CHECK(found.equals(symmetry.generator.back(), row.at("time")));
   CHECK(row.at("proved").get<bool>());
@@ -185,7 +185,7 @@ TEST_CASE("the page of a damped system does not claim that energy is conserved")
   REQUIRE(damped.all().size() == 1);
   const std::string rate = "-(b + bc)*(dot(x1)^2 + dot(x2)^2) + 2*bc*dot(x1)*dot(x2)";
   CHECK(damped.equals(damped.all()[0].rate, rate));
-  CHECK(damped.equals(damped.all()[0].loss, rate));
+  CHECK(damped.equals(damped.all()[0].unforced_rate, rate));
   CHECK(damped.json().at("conserved").empty());
   CHECK_FALSE(mentions(damped.page(), "[[expect]]"));
   FoundSymmetries driven(model_file("furuta_pendulum"));
@@ -214,8 +214,8 @@ L = "m*dot(x)^2/2 + a*sqrt(x)*dot(x)"
 )toml"));
   INFO(found.page());
   CHECK(found.all().size() == 3);
-  CHECK_FALSE(found.symmetry_with("p(x)").total);
-  CHECK_FALSE(found.symmetry_with("t*p(x)").total);
+  CHECK_FALSE(found.symmetry_with("p(x)").gauge_function);
+  CHECK_FALSE(found.symmetry_with("t*p(x)").gauge_function);
   CHECK(count(found.page(), " - F, F has no closed form\n") == 2);
   CHECK(mentions(found.page(),
                  "  conserved: dL = dF/dt is proved; these are all symmetries of this form"));

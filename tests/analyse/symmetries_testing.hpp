@@ -43,7 +43,7 @@ class FoundSymmetries {
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] const CheckedModel& checked() const { return checked_; }
   [[nodiscard]] const Symmetries& found() const { return found_; }
-  [[nodiscard]] const std::vector<Symmetry>& all() const { return found_.all; }
+  [[nodiscard]] const std::vector<Symmetry>& all() const { return found_.symmetries; }
   [[nodiscard]] std::string page() const { return text_of(symmetries_page(checked_, found_)); }
   [[nodiscard]] nlohmann::json json() const {
     return nlohmann::json::parse(symmetries_json(checked_, found_));
@@ -69,8 +69,8 @@ class FoundSymmetries {
   const Symmetry& symmetry_with(const std::string& integral) {
     const Fraction wanted = form(integral);
     const Symmetry* result = nullptr;
-    for (const Symmetry& symmetry : found_.all) {
-      if (is_proved_equal(found_.forms, symmetry.by_names, wanted)) result = &symmetry;
+    for (const Symmetry& symmetry : found_.symmetries) {
+      if (is_proved_equal(found_.forms, symmetry.momentum_form, wanted)) result = &symmetry;
     }
     INFO(integral << "\n" << page());
     REQUIRE(result != nullptr);

@@ -15,7 +15,7 @@ using namespace elgen::test;
 namespace {
 
 /// The generators of a model with `scalars` coordinates of armature 1, and optionally a rotation.
-GeneratorClass class_of(std::size_t scalars, bool has_rotation = false) {
+GeneratorLayout class_of(std::size_t scalars, bool has_rotation = false) {
   std::string text;
   for (std::size_t i = 1; i <= scalars; ++i) {
     text += "[[coordinate]]\nname = \"q" + std::to_string(i) + "\"\narmature = 1\n";
@@ -27,20 +27,20 @@ GeneratorClass class_of(std::size_t scalars, bool has_rotation = false) {
         "frame = \"top\"\nmass = 1\ninertia = [1, 2, 3]\n";
   }
   text += "[energy]\nV = 0\n";
-  return GeneratorClass(checked_model(model_text("points", text)).model);
+  return GeneratorLayout(checked_model(model_text("points", text)).model);
 }
 
 using Unknowns = std::vector<std::pair<std::size_t, int>>;
 
-Generator generator(const GeneratorClass& all, const Unknowns& values) {
+Generator generator(const GeneratorLayout& all, const Unknowns& values) {
   Generator result(all.size());
   for (const auto& [unknown, value] : values) result[unknown] = fraction_of(cln::cl_RA(value));
   return result;
 }
 
 /// dq_k = q_i, dq_i = -q_k
-Unknowns turn(const GeneratorClass& all, std::size_t i, std::size_t k) {
-  return {{all.a(k, i), 1}, {all.a(i, k), -1}};
+Unknowns turn(const GeneratorLayout& all, std::size_t i, std::size_t k) {
+  return {{all.a_index(k, i), 1}, {all.a_index(i, k), -1}};
 }
 
 Unknowns concatenate(Unknowns first, const Unknowns& second) {
@@ -59,43 +59,44 @@ bool are_equal(ClosedForms& forms, const Generator& x, const Generator& y) {
 }  // namespace
 
 TEST_CASE("the unknowns of a class are numbered consecutively") {
-  const GeneratorClass plane = class_of(2);
+  const GeneratorLayout plane = class_of(2);
   CHECK(plane.size() == 4 + 2 + 2 + 1);
-  CHECK(plane.a(1, 0) == 2);
-  CHECK(plane.c(0) == 4);
-  CHECK(plane.b(0) == 6);
-  CHECK(plane.time() == 8);
-  const GeneratorClass body = class_of(3, true);
+  CHECK(plane.a_index(1, 0) == 2);
+  CHECK(plane.c_index(0) == 4);
+  CHECK(plane.b_index(0) == 6);
+  CHECK(plane.time_index() == 8);
+  const GeneratorLayout body = class_of(3, true);
   CHECK(body.size() == 9 + 3 + 3 + 6 + 1);
-  CHECK(body.world_turn(0, 0) == 15);
-  CHECK(body.body_turn(0, 2) == 20);
-  CHECK(body.time() == 21);
+  CHECK(body.world_turn_index(0, 0) == 15);
+  CHECK(body.body_turn_index(0, 2) == 20);
+  CHECK(body.time_index() == 21);
 }
 
 TEST_CASE("the kind of a generator follows from its motion") {
   ClosedForms forms;
-  const GeneratorClass all = class_of(2, true);
+  const GeneratorLayout all = class_of(2, true);
   const auto kind = [&](const Unknowns& values) {
     return kind_of(forms, all, generator(all, values));
   };
-  CHECK(kind({{all.time(), 1}}) == SymmetryKind::time);
-  CHECK(kind({{all.b(1), 3}}) == SymmetryKind::coordinate);
-  CHECK(kind({{all.b(0), 1}, {all.b(1), -1}}) == SymmetryKind::translation);
-  CHECK(kind({{all.c(0), 1}}) == SymmetryKind::boost);
-  CHECK(kind({{all.c(0), 1}, {all.c(1), 2}}) == SymmetryKind::boost);
+  CHECK(kind({{all.time_index(), 1}}) == SymmetryKind::time);
+  CHECK(kind({{all.b_index(1), 3}}) == SymmetryKind::coordinate);
+  CHECK(kind({{all.b_index(0), 1}, {all.b_index(1), -1}}) == SymmetryKind::translation);
+  CHECK(kind({{all.c_index(0), 1}}) == SymmetryKind::boost);
+  CHECK(kind({{all.c_index(0), 1}, {all.c_index(1), 2}}) == SymmetryKind::boost);
   CHECK(kind(turn(all, 0, 1)) == SymmetryKind::rotation);
-  CHECK(kind({{all.world_turn(0, 2), 1}}) == SymmetryKind::turn);
-  CHECK(kind({{all.world_turn(0, 2), 1}, {all.body_turn(0, 0), 1}}) == SymmetryKind::turn);
-  CHECK(kind({{all.a(0, 1), 1}, {all.a(1, 0), 1}}) == SymmetryKind::other);
-  CHECK(kind({{all.a(0, 0), 1}}) == SymmetryKind::other);
-  CHECK(kind(concatenate(turn(all, 0, 1), {{all.time(), 1}})) == SymmetryKind::other);
-  CHECK(kind({{all.b(0), 1}, {all.c(0), 1}}) == SymmetryKind::other);
-  CHECK(kind({{all.b(0), 1}, {all.time(), 1}}) == SymmetryKind::other);
+  CHECK(kind({{all.world_turn_index(0, 2), 1}}) == SymmetryKind::body_rotation);
+  CHECK(kind({{all.world_turn_index(0, 2), 1}, {all.body_turn_index(0, 0), 1}}) ==
+        SymmetryKind::body_rotation);
+  CHECK(kind({{all.a_index(0, 1), 1}, {all.a_index(1, 0), 1}}) == SymmetryKind::other);
+  CHECK(kind({{all.a_index(0, 0), 1}}) == SymmetryKind::other);
+  CHECK(kind(concatenate(turn(all, 0, 1), {{all.time_index(), 1}})) == SymmetryKind::other);
+  CHECK(kind({{all.b_index(0), 1}, {all.c_index(0), 1}}) == SymmetryKind::other);
+  CHECK(kind({{all.b_index(0), 1}, {all.time_index(), 1}}) == SymmetryKind::other);
 }
 
 TEST_CASE("two independent rotations become the common rotation and one of them") {
   ClosedForms forms;
-  const GeneratorClass all = class_of(4);
+  const GeneratorLayout all = class_of(4);
   const Generator first = generator(all, turn(all, 0, 1));
   const Generator second = generator(all, turn(all, 2, 3));
   std::vector<Generator> basis{first, second};
@@ -107,7 +108,7 @@ TEST_CASE("two independent rotations become the common rotation and one of them"
 
 TEST_CASE("rotations in space turn x to y, y to z, z to x") {
   ClosedForms forms;
-  const GeneratorClass all = class_of(3);
+  const GeneratorLayout all = class_of(3);
   std::vector<Generator> basis{generator(all, turn(all, 0, 1)), generator(all, turn(all, 0, 2)),
                                generator(all, turn(all, 1, 2))};
   prefer_common_rotations(forms, all, basis);
@@ -119,17 +120,18 @@ TEST_CASE("rotations in space turn x to y, y to z, z to x") {
 
 TEST_CASE("a common rotation that is no symmetry is not preferred") {
   ClosedForms forms;
-  const GeneratorClass all = class_of(2);
+  const GeneratorLayout all = class_of(2);
   Arithmetic arithmetic(forms.algebra);
   // dx = -k y, dy = x
-  Generator elliptic = generator(all, {{all.a(1, 0), 1}});
-  elliptic[all.a(0, 1)] = arithmetic.negate(arithmetic.leaf(Opcode::parameter, 0)).value();
-  std::vector<Generator> basis{elliptic, generator(all, {{all.time(), 1}})};
+  Generator elliptic = generator(all, {{all.a_index(1, 0), 1}});
+  elliptic[all.a_index(0, 1)] = arithmetic.negate(arithmetic.leaf(Opcode::parameter, 0)).value();
+  std::vector<Generator> basis{elliptic, generator(all, {{all.time_index(), 1}})};
   prefer_common_rotations(forms, all, basis);
   CHECK(are_equal(forms, basis[0], elliptic));
   CHECK(kind_of(forms, all, basis[0]) == SymmetryKind::other);
   // The rotation in the plane is a symmetry only together with time.
-  std::vector<Generator> mixed{generator(all, concatenate(turn(all, 0, 1), {{all.time(), 2}}))};
+  std::vector<Generator> mixed{
+      generator(all, concatenate(turn(all, 0, 1), {{all.time_index(), 2}}))};
   const Generator before = mixed[0];
   prefer_common_rotations(forms, all, mixed);
   CHECK(are_equal(forms, mixed[0], before));

@@ -42,7 +42,8 @@ conserved = [")toml" + formula + "\"]\n"))
 
   std::optional<Fraction> integral(const std::string& rate) {
     const Fraction form = (*this)(rate);
-    return total_integral(forms_, model_, {}, open_terms(forms_, model_, {}), form);
+    return integrate_total_derivative(forms_, model_, {}, open_value_rates(forms_, model_, {}),
+                                      form);
   }
 
   bool equal(const Fraction& x, const Fraction& y) { return is_proved_equal(forms_, x, y); }

@@ -44,28 +44,29 @@ TEST_CASE("a template includes another template of its folder without the final 
         "body_hash", "function", "workspace"}) {
     data.set(name, name);
   }
-  const TemplateData none = section_if(false);
+  const TemplateData none = optional_section(false);
   for (const char* const name : {"struct", "values", "part", "regular"}) data.set(name, none);
   TemplateData function;
   for (const char* const name : {"summary", "signature", "body"}) function.set(name, name);
-  function.set("parts", section_if(true));
-  data.set("functions", section_if(true, function));
+  function.set("parts", optional_section(true));
+  data.set("functions", optional_section(true, function));
   const std::string text = fill_template("cpp/eigen.hpp.mustache", data);
   CHECK(mentions(text, "/// Values that several parts of function use.\n"));
   CHECK(mentions(text, "}  // namespace detail\n\n/// summary\n"));
 }
 
 TEST_CASE("lines and optional sections") {
-  CHECK(lines_data({"a", "b"}).list_value().size() == 2);
-  CHECK(lines_data({"a"}).list_value()[0].get("line")->string_value() == "a");
-  CHECK(section_if(false).is_empty_list());
-  CHECK(section_if(true).is_non_empty_list());
+  CHECK(lines_section({"a", "b"}).list_value().size() == 2);
+  CHECK(lines_section({"a"}).list_value()[0].get("line")->string_value() == "a");
+  CHECK(optional_section(false).is_empty_list());
+  CHECK(optional_section(true).is_non_empty_list());
 }
 
 TEST_CASE("an unknown template is embedded as empty text, and looking it up throws") {
-  CHECK(template_at("cpp/kinked.hpp.mustache") == embedded_template("cpp/kinked.hpp.mustache"));
+  CHECK(require_template("cpp/kinked.hpp.mustache") ==
+        embedded_template("cpp/kinked.hpp.mustache"));
   CHECK(embedded_template("cpp/none.mustache").empty());
-  CHECK_THROWS_AS(template_at("cpp/none.mustache"), std::logic_error);
+  CHECK_THROWS_AS(require_template("cpp/none.mustache"), std::logic_error);
 }
 
 TEST_CASE("a template is found by name in the folder and language of another") {

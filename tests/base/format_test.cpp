@@ -162,17 +162,17 @@ TEST_CASE("a GitHub workflow command has position, title and sentence, escaped")
 }
 
 TEST_CASE("a sentence is the message followed by its hint") {
-  CHECK(sentence({Code::E201, {}, "unknown name `x`"}) == "unknown name `x`");
-  CHECK(sentence({Code::E201, {}, "unknown name `x`", "write `y`"}) ==
+  CHECK(message_with_hint({Code::E201, {}, "unknown name `x`"}) == "unknown name `x`");
+  CHECK(message_with_hint({Code::E201, {}, "unknown name `x`", "write `y`"}) ==
         "unknown name `x`; write `y`");
 }
 
 TEST_CASE("paths are printed as given, and the command line is no file") {
   const SourcePointer file = make_source("./a/b.toml", "x");
   const SourcePointer words = make_source("command line", "elgen x");
-  CHECK(path_of({file.get(), 0, 1}) == "a/b.toml");
+  CHECK(display_path({file.get(), 0, 1}) == "a/b.toml");
   CHECK(is_in_file({file.get(), 0, 1}));
   CHECK_FALSE(is_in_file({words.get(), 0, 1}));
   CHECK_FALSE(is_in_file({}));
-  CHECK(path_of({}) == "elgen");
+  CHECK(display_path({}) == "elgen");
 }

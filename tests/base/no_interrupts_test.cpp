@@ -1,4 +1,4 @@
-// Signals that end the process arrive only at the end of a NoInterrupts scope.
+// Signals that end the process arrive only at the end of a SignalBlocker scope.
 #include "base/no_interrupts.hpp"
 
 #include <catch2/catch.hpp>
@@ -30,7 +30,7 @@ TEST_CASE("an interrupt waits until the end of the scope") {
     const Disposition counted(signal, count);
     arrived = 0;
     {
-      const elgen::NoInterrupts scope;
+      const elgen::SignalBlocker scope;
       CHECK_FALSE(elgen::has_pending_interrupt());
       std::raise(signal);
       CHECK(elgen::has_pending_interrupt());
@@ -43,10 +43,10 @@ TEST_CASE("an interrupt waits until the end of the scope") {
 
 TEST_CASE("a signal that the process ignores interrupts nothing") {
   const Disposition ignored(SIGHUP, SIG_IGN);
-  const elgen::NoInterrupts scope;
+  const elgen::SignalBlocker scope;
   std::raise(SIGHUP);
   CHECK_FALSE(elgen::has_pending_interrupt());
-  const sigset_t ending = elgen::ending_signals();
+  const sigset_t ending = elgen::termination_signals();
   CHECK(sigismember(&ending, SIGHUP) == 0);
   CHECK(sigismember(&ending, SIGINT) == 1);
 }

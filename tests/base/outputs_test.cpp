@@ -32,7 +32,7 @@ std::size_t size_of(Extent extent) {
       return 10;
     case Extent::inputs:
       return 3;
-    case Extent::held:
+    case Extent::reaction:
       return 11;
     case Extent::cyclic:
       return 17;
@@ -102,12 +102,12 @@ TEST_CASE("names are unique, and rows are found by name") {
 
 TEST_CASE("arguments and shapes agree with the equations") {
   const OutputRow& mass = output_row(OutputKind::mass_matrix);
-  CHECK(mass.takes == LeafSet());
+  CHECK(mass.argument_kinds == LeafSet());
   CHECK(mass.fields.front().columns == Extent::velocities);
   const OutputRow& inverse = output_row(OutputKind::inverse_dynamics);
-  CHECK(inverse.takes == (Opcode::velocity | Opcode::acceleration));
+  CHECK(inverse.argument_kinds == (Opcode::velocity | Opcode::acceleration));
   const OutputRow& forward = output_row(OutputKind::forward_dynamics);
-  CHECK(forward.takes == (Opcode::velocity | Opcode::input));
+  CHECK(forward.argument_kinds == (Opcode::velocity | Opcode::input));
   REQUIRE(forward.fields.size() == 3);
   CHECK(forward.fields[1].name == "relative_pivots");
   CHECK(output_row(OutputKind::input_matrix).fields.front().columns == Extent::inputs);
@@ -118,13 +118,13 @@ TEST_CASE(
     "velocities") {
   for (const OutputKind kind : {OutputKind::hamiltonian, OutputKind::velocities_of_momenta,
                                 OutputKind::hamilton_equations}) {
-    CHECK(is_only_by_name(output_row(kind)));
+    CHECK(is_omitted_by_full(output_row(kind)));
     CHECK(divides_by_mass(output_row(kind)));
-    CHECK_FALSE(is_repeated(kind, output_row(kind).takes));
+    CHECK_FALSE(is_in_dynamics(kind, output_row(kind).argument_kinds));
   }
-  CHECK(is_repeated(OutputKind::user_value, Opcode::velocity));
-  CHECK_FALSE(is_repeated(OutputKind::user_value, Opcode::velocity | Opcode::input));
-  CHECK_FALSE(is_only_by_name(output_row(OutputKind::momentum)));
+  CHECK(is_in_dynamics(OutputKind::user_value, Opcode::velocity));
+  CHECK_FALSE(is_in_dynamics(OutputKind::user_value, Opcode::velocity | Opcode::input));
+  CHECK_FALSE(is_omitted_by_full(output_row(OutputKind::momentum)));
   CHECK_FALSE(divides_by_mass(output_row(OutputKind::momentum)));
 }
 
@@ -163,8 +163,8 @@ TEST_CASE("needs are listed in the order of the enumeration, including needs fro
         Needs{Need::no_constraints, Need::smooth_forces, Need::few_velocities,
               Need::closed_functions});
   CHECK(output_row(OutputKind::user_operational).needs.members() ==
-        Needs{Need::no_constraints, Need::kept_coordinates, Need::jacobian, Need::of_positions,
-              Need::smooth_values});
+        Needs{Need::no_constraints, Need::no_cyclic_coordinates, Need::jacobian,
+              Need::position_values, Need::smooth_values});
 }
 
 TEST_CASE("every option applies to some output, and `pivots` to every output with pivots") {
@@ -185,13 +185,13 @@ TEST_CASE("an energy is a number in J that takes no momenta") {
     INFO(output.name);
     const bool is_number = output.fields.size() == 1 && output.fields[0].rows == Extent::one;
     const bool is_in_joules = is_number && output.fields[0].unit == UnitRule::energy;
-    CHECK(output.is_energy == (is_in_joules && !output.takes.has_any(Opcode::momentum)));
+    CHECK(output.is_energy == (is_in_joules && !output.argument_kinds.has_any(Opcode::momentum)));
   }
 }
 
 TEST_CASE("user_value is the only value of an [[output]]") {
   for (const OutputRow& output : output_table()) {
-    CHECK(is_value_of_user(output) == (output.name == "user_value"));
+    CHECK(is_user_value(output) == (output.name == "user_value"));
   }
 }
 

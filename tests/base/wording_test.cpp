@@ -44,12 +44,12 @@ TEST_CASE("equals signs are aligned") {
 }
 
 TEST_CASE("a column is as wide as its widest cell, and lines have no trailing blanks") {
-  CHECK(aligned({{"a", " 1"}, {"bcd", " 2"}, {"e", ""}}) ==
+  CHECK(align_columns({{"a", " 1"}, {"bcd", " 2"}, {"e", ""}}) ==
         std::vector<std::string>{"a   1", "bcd 2", "e"});
 }
 
 TEST_CASE("the last cell of a row may be longer than its column") {
-  CHECK(aligned({{"a  ", "b  ", "c"}, {"d  ", "long enough"}}) ==
+  CHECK(align_columns({{"a  ", "b  ", "c"}, {"d  ", "long enough"}}) ==
         std::vector<std::string>{"a  b  c", "d  long enough"});
 }
 
@@ -60,19 +60,19 @@ TEST_CASE("lines break at blanks, and a word longer than the line gets its own l
 }
 
 TEST_CASE("user text is escaped and joined to one line for messages") {
-  CHECK(in_backticks("m") == "`m`");
-  CHECK(in_backticks(std::string_view("\0", 1)) == "`U+0000`");
-  CHECK(in_backticks("\x7F") == "`U+007F`");
-  CHECK(in_backticks("a\u202Eb\u2028") == "`aU+202EbU+2028`");
-  CHECK(in_backticks("a\n\t  + b") == "`a + b`");
-  CHECK(in_backticks("a\r\nb") == "`a b`");
+  CHECK(quote_text("m") == "`m`");
+  CHECK(quote_text(std::string_view("\0", 1)) == "`U+0000`");
+  CHECK(quote_text("\x7F") == "`U+007F`");
+  CHECK(quote_text("a\u202Eb\u2028") == "`aU+202EbU+2028`");
+  CHECK(quote_text("a\n\t  + b") == "`a + b`");
+  CHECK(quote_text("a\r\nb") == "`a b`");
 }
 
 TEST_CASE("long text is cut between characters, and at invalid UTF-8") {
-  CHECK(in_backticks(std::string(60, 'a')) == "`" + std::string(60, 'a') + "`");
-  CHECK(in_backticks(std::string(61, 'a')) == "`" + std::string(60, 'a') + "…`");
-  CHECK(in_backticks(std::string(59, 'a') + "éé") == "`" + std::string(59, 'a') + "é…`");
-  CHECK(in_backticks("a\xFF") == "`a…`");
+  CHECK(quote_text(std::string(60, 'a')) == "`" + std::string(60, 'a') + "`");
+  CHECK(quote_text(std::string(61, 'a')) == "`" + std::string(60, 'a') + "…`");
+  CHECK(quote_text(std::string(59, 'a') + "éé") == "`" + std::string(59, 'a') + "é…`");
+  CHECK(quote_text("a\xFF") == "`a…`");
 }
 
 TEST_CASE("a span is quoted by the text that it covers") {
@@ -92,20 +92,20 @@ TEST_CASE("a suggestion is a question or empty") {
 
 TEST_CASE("the nearest candidate is suggested") {
   const std::vector<std::string> names{"theta", "mass_matrix", "m", "omega", "coordinate"};
-  CHECK(nearest("thta", names) == "theta");
-  CHECK(nearest("theat", names) == "theta");  // a transposition is one edit
-  CHECK(nearest("mas_matrx", names) == "mass_matrix");
-  CHECK(nearest("mq", names) == "m");
-  CHECK(nearest("coordinates", names) == "coordinate");
+  CHECK(nearest_word("thta", names) == "theta");
+  CHECK(nearest_word("theat", names) == "theta");  // a transposition is one edit
+  CHECK(nearest_word("mas_matrx", names) == "mass_matrix");
+  CHECK(nearest_word("mq", names) == "m");
+  CHECK(nearest_word("coordinates", names) == "coordinate");
 }
 
 TEST_CASE("nothing is suggested if no candidate is near") {
-  CHECK(nearest("velocity", {"theta", "m"}).empty());
-  CHECK(nearest("q", {"x", "y"}).empty());
-  CHECK(nearest("", {"a"}).empty());
-  CHECK(nearest(std::string(100, 'a'), {std::string(99, 'a')}).empty());
+  CHECK(nearest_word("velocity", {"theta", "m"}).empty());
+  CHECK(nearest_word("q", {"x", "y"}).empty());
+  CHECK(nearest_word("", {"a"}).empty());
+  CHECK(nearest_word(std::string(100, 'a'), {std::string(99, 'a')}).empty());
 }
 
 TEST_CASE("the first of equally near candidates is suggested") {
-  CHECK(nearest("ac", {"ab", "ad"}) == "ab");
+  CHECK(nearest_word("ac", {"ab", "ad"}) == "ab");
 }

@@ -155,17 +155,17 @@ TEST_CASE("one mistake that is met many times is one message") {
   report.add(Code::E207, {source.get(), 0, 1}, "`x[i]` is `x[5]`");
   report.add(Code::E207, {source.get(), 1, 2}, "`x[i]` is `x[5]`");
   report.add(Code::E208, {source.get(), 0, 1}, "`x[i]` is `x[5]`");
-  CHECK(report.errors() == 3);
-  CHECK(report.sorted().size() == 3);
-  CHECK(report.sorted().front().message == "`x[i]` is `x[4]`");
+  CHECK(report.error_count() == 3);
+  CHECK(report.sorted_diagnostics().size() == 3);
+  CHECK(report.sorted_diagnostics().front().message == "`x[i]` is `x[4]`");
 }
 
 TEST_CASE("warnings and notes are not errors") {
   Report report;
   report.add(Code::E518, {}, "a");
   report.add(Code::E520, {}, "b");
-  CHECK(report.errors() == 0);
-  CHECK(report.sorted().size() == 2);
+  CHECK(report.error_count() == 0);
+  CHECK(report.sorted_diagnostics().size() == 2);
 }
 
 TEST_CASE("suggestions end after a hundred errors") {

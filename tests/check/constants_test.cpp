@@ -31,16 +31,16 @@ ExpressionSyntax parsed(const std::string& text) {
 }
 
 std::string evaluated(const std::string& text) {
-  Scope scope(sizes);
+  IndexScope scope(sizes);
   scope.push("i", 2);
   Report report;
-  const auto value = integer_value(parsed(text), scope, report);
+  const auto value = evaluate_integer(parsed(text), scope, report);
   if (value) {
-    CHECK(report.errors() == 0);
+    CHECK(report.error_count() == 0);
     return std::to_string(*value);
   }
-  REQUIRE(report.errors() == 1);
-  const Diagnostic error = report.sorted().front();
+  REQUIRE(report.error_count() == 1);
+  const Diagnostic error = report.sorted_diagnostics().front();
   return std::string(code_row(error.code).name) + " " + std::to_string(error.span.begin + 1) + " " +
          error.message + (error.hint.empty() ? "" : " | " + error.hint);
 }
@@ -146,7 +146,7 @@ TEST_CASE("expressions in one arena are evaluated one after another") {
   arena[0].number = cln::cl_RA(1) / 2;
   arena[1].number = 3;
   arena.push_back(sum);
-  Constants constants;
+  ConstantValues constants;
   for (std::size_t i = 0; i < arena.size(); ++i) CHECK_FALSE(constants.evaluate_next(arena));
   REQUIRE(constants.size() == 3);
   for (ExpressionId id = 0; id < 3; ++id) REQUIRE(constants[id].has_value());
@@ -188,7 +188,7 @@ TEST_CASE("index expressions are integer arithmetic") {
 }
 
 TEST_CASE("an inner index hides an outer index only until it is popped") {
-  Scope scope(sizes);
+  IndexScope scope(sizes);
   scope.push("i", 1);
   scope.push("i", 7);
   CHECK(scope.find("i") == 7);
@@ -198,29 +198,29 @@ TEST_CASE("an inner index hides an outer index only until it is popped") {
 }
 
 TEST_CASE("the last index runs fastest, and bounds may use earlier indices") {
-  Scope scope(sizes);
+  IndexScope scope(sizes);
   Report report;
   std::string order;
   const std::vector ranges{range("a", "1", "n-1"), range("b", "a", "2")};
-  const bool complete = repeat(ranges, scope, report, [&] {
+  const bool complete = for_each_index_tuple(ranges, scope, report, [&] {
     order += std::to_string(*scope.find("a")) + std::to_string(*scope.find("b")) + " ";
     return true;
   });
   // a = 3 leaves the empty range 3..2 for b.
   CHECK_FALSE(complete);
   CHECK(order == "11 12 22 ");
-  REQUIRE(report.errors() == 1);
-  CHECK(report.sorted().front().code == Code::E209);
-  CHECK(report.sorted().front().message == "from 3 to 2 there is no element");
+  REQUIRE(report.error_count() == 1);
+  CHECK(report.sorted_diagnostics().front().code == Code::E209);
+  CHECK(report.sorted_diagnostics().front().message == "from 3 to 2 there is no element");
   CHECK_FALSE(scope.find("a"));
 }
 
 TEST_CASE("a repetition ends early if its body returns false") {
-  Scope scope(sizes);
+  IndexScope scope(sizes);
   Report report;
   int count = 0;
   const std::vector ranges{range("a", "0", "1000000000")};
-  CHECK_FALSE(repeat(ranges, scope, report, [&] { return ++count < 3; }));
+  CHECK_FALSE(for_each_index_tuple(ranges, scope, report, [&] { return ++count < 3; }));
   CHECK(count == 3);
 }
 

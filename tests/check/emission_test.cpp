@@ -24,7 +24,7 @@ std::vector<std::string> paths(const Emission& emission) {
   scene.base_name = "arm";
   scene.emission = emission;
   std::vector<std::string> result;
-  for (const Artifact& artifact : artifacts_of(scene)) result.push_back(artifact.path);
+  for (const Artifact& artifact : requested_artifacts(scene)) result.push_back(artifact.path);
   return result;
 }
 
@@ -34,24 +34,24 @@ TEST_CASE("without [emit] the code is C++, row-major, without Eigen") {
   const Scene scene = block_scene("");
   CHECK(scene.emission.language == LanguageId::cpp);
   CHECK(scene.emission.storage == Storage::row_major);
-  CHECK_FALSE(scene.emission.eigen);
+  CHECK_FALSE(scene.emission.has_eigen_header);
 }
 
 TEST_CASE("[emit] sets language, storage and Eigen") {
   const Scene c = block_scene("[emit]\nstorage = \"column-major\"\nlanguage = \"c99\"\n");
   CHECK(c.emission.language == LanguageId::c99);
   CHECK(c.emission.storage == Storage::column_major);
-  CHECK(block_scene("[emit]\neigen = true\n").emission.eigen);
+  CHECK(block_scene("[emit]\neigen = true\n").emission.has_eigen_header);
 }
 
 TEST_CASE("`files` omits the sidecar and the page, but no code") {
-  CHECK(block_scene("").emission.equations);
-  CHECK(block_scene("").emission.page);
+  CHECK(block_scene("").emission.has_sidecar);
+  CHECK(block_scene("").emission.has_page);
   const Scene bare = block_scene("[emit]\nfiles = [\"header\"]\n");
-  CHECK_FALSE(bare.emission.equations);
-  CHECK_FALSE(bare.emission.page);
-  CHECK(artifacts_of(bare).size() == 1);
-  CHECK(block_scene("[emit]\nfiles = [\"page\", \"header\"]\n").emission.page);
+  CHECK_FALSE(bare.emission.has_sidecar);
+  CHECK_FALSE(bare.emission.has_page);
+  CHECK(requested_artifacts(bare).size() == 1);
+  CHECK(block_scene("[emit]\nfiles = [\"page\", \"header\"]\n").emission.has_page);
   CHECK(mentions(block_scene_messages("[emit]\nfiles = [\"page\"]\n"),
                  "`files` has no `header`, which is always written"));
 }
@@ -73,9 +73,9 @@ TEST_CASE("Eigen needs C++") {
 }
 
 TEST_CASE("a batch is optional, and its accuracy is the best or a given one") {
-  CHECK_FALSE(block_scene("").emission.batch);
+  CHECK_FALSE(block_scene("").emission.has_batch_header);
   const Scene best = block_scene(batch);
-  CHECK(best.emission.batch);
+  CHECK(best.emission.has_batch_header);
   CHECK(trigonometry_error(best.numerics, ScalarKind::double_precision) ==
         cln::expt(cln::cl_RA(2), -52));
   CHECK(trigonometry_error(best.numerics, ScalarKind::single_precision) ==
@@ -120,7 +120,7 @@ TEST_CASE("sines are emitted in line or called from the library, with or without
 
 TEST_CASE("functions of doubles may compute in a wider scalar inside, except in batches") {
   CHECK(block_scene("").numerics.inner == InnerScalar::same);
-  for (const InnerRow& row : inner_table) {
+  for (const InnerScalarRow& row : inner_scalar_table) {
     const bool is_for_steps = row.kind == InnerScalar::single_precision;
     const std::string inner = (is_for_steps ? "[outputs]\nstep = { method = \"rk4\" }\n" : "") +
                               ("[numeric]\ninner = \"" + std::string(row.name) + "\"\n");
@@ -264,7 +264,7 @@ TEST_CASE("the names of all files are known before the derivation, the header fi
   Emission emission;
   CHECK(paths(emission) ==
         std::vector<std::string>{"arm/arm.hpp", "arm/arm.equations.json", "arm/arm.md"});
-  emission.eigen = true;
+  emission.has_eigen_header = true;
   CHECK(paths(emission) == std::vector<std::string>{"arm/arm.hpp", "arm/arm_eigen.hpp",
                                                     "arm/arm.equations.json", "arm/arm.md"});
   emission = {};

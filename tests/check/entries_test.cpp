@@ -73,8 +73,8 @@ J = { value = 1, unit = "kg*m^2" }
   CHECK(q.doc == "an angle");
   REQUIRE(q.armature);
   CHECK(to_string(model, *q.armature) == "J");
-  REQUIRE(q.singular);
-  CHECK(to_string(model, *q.singular) == "sin(q)");
+  REQUIRE(q.singular_condition);
+  CHECK(to_string(model, *q.singular_condition) == "sin(q)");
 }
 
 TEST_CASE("refused keys of coordinates, inputs and prescribed functions") {
@@ -115,8 +115,8 @@ TEST_CASE("an angle wraps, also if all units of the model are 1") {
            unit + "\"\nwrap = true\n[parameters]\nJ = { value = 1" + parameter +
            " }\n[energy]\nT = \"1/2*J*dot(q)^2\"\n";
   };
-  CHECK(checked(turned("rad", "")).model.coordinates.front().wrap);
-  CHECK(checked(turned("rad", ", unit = \"kg*m^2\"")).model.coordinates.front().wrap);
+  CHECK(checked(turned("rad", "")).model.coordinates.front().wraps);
+  CHECK(checked(turned("rad", ", unit = \"kg*m^2\"")).model.coordinates.front().wraps);
   CHECK(messages(turned("m", ", unit = \"kg\"")).find("E528") == 0);
 }
 
@@ -124,7 +124,7 @@ TEST_CASE("points are padded to three components") {
   const Model model =
       checked(with_J("[[point]]\nname = \"p\"\nat = [\"x\", \"0\"]\nmass = \"m\"\n")).model;
   CHECK(model.points[0].dimension == 2);
-  CHECK(to_string(model, model.points[0].at[2]) == "0");
+  CHECK(to_string(model, model.points[0].position[2]) == "0");
   REQUIRE(model.points[0].mass);
 }
 

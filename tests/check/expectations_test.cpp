@@ -189,7 +189,7 @@ TEST_CASE("a name E of the model has priority, with one note") {
         "every model\n");
   const Model model = checked(own).model;
   const std::vector<ExpressionId>& entries = model.expectations.front().entries;
-  CHECK(is_name(model.expressions[entries[0]], NamedKind::definition));
+  CHECK(refers_to_entry(model.expressions[entries[0]], NamedKind::definition));
   CHECK(is_leaf(model.expressions[entries[2]], Opcode::energy));
 }
 
@@ -237,9 +237,9 @@ TEST_CASE("relative pivots have no unit, and rates of angles are in rad/s") {
   const auto pivot = unit_of_entry(model, {OutputKind::forward_dynamics, "relative_pivots", 0, 0});
   REQUIRE(pivot);
   CHECK(to_string(*pivot) == "1");
-  CHECK(velocity_unit(model, model.velocities[0]) == "m/s");
-  CHECK(velocity_unit(model, model.velocities[1]) == "rad/s");
-  CHECK(velocity_unit(model, model.velocities[2]).empty());
+  CHECK(velocity_unit_text(model, model.velocities[0]) == "m/s");
+  CHECK(velocity_unit_text(model, model.velocities[1]) == "rad/s");
+  CHECK(velocity_unit_text(model, model.velocities[2]).empty());
 }
 
 TEST_CASE("a missing unit makes the unit of the entry unknown") {

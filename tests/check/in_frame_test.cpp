@@ -37,10 +37,10 @@ TEST_CASE("points of a frame are transformed to the world", "[frames]") {
       "[[point]]\nname = \"p\"\nframe = \"f\"\nat = [\"l\", \"2*s\", \"0\"]\nmass = \"m\"\n"
       "[[point]]\nname = \"w\"\nframe = \"world\"\nat = [\"l\", \"0\", \"0\"]\n");
   const Triple expected = Triple{0, s, l} + about_z(q) * Triple{l, 2 * s, 0};
-  CHECK(close(numbers(model).values(model.points[0].at), listed(expected)));
+  CHECK(close(numbers(model).values(model.points[0].position), listed(expected)));
   REQUIRE(model.points[0].local);
   CHECK(model.points[0].local->frame == 0);
-  CHECK(to_string(model, model.points[0].local->at[1]) == "2*s");
+  CHECK(to_string(model, model.points[0].local->position[1]) == "2*s");
   CHECK_FALSE(model.points[1].local);
 }
 
@@ -54,7 +54,7 @@ TEST_CASE("bodies rotate with their frame", "[frames]") {
   CHECK(close(at.values(body.com), listed(com)));
   CHECK(close(at.values(body.spin), listed(about_x(-0.4) * Triple{0, 0, q_rate})));
   CHECK(close(at.values(body.inertia), {J, 2 * J, 3 * J, J / 9, 0, J / 8}));
-  CHECK_FALSE(body.local->about_origin);
+  CHECK_FALSE(body.local->is_about_origin);
 }
 
 TEST_CASE("an inertia about the origin is converted to the centre of mass", "[frames]") {
@@ -71,7 +71,7 @@ TEST_CASE("an inertia about the origin is converted to the centre of mass", "[fr
               {9 * J - m * (y * y + z * z), 8 * J - m * (x * x + z * z),
                7 * J - m * (x * x + y * y), J / 9 + m * x * y, m * x * z, J / 8 + m * y * z}));
   REQUIRE(body.local);
-  CHECK(body.local->about_origin);
+  CHECK(body.local->is_about_origin);
   CHECK(to_string(model, body.local->inertia[0]) == "9*J");
 }
 
@@ -93,12 +93,12 @@ TEST_CASE("components of forces are in the axes of the world or of the frame `in
       "[[force]]\nat = \"p\"\nvalue = [\"F\", \"2*F\", \"3*F\"]\n";
   const Model plain = two_frames(point + force);
   CHECK(close(numbers(plain).values(plain.forces[0].value), {1, 2, 3}));
-  CHECK_FALSE(plain.forces[0].axes);
+  CHECK_FALSE(plain.forces[0].declared_axes);
   const Model turned = two_frames(point + force + "in = \"g\"\n");
   CHECK(close(numbers(turned).values(turned.forces[0].value),
               listed(about_z(q) * (about_x(0.4) * Triple{1, 2, 3}))));
-  CHECK(turned.forces[0].axes == 1U);
-  CHECK(close(numbers(turned).values(turned.forces[0].written), {1, 2, 3}));
+  CHECK(turned.forces[0].declared_axes == 1U);
+  CHECK(close(numbers(turned).values(turned.forces[0].declared_value), {1, 2, 3}));
   const Model named = two_frames(point + force + "in = \"world\"\n");
   CHECK(close(numbers(named).values(named.forces[0].value), {1, 2, 3}));
 }
@@ -109,11 +109,11 @@ TEST_CASE("torques are kept in the axes of the frame on which they act", "[frame
       "[[force]]\nframe = \"g\"\nvalue = [\"F\", \"2*F\", \"3*F\"]\n";
   const Model own = two_frames(torque);
   CHECK(own.forces[0].frame == 1U);
-  CHECK_FALSE(own.forces[0].from_frame);
+  CHECK_FALSE(own.forces[0].reaction_frame);
   CHECK(own.forces[0].reaction.empty());
   CHECK(close(numbers(own).values(own.forces[0].value), {1, 2, 3}));
   const Model world = two_frames(torque + "in = \"world\"\nfrom = \"f\"\n");
-  CHECK(world.forces[0].from_frame == 0U);
+  CHECK(world.forces[0].reaction_frame == 0U);
   const Triple in_f = about_z(-q) * Triple{1, 2, 3};
   CHECK(close(numbers(world).values(world.forces[0].value), listed(about_x(-0.4) * in_f)));
   CHECK(close(numbers(world).values(world.forces[0].reaction), listed(in_f)));
@@ -124,16 +124,16 @@ TEST_CASE("the output of a frame is its pose, and its twist in the requested axe
   const std::string output = "[[output]]\nname = \"o\"\nframe = \"g\"\njacobian = true\n";
   const Model world = two_frames(output);
   const UserOutput& pose = world.outputs[0];
-  CHECK(extent_of(world, Extent::user) == 3);
-  CHECK(extent_of(world, Extent::user_columns) == 4);
-  CHECK(pose.in_world);
+  CHECK(extent_size(world, Extent::user) == 3);
+  CHECK(extent_size(world, Extent::user_columns) == 4);
+  CHECK(pose.is_in_world);
   const Rotation3 r = about_z(q) * about_x(0.4);
   CHECK(close(numbers(world).values(pose.values),
               {r[0], r[1], r[2], 0, r[3], r[4], r[5], s, r[6], r[7], r[8], l}));
   CHECK(close(numbers(world).values(pose.twist), {0, 0, q_rate, 0, s_rate, 0}));
-  CHECK(two_frames(output + "axes = \"world\"\n").outputs[0].in_world);
+  CHECK(two_frames(output + "axes = \"world\"\n").outputs[0].is_in_world);
   const Model own = two_frames(output + "axes = \"g\"\n");
-  CHECK_FALSE(own.outputs[0].in_world);
+  CHECK_FALSE(own.outputs[0].is_in_world);
   const Triple spin = about_x(-0.4) * Triple{0, 0, q_rate};
   const Triple velocity = about_x(-0.4) * (about_z(-q) * Triple{0, s_rate, 0});
   std::vector<double> twist = listed(spin);

@@ -31,7 +31,7 @@ std::string moving_names(const std::string& entries) {
   for (Coordinate& coordinate : model.coordinates) {
     coordinate.armature.reset();
   }
-  const std::vector<bool> found = moving_velocities(model);
+  const std::vector<bool> found = velocities_with_energy(model);
   std::string names;
   for (std::size_t i = 0; i < found.size(); ++i) {
     if (found[i]) names += model.coordinates[i].name;
@@ -214,7 +214,7 @@ TEST_CASE("an armature gives its coordinate inertia") {
                           "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"
                           "armature = 1\n")
                           .model;
-  CHECK(moving_velocities(model) == std::vector<bool>{true});
+  CHECK(velocities_with_energy(model) == std::vector<bool>{true});
 }
 
 TEST_CASE("a coordinate is appended together with its rate") {

@@ -19,8 +19,8 @@ class ModelDump {
     dump_forces();
     for (const UserOutput& output : model_.outputs) {
       line("output " + output.name + (output.frame ? " of " + frame_name(output.frame) : "") +
-           " = " + list(output.values) + (output.jacobian ? ", jacobian" : "") +
-           (output.in_world ? "" : ", in its axes"));
+           " = " + list(output.values) + (output.has_jacobian ? ", jacobian" : "") +
+           (output.is_in_world ? "" : ", in its axes"));
     }
     for (const Equilibrium& equilibrium : model_.equilibria) dump_equilibrium(equilibrium);
     for (const Expectation& expectation : model_.expectations) {
@@ -28,7 +28,7 @@ class ModelDump {
            std::to_string(expectation.columns) + " = " + list(expectation.entries));
     }
     dump_scene();
-    line(std::string("quadratic ") + (model_.quadratic ? "yes" : "no"));
+    line(std::string("quadratic ") + (model_.is_quadratic ? "yes" : "no"));
     line(std::string("time ") + (model_.uses_time ? "yes" : "no"));
     line(std::string("drift ") + (model_.may_drift ? "yes" : "no"));
     return std::move(text_);
@@ -76,7 +76,7 @@ class ModelDump {
       line("coordinate " + q.name + unit_text(q.unit) + interval_text("range", q.range) +
            interval_text("rate range", v.rate_range) +
            (q.armature ? ", armature " + expression(*q.armature) : "") +
-           (q.singular ? ", singular " + expression(*q.singular) : ""));
+           (q.singular_condition ? ", singular " + expression(*q.singular_condition) : ""));
     }
     for (const Rotation& rotation : model_.rotations) {
       line("rotation " + rotation.name);
@@ -94,7 +94,7 @@ class ModelDump {
     }
     for (const Input& input : model_.inputs) {
       line("input " + input.name + unit_text(input.unit) + interval_text("limits", input.limits) +
-           (input.on ? ", on " + model_.velocities[*input.on].name : ""));
+           (input.velocity ? ", on " + model_.velocities[*input.velocity].name : ""));
     }
   }
 
@@ -125,7 +125,8 @@ class ModelDump {
 
   void dump_masses() {
     for (const Point& point : model_.points) {
-      const std::vector<ExpressionId> at(point.at.begin(), point.at.begin() + point.dimension);
+      const std::vector<ExpressionId> at(point.position.begin(),
+                                         point.position.begin() + point.dimension);
       line("point " + point.name + " at " + list(at) +
            (point.mass ? ", mass " + expression(*point.mass) : ""));
     }
@@ -156,24 +157,25 @@ class ModelDump {
   }
 
   [[nodiscard]] std::string place_text(const Force& force) const {
-    if (force.on) return " on " + model_.velocities[*force.on].name;
-    if (force.at) {
-      return " at " + model_.points[*force.at].name +
-             (force.from ? " from " + model_.points[*force.from].name : "");
+    if (force.velocity) return " on " + model_.velocities[*force.velocity].name;
+    if (force.point) {
+      return " at " + model_.points[*force.point].name +
+             (force.reaction_point ? " from " + model_.points[*force.reaction_point].name : "");
     }
     return " on " + frame_name(force.frame) +
-           (force.from_frame ? " from " + frame_name(force.from_frame) : "");
+           (force.reaction_frame ? " from " + frame_name(force.reaction_frame) : "");
   }
 
   /// Prints the changes of the scene to the model: locks and expansion.
   void dump_scene() {
-    for (const Lock& lock : model_.variant.locks) {
-      line("lock " + lock_text(whole_model(model_), lock) + (lock.reaction ? ", reaction" : ""));
+    for (const LockedCoordinate& lock : model_.reduction.locks) {
+      line("lock " + lock_text(unreduced_model(model_), lock) +
+           (lock.has_reaction ? ", reaction" : ""));
     }
     if (model_.approximation) dump_approximation(*model_.approximation);
   }
 
-  [[nodiscard]] std::string point_text(const StatedPoint& point) const {
+  [[nodiscard]] std::string point_text(const OperatingPoint& point) const {
     std::string text;
     const auto add = [&](const std::string& name, std::optional<ExpressionId> value) {
       if (value) text += (text.empty() ? "" : ", ") + name + " = " + expression(*value);
@@ -203,7 +205,7 @@ class ModelDump {
          point_text(approximation) + " with " + small + " small");
   }
 
-  static std::string lock_text(const Model& unlocked, const Lock& lock) {
+  static std::string lock_text(const Model& unlocked, const LockedCoordinate& lock) {
     std::string text;
     for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
       text += (text.empty() ? "" : ", ") + unlocked.coordinates[lock.coordinate + i].name + " = " +

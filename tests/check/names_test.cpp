@@ -10,8 +10,8 @@ namespace elgen::test {
 namespace {
 
 std::string only_message(const Report& report) {
-  REQUIRE(report.sorted().size() == 1);
-  const Diagnostic error = report.sorted().front();
+  REQUIRE(report.sorted_diagnostics().size() == 1);
+  const Diagnostic error = report.sorted_diagnostics().front();
   return std::string(code_row(error.code).name) + " " + error.message;
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("a name is checked against both rules") {
   const auto answer = [](const std::string& name) {
     Report report;
     const bool good = check_name(name, {}, report);
-    return good ? std::string() : report.sorted().front().message;
+    return good ? std::string() : report.sorted_diagnostics().front().message;
   };
   CHECK(answer("q1").empty());
   CHECK(answer("1q") ==
@@ -93,7 +93,7 @@ TEST_CASE("functions of each table are found, and their names are unique") {
 }
 
 TEST_CASE("elements of an array are declared one by one") {
-  DeclaredNames symbols;
+  SymbolTable symbols;
   Report report;
   CHECK(symbols.declare({"q", 1, {}}, SymbolKind::coordinate, 0, report));
   CHECK(symbols.declare({"q", 2, {}}, SymbolKind::coordinate, 1, report));
@@ -106,7 +106,7 @@ TEST_CASE("elements of an array are declared one by one") {
 }
 
 TEST_CASE("all kinds share one namespace") {
-  DeclaredNames symbols;
+  SymbolTable symbols;
   Report report;
   CHECK(symbols.declare({"a", {}, {}}, SymbolKind::input, 0, report));
   CHECK_FALSE(symbols.declare({"a", {}, {}}, SymbolKind::point, 0, report));
@@ -114,7 +114,7 @@ TEST_CASE("all kinds share one namespace") {
 }
 
 TEST_CASE("a single name and an array cannot share it") {
-  DeclaredNames symbols;
+  SymbolTable symbols;
   Report report;
   CHECK(symbols.declare({"a", {}, {}}, SymbolKind::point, 0, report));
   CHECK_FALSE(symbols.declare({"a", 1, {}}, SymbolKind::point, 1, report));
@@ -122,7 +122,7 @@ TEST_CASE("a single name and an array cannot share it") {
 }
 
 TEST_CASE("names that become the same identifier get another error than duplicates") {
-  DeclaredNames symbols;
+  SymbolTable symbols;
   Report report;
   CHECK(symbols.declare({"q_1", {}, {}}, SymbolKind::parameter, 0, report));
   CHECK_FALSE(symbols.declare({"q", 1, {}}, SymbolKind::coordinate, 0, report));
@@ -130,7 +130,7 @@ TEST_CASE("names that become the same identifier get another error than duplicat
 }
 
 TEST_CASE("a reserved or malformed name fails and is recorded as failed") {
-  DeclaredNames symbols;
+  SymbolTable symbols;
   Report report;
   CHECK_FALSE(symbols.declare({"double", {}, {}}, SymbolKind::parameter, 0, report));
   CHECK(only_message(report) == "E204 `double` is reserved: it is a keyword of C++");
@@ -143,14 +143,14 @@ TEST_CASE("a reserved or malformed name fails and is recorded as failed") {
 
 TEST_CASE("a duplicate points to the first declaration, and a suggestion gives its kind") {
   const SourcePointer source = make_source("m.toml", "\nmass\nmass");
-  DeclaredNames symbols;
+  SymbolTable symbols;
   Report report;
   symbols.declare({"mass", {}, {source.get(), 1, 5}}, SymbolKind::parameter, 0, report);
   CHECK(symbols.suggest("mas", symbols.names()) == "did you mean `mass`? (parameter, line 2)");
   CHECK(symbols.suggest("mas", symbols.names({SymbolKind::point})).empty());
   CHECK(symbols.suggest("pj", {"pi"}) == "did you mean `pi`?");
   symbols.declare({"mass", {}, {source.get(), 6, 10}}, SymbolKind::point, 0, report);
-  const Diagnostic error = report.sorted().front();
+  const Diagnostic error = report.sorted_diagnostics().front();
   REQUIRE(error.related);
   CHECK(error.related->begin == 1);
   CHECK(error.hint == "first at line 2");

@@ -110,16 +110,16 @@ TEST_CASE("an open function has its value and its derivatives up to order two") 
 
 TEST_CASE("mixed derivatives of open functions are symmetric") {
   const Model model = checked_model(plane).model;
-  CHECK(derivative_of(model, 0, 1) == 2U);
-  CHECK(derivative_of(model, 1, 1) == 4U);
-  CHECK(derivative_of(model, 2, 0) == 4U);
-  CHECK_FALSE(derivative_of(model, 4, 0).has_value());
+  CHECK(find_open_derivative(model, 0, 1) == 2U);
+  CHECK(find_open_derivative(model, 1, 1) == 4U);
+  CHECK(find_open_derivative(model, 2, 0) == 4U);
+  CHECK_FALSE(find_open_derivative(model, 4, 0).has_value());
 }
 
 TEST_CASE("a scene or a sample closes an open function") {
   const CheckedModel by_scene = checked_scene(plane, "[functions]\nV = \"k*x*y\"\n");
   CHECK(closed_text(by_scene) == "V = k*x*y, 1 expected");
-  CHECK(mentions(by_scene.scene.canonical, "functions"));
+  CHECK(mentions(by_scene.scene.canonical_text, "functions"));
   SceneOptions options;
   options.purpose = purpose::rest;
   CHECK(closed_text(checked_model(plane, options)) == "V = 1/2*k*(x^2 + y^2), 1 expected");

@@ -279,7 +279,7 @@ rpy = ["s/l", "0.3", "q^2"]
     INFO(frame.name);
     const std::vector<double> spin = at.values(frame.spin);
     const std::vector<double> turn = at.values(frame.rotation);
-    CHECK(close(at.values(frame.turning), spin));
+    CHECK(close(at.values(frame.recursive_spin), spin));
     Rotation3 rotation{};
     std::copy(turn.begin(), turn.end(), rotation.begin());
     CHECK(close(at.values(frame.angular_velocity),

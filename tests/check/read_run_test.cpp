@@ -98,10 +98,10 @@ TEST_CASE("a start names coordinates, rates, rotations and angular velocities") 
   CHECK(model.coordinates[3].start_value == 0);
   CHECK(model.coordinates[6].start_value == cln::cl_RA(4) / 5);
   CHECK(model.velocities[4].start_rate == 5);
-  CHECK(checked.scene.stated.coordinates ==
+  CHECK(checked.scene.state_overrides.coordinates ==
         std::set<std::string>{"x", "q[2]", "attitude_w", "attitude_x", "attitude_y", "attitude_z"});
-  CHECK(checked.scene.stated.velocities == std::set<std::string>{"x", "attitude[2]"});
-  CHECK(checked.scene.stated.others.empty());
+  CHECK(checked.scene.state_overrides.velocities == std::set<std::string>{"x", "attitude[2]"});
+  CHECK(checked.scene.state_overrides.others.empty());
 }
 
 TEST_CASE("the model gives the start values that the option omits") {

@@ -42,8 +42,8 @@ TEST_CASE("angular velocities are used like rates and take torques") {
       "[[input]]\nname = \"u\"\nunit = \"N*m\"\non = \"e[2]\"\n"
       "[[force]]\non = \"e[3]\"\nvalue = \"-J*dot(e[3])\"\n";
   const Model model = checked(flying_top("", forces)).model;
-  CHECK(model.inputs[0].on == 1U);
-  CHECK(model.forces[0].on == 2U);
+  CHECK(model.inputs[0].velocity == 1U);
+  CHECK(model.forces[0].velocity == 2U);
   CHECK(dump_lines(flying_top("", forces), "force") == "force  on e[3] = [-J*dot(e[3])]\n");
 }
 

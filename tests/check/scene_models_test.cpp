@@ -79,8 +79,8 @@ CheckOptions locking(const std::string& lines) {
 
 std::string lock_messages(const std::string& lines) { return messages(body, locking(lines)); }
 
-std::vector<Lock> locks(const std::string& lines) {
-  return checked(body, locking(lines)).model.variant.locks;
+std::vector<LockedCoordinate> locks(const std::string& lines) {
+  return checked(body, locking(lines)).model.reduction.locks;
 }
 
 const std::string two_angles = R"toml(format = 1
@@ -154,18 +154,18 @@ TEST_CASE("a locked coordinate is removed from coordinates and velocities", "[lo
   CHECK(model.coordinates[0].name == "b");
   CHECK(model.coordinates[1].velocity == 1);
   CHECK(model.velocities[1].coordinate == 1);
-  CHECK(whole_model(model).coordinates.size() == 3);
+  CHECK(unreduced_model(model).coordinates.size() == 3);
   CHECK(model.uses_time);
   CHECK(model.expectations.empty());
-  CHECK(held_velocities(model) == std::vector<std::uint32_t>{0});
+  CHECK(reaction_row_velocities(model) == std::vector<std::uint32_t>{0});
 }
 
 TEST_CASE("inputs and forces on a locked coordinate are removed with it", "[lock]") {
   const Model& model = locked_model().model;
   REQUIRE(model.inputs.size() == 1);  // without the input on the locked coordinate
-  CHECK(model.inputs[0].on == 1U);
+  CHECK(model.inputs[0].velocity == 1U);
   REQUIRE(model.forces.size() == 1);
-  CHECK(model.forces[0].on == 0U);
+  CHECK(model.forces[0].velocity == 0U);
 }
 
 TEST_CASE("a law stays with its input if other inputs are removed", "[lock]") {
@@ -185,23 +185,23 @@ TEST_CASE("a law stays with its input if other inputs are removed", "[lock]") {
 TEST_CASE("a page adds outputs, and the scene lists them") {
   SceneOptions options;
   options.laws = {make_source("command line", "w=-2*c")};
-  CHECK(checked_model(arm, options).scene.shown.empty());
+  CHECK(checked_model(arm, options).scene.page_outputs.empty());
   options.purpose = purpose::show_motion;
   const auto [model, scene] = checked_model(arm, options);
-  REQUIRE(scene.shown.size() == 1);
-  const auto& [number, shown] = *scene.shown.begin();
+  REQUIRE(scene.page_outputs.size() == 1);
+  const auto& [number, shown] = *scene.page_outputs.begin();
   CHECK(shown == ShownValues::laws);
   CHECK(model.outputs[number].name == "shown_laws");
 }
 
 TEST_CASE("without locks the model is unchanged", "[lock]") {
   const Model model = checked_model(arm).model;
-  CHECK(dump(variant_of(model)) == dump(model));
-  CHECK(held_velocities(model).empty());
+  CHECK(dump(eliminate_held_coordinates(model)) == dump(model));
+  CHECK(reaction_row_velocities(model).empty());
 }
 
 TEST_CASE("locks are in the order of the coordinates", "[lock]") {
-  const std::vector<Lock> found = locks(
+  const std::vector<LockedCoordinate> found = locks(
       "attitude = { value = [0, 0, 0, 2], reaction = true }\n\"q[2]\" = { value = 1 }\n"
       "x = { value = \"l*t/T\" }\n");
   REQUIRE(found.size() == 3);
@@ -210,14 +210,14 @@ TEST_CASE("locks are in the order of the coordinates", "[lock]") {
   CHECK(found[2].coordinate == 3);
   CHECK(found[2].velocity == 3);
   CHECK(found[2].values.size() == 4);
-  CHECK_FALSE(found[0].reaction);
-  CHECK(found[2].reaction);
+  CHECK_FALSE(found[0].has_reaction);
+  CHECK(found[2].has_reaction);
 }
 
 TEST_CASE("a quaternion is normalised", "[lock]") {
   const CheckedModel held = checked(body, locking("attitude = { value = [0, 3, 0, -4] }\n"));
-  const Model& model = whole_model(held.model);
-  const Lock& lock = model.variant.locks.front();
+  const Model& model = unreduced_model(held.model);
+  const LockedCoordinate& lock = model.reduction.locks.front();
   CHECK(model.expressions[lock.values[1]].number == cln::cl_RA(3) / 5);
   CHECK(model.expressions[lock.values[3]].number == -cln::cl_RA(4) / 5);
 }
@@ -253,7 +253,7 @@ TEST_CASE("refused locks", "[lock]") {
 }
 
 TEST_CASE("a scene without locks keeps no second model", "[lock]") {
-  CHECK(checked(body).model.variant.whole == nullptr);
+  CHECK(checked(body).model.reduction.unreduced == nullptr);
 }
 
 TEST_CASE("an expansion point names arrays, elements, coordinates and inputs") {
@@ -267,9 +267,9 @@ TEST_CASE("an expansion point names arrays, elements, coordinates and inputs") {
 
 TEST_CASE("inputs are small if all coordinates are") {
   CHECK(checked(two_angles, expansion_options("order = 1\nabout = { q = 0, x = 0 }"))
-            .model.approximation->small_inputs);
+            .model.approximation->has_small_inputs);
   CHECK_FALSE(checked(two_angles, expansion_options("order = 1\nabout = { q = 0 }"))
-                  .model.approximation->small_inputs);
+                  .model.approximation->has_small_inputs);
 }
 
 TEST_CASE("orders are 1 to 5") {

@@ -40,7 +40,7 @@ TEST_CASE("a model without a scene file gets a default scene, named like the mod
   CHECK(full.name.empty());
   CHECK(full.base_name == "block");
   CHECK(full.emission.name_space == "block");
-  CHECK(full.canonical.empty());
+  CHECK(full.canonical_text.empty());
   CHECK_FALSE(full.has_options);
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("outputs may be renamed, but not to a used name") {
 TEST_CASE("forward dynamics gives pivots unless the model or the scene disables them") {
   const auto without = [](const std::string& model, const CheckOptions& wanted) {
     const Scene scene = checked(model, wanted).scene;
-    return find_request(scene, "forward_dynamics")->without_pivots;
+    return find_request(scene, "forward_dynamics")->omits_pivots;
   };
   const std::string fast = arrays + "[outputs]\nforward_dynamics = { pivots = false }\n";
   const std::string own = arrays + "[outputs.forward_dynamics]\n";
@@ -92,7 +92,7 @@ TEST_CASE("forward dynamics gives pivots unless the model or the scene disables 
   CHECK(without(fast, {.scene = usual}));
   CHECK(without(fast, {.outputs = {"forward_dynamics"}}));
   CHECK_FALSE(without(fast, {.scene = with}));
-  CHECK_FALSE(find_request(checked(fast).scene, "bias")->without_pivots);
+  CHECK_FALSE(find_request(checked(fast).scene, "bias")->omits_pivots);
   CHECK(arrays_messages("[outputs]\nbias = { pivots = false }\n") ==
         "E103 5:10 `bias` has no `pivots`: `forward_dynamics` has them\n");
 }
@@ -172,10 +172,10 @@ TEST_CASE("the stamp of a scene covers its file and the options, without blanks"
   wanted.outputs = {"bias, drift"};
   wanted.fixed = {"k = pi / 4"};
   wanted.sizes = {"n=4"};
-  CHECK(checked(sized, wanted).scene.canonical ==
+  CHECK(checked(sized, wanted).scene.canonical_text ==
         "--outputs bias\n--outputs drift\n--fix k=pi/4\n--size n=4\n");
   wanted.scene = scene_of_block("");
-  CHECK(checked(sized, wanted).scene.canonical ==
+  CHECK(checked(sized, wanted).scene.canonical_text ==
         "[]\n  format = 1\n  model = \"block.toml\"\n  name = fast\n"
         "--outputs bias\n--outputs drift\n--fix k=pi/4\n--size n=4\n");
 }
@@ -185,8 +185,8 @@ TEST_CASE("the stamp of a model covers its file, independent of the scene") {
   wanted.fixed = {"k"};
   wanted.scene = scene_of_block("[lock]\nx = { value = 0 }\n");
   const std::string two = arrays + "[[coordinate]]\nname = \"y\"\nunit = \"m\"\narmature = \"m\"\n";
-  CHECK(checked(two, wanted).model.canonical == checked(two).model.canonical);
-  CHECK(checked(two).model.canonical != checked(arrays).model.canonical);
+  CHECK(checked(two, wanted).model.canonical_text == checked(two).model.canonical_text);
+  CHECK(checked(two).model.canonical_text != checked(arrays).model.canonical_text);
 }
 
 TEST_CASE("errors of model and scene are reported together, each at its position") {

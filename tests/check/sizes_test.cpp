@@ -36,7 +36,7 @@ TEST_CASE("sizes of options override the sizes of the model") {
   options.sizes = {make_source("command line", "m=4,n=5")};
   read_sizes(context, {}, nullptr, options);
   CHECK(context.sizes == Sizes{{"m", 4}, {"n", 5}});
-  CHECK(context.report.errors() == 0);
+  CHECK(context.report.error_count() == 0);
 }
 
 TEST_CASE("sizes are integers so small that sums and products of two do not overflow") {
@@ -47,8 +47,8 @@ TEST_CASE("sizes are integers so small that sums and products of two do not over
     SceneOptions options;
     options.sizes = {make_source("command line", option)};
     read_sizes(context, {}, nullptr, options);
-    return context.report.errors() == 0 ? std::to_string(context.sizes["n"])
-                                        : context.report.sorted().front().message;
+    return context.report.error_count() == 0 ? std::to_string(context.sizes["n"])
+                                             : context.report.sorted_diagnostics().front().message;
   };
   CHECK(answer("n=1000000000") == "1000000000");
   CHECK(answer("n=-1000000000") == "-1000000000");

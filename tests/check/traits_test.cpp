@@ -13,7 +13,7 @@ namespace elgen::test {
 namespace {
 
 /// Traits of an expression over coordinates x and y, an input u, a parameter m and time t.
-Traits traits_of(const std::string& text) {
+ExpressionTraits traits_of(const std::string& text) {
   const Limits limits;
   Context context(limits);
   std::uint32_t index = 0;
@@ -29,8 +29,8 @@ Traits traits_of(const std::string& text) {
   const auto expression = parse_expression(source, limits);
   REQUIRE(expression);
   const ExpressionId id =
-      ValueReader(context, Scope(context.sizes)).root(*expression, RootRequest{});
-  REQUIRE(context.report.errors() == 0);
+      ValueReader(context, IndexScope(context.sizes)).read_root(*expression, RootRequest{});
+  REQUIRE(context.report.error_count() == 0);
   return find_traits(context.model)[id];
 }
 

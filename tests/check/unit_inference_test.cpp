@@ -36,7 +36,7 @@ Reading read(const std::string& text) {
   value.span = {source.get(), 0, static_cast<std::uint32_t>(text.size())};
   Report report;
   Reading reading{read_unit(value, report), {}};
-  for (const Diagnostic& diagnostic : report.sorted()) {
+  for (const Diagnostic& diagnostic : report.sorted_diagnostics()) {
     reading.error = std::to_string(diagnostic.span.begin + 1) + " " + diagnostic.message +
                     (diagnostic.hint.empty() ? "" : " | " + diagnostic.hint);
   }

@@ -58,23 +58,23 @@ struct Fixture {
 TEST_CASE("a root covers its nodes, and a failed root leaves no nodes") {
   const Limits limits;
   Context context(limits);
-  ValueReader values(context, Scope(context.sizes));
+  ValueReader values(context, IndexScope(context.sizes));
   const ExpressionId id = values.root(value_syntax("t*sin(t)"), {});
   REQUIRE(context.roots.size() == 1);
   CHECK(context.roots[0].first == 1);
   CHECK(context.roots[0].value == id);
   CHECK(values.root(value_syntax("t*u"), {}) == no_expression);
   CHECK(context.roots.size() == 1);
-  CHECK(context.report.errors() == 1);
+  CHECK(context.report.error_count() == 1);
 }
 
 TEST_CASE("constants leave no nodes in the arena") {
   const Limits limits;
   Context context(limits);
-  ValueReader values(context, Scope(context.sizes));
-  CHECK(values.constant(value_syntax("1/3 + 1")) == cln::cl_RA(4) / 3);
-  CHECK(values.constant(value_syntax("exp(1)")));
-  CHECK_FALSE(values.constant(value_syntax("2*t")));
+  ValueReader values(context, IndexScope(context.sizes));
+  CHECK(values.read_constant(value_syntax("1/3 + 1")) == cln::cl_RA(4) / 3);
+  CHECK(values.read_constant(value_syntax("exp(1)")));
+  CHECK_FALSE(values.read_constant(value_syntax("2*t")));
   CHECK(context.model.expressions.size() == 1);
 }
 
@@ -82,24 +82,24 @@ TEST_CASE("references find the element of the right kind") {
   const Limits limits;
   Context context(limits);
   context.symbols.declare({"q", 1, {}}, SymbolKind::coordinate, 4, context.report);
-  ValueReader values(context, Scope(context.sizes));
-  CHECK(values.reference(value_syntax("q[3-2]"), SymbolKind::coordinate) == 4);
-  CHECK_FALSE(values.reference(value_syntax("q[1]"), SymbolKind::point));
-  CHECK_FALSE(values.reference(value_syntax("q[2]"), SymbolKind::coordinate));
-  CHECK(context.report.errors() == 2);
+  ValueReader values(context, IndexScope(context.sizes));
+  CHECK(values.resolve_reference(value_syntax("q[3-2]"), SymbolKind::coordinate) == 4);
+  CHECK_FALSE(values.resolve_reference(value_syntax("q[1]"), SymbolKind::point));
+  CHECK_FALSE(values.resolve_reference(value_syntax("q[2]"), SymbolKind::coordinate));
+  CHECK(context.report.error_count() == 2);
 }
 
 TEST_CASE("all vectors of a model have the size of the first") {
   const Limits limits;
   Context context(limits);
-  ValueReader values(context, Scope(context.sizes));
-  CHECK_FALSE(values.is_vector(vector_of(4)));
-  CHECK(context.report.errors() == 1);
-  CHECK(values.is_vector(vector_of(3)));
-  CHECK(values.is_vector(vector_of(3)));
-  CHECK(context.report.errors() == 1);
-  CHECK(values.is_vector(vector_of(2)));
-  CHECK(context.report.errors() == 2);
+  ValueReader values(context, IndexScope(context.sizes));
+  CHECK_FALSE(values.check_vector(vector_of(4)));
+  CHECK(context.report.error_count() == 1);
+  CHECK(values.check_vector(vector_of(3)));
+  CHECK(values.check_vector(vector_of(3)));
+  CHECK(context.report.error_count() == 1);
+  CHECK(values.check_vector(vector_of(2)));
+  CHECK(context.report.error_count() == 2);
 }
 
 TEST_CASE("keys of tables are found by name") {

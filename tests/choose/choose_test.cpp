@@ -15,7 +15,7 @@ namespace {
 
 Arguments<double> somewhere(const Model& model) {
   double next = 0.3;
-  Arguments<double> at = leaves_of<double>(
+  Arguments<double> at = make_leaf_values<double>(
       model, [&next](Opcode, const auto&) { return next += 0.17; }, [](Opcode) { return 0.0; });
   at.t = next;
   return at;
@@ -36,7 +36,7 @@ ChosenForms with_form(const std::string& text, Form form) {
 }
 
 /// The errors of the recursive form, as the reference for the chosen form.
-TextErrors errors_of(const ChosenForms& c, std::size_t function) {
+FormErrors errors_of(const ChosenForms& c, std::size_t function) {
   const Function& text = c.recursive.functions[function];
   const Domain domain = domain_of({c.checked.model, c.checked.scene, c.recursive.leaves});
   return {c.recursive, text, comparison_points(c.recursive, text, domain)};
@@ -52,16 +52,16 @@ TEST_CASE("the preference speed chooses the cheaper form, on a tie the closed fo
     for (std::size_t i = 0; i < c.choice.costs.size(); ++i) {
       const FormCosts& costs = c.choice.costs[i];
       INFO(costs.function);
-      const bool is_closed = costs.chosen == Form::closed;
+      const bool is_closed = costs.chosen_form == Form::closed;
       const bool is_cheaper = costs.closed && cost(*costs.closed) <= cost(costs.recursive);
       // The choice compares costs without guards of pivots; guards may reverse the order.
       const bool has_pivots = c.choice.program.functions[i].kind == OutputKind::forward_dynamics;
       CHECK((has_pivots || is_closed == is_cheaper));
-      CHECK(c.choice.program.functions[i].form == costs.chosen);
+      CHECK(c.choice.program.functions[i].form == costs.chosen_form);
       const OperationCounts emitted = count_operations(c.choice.program.functions[i]);
       CHECK(emitted == (is_closed ? *costs.closed : costs.recursive));
     }
-    CHECK(check_invariants(c.choice.program).empty());
+    CHECK(find_invariant_violation(c.choice.program).empty());
   }
 }
 
@@ -71,9 +71,9 @@ TEST_CASE("a chosen form is neither inaccurate nor loses more digits than the to
     const ChosenForms c = chosen(text);
     for (std::size_t i = 0; i < c.choice.program.functions.size(); ++i) {
       const Function& own = c.choice.program.functions[i];
-      const TextErrors errors = errors_of(c, i);
+      const FormErrors errors = errors_of(c, i);
       INFO(own.name);
-      CHECK_FALSE(errors.inaccurate_entry(c.choice.program, own));
+      CHECK_FALSE(errors.first_inaccurate_entry(c.choice.program, own));
       CHECK(errors.worst_loss(c.choice.program, own) <= tolerated_loss);
     }
   }
@@ -90,7 +90,7 @@ TEST_CASE("balanced forms cost at most a quarter more, unless the cheaper form i
       INFO(own.name);
       const std::size_t price = cost(count_operations(own));
       const std::size_t least = cost(count_operations(cheapest));
-      if (errors_of(c, i).inaccurate_entry(fast.choice.program, cheapest)) continue;
+      if (errors_of(c, i).first_inaccurate_entry(fast.choice.program, cheapest)) continue;
       CHECK(4 * price <= 5 * least + 16);  // or one division (16) more
     }
   }
@@ -178,7 +178,7 @@ value = [)toml" + powers + "]\n");
   const ChosenForms c = chosen(text, options);
   for (const FormCosts& costs : c.choice.costs) {
     INFO(costs.function);
-    CHECK((costs.chosen == Form::closed) == (costs.function == "mass_matrix"));
+    CHECK((costs.chosen_form == Form::closed) == (costs.function == "mass_matrix"));
   }
-  CHECK(check_invariants(c.choice.program).empty());
+  CHECK(find_invariant_violation(c.choice.program).empty());
 }

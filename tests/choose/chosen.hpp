@@ -20,7 +20,7 @@ namespace elgen::test {
 struct ChosenForms {
   CheckedModel checked;
   ClosedForms forms;
-  Choice choice;
+  FormChoice choice;
   Program recursive = {};  ///< the program before the choice; all forms are derived from it
 };
 
@@ -28,7 +28,7 @@ inline ChosenForms chosen(const std::string& text, const SceneOptions& options =
                           Preference prefer = Preference::balanced) {
   ChosenForms result{checked_model(text, options), {}, {}, {}};
   result.checked.scene.numerics.prefer = prefer;
-  const Result<WholeLagrangian> lagrangian = formulate(result.checked.model);
+  const Result<UnreducedLagrangian> lagrangian = formulate(result.checked.model);
   const auto equations = derive(*lagrangian, result.checked.scene.outputs, {});
   result.recursive = compose_outputs(cancel(*lower(*equations, result.checked.scene.outputs, {})));
   result.forms = present(result.recursive);

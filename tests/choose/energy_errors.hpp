@@ -38,7 +38,7 @@ class SampleStates {
  public:
   SampleStates(const TypedEnergy& energy, const ChosenForms& c)
       : domain_(domain_of({c.checked.model, c.checked.scene, c.recursive.leaves})) {
-    SumZeros zeros = sum_zeros(c.recursive, domain_);
+    SumZeros zeros = find_sum_zeros(c.recursive, domain_);
     zeros.emplace_back(c.checked.model.coordinates.size());
     for (const std::vector<double>& zero : zeros) add(zero);
     for (const double distance : {1e-1, 1e-4, 1e-8, 1e-12, 1e-150}) {
@@ -52,7 +52,7 @@ class SampleStates {
     for (const Arguments<double>& state : domain_.states) add(state.q);
     Sampler draw(2);
     const StateSpace space{c.checked.model, c.checked.scene, c.recursive.leaves};
-    while (all.size() < least_count) add(drawn_within(space, domain_.ranges, draw).q);
+    while (all.size() < least_count) add(draw_in_ranges(space, domain_.ranges, draw).q);
   }
 
   std::vector<std::vector<double>> all = {};

@@ -35,7 +35,7 @@ struct WorstEntry {
 /// the text has no bound.
 std::optional<double> error_multiple(double x, const cln::cl_R& exact, const Real& bound,
                                      std::size_t operations) {
-  const Rounding<Real>& of_double = rounding<double, Real>();
+  const RoundingConstants<Real>& of_double = rounding_constants<double, Real>();
   if (!bound.is_defined()) return std::nullopt;
   if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
   const Real denormals =
@@ -51,7 +51,7 @@ std::optional<double> error_multiple(double x, const cln::cl_R& exact, const Rea
 /// exact arithmetic.
 bool update_worst(const ChosenForms& c, std::size_t index, const State& state, WorstEntry& worst) {
   const Function& text = c.recursive.functions.at(index);
-  const Subject subject{c.checked.model, c.checked.scene, c.choice.program};
+  const SystemUnderTest subject{c.checked.model, c.checked.scene, c.choice.program};
   const auto values = [&] {
     return oracle_values(subject.model, subject.scene.outputs.at(index), state);
   };
@@ -61,8 +61,8 @@ bool update_worst(const ChosenForms& c, std::size_t index, const State& state, W
   if (exact && std::ranges::any_of(*exact, is_zero)) exact = with_digits(700, values);
   if (!exact) return false;
   const auto point = arguments_at<double>(state);
-  const RunningErrorRules<Real> rules{running_leaves<Real>(point, Leaves::exact)};
-  const auto running = fold<Running<Real>>(rules, c.recursive, text);
+  const RunningErrorRules<Real> rules{running_leaves<Real>(point, LeafRounding::exact)};
+  const auto running = fold<RunningValue<Real>>(rules, c.recursive, text);
   const Conditioning conditioning(c.recursive, text, values_of(running));
   const std::vector<double> typed = evaluate(c.recursive, text, point);
   const auto emitted = evaluate(subject.program, subject.program.functions.at(index), point);
@@ -72,14 +72,16 @@ bool update_worst(const ChosenForms& c, std::size_t index, const State& state, W
   bool is_judged = false;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const cln::cl_R& x = (*exact)[i];
-    const Real bound = running[entries[i]].error + abs(Real(x)) + conditioning.of(entries[i]);
+    const Real bound =
+        running[entries[i]].error + abs(Real(x)) + conditioning.absolute_condition(entries[i]);
     const auto multiple = error_multiple(emitted[i], x, bound, text.instructions.size());
     if (!std::isfinite(typed[i]) || !multiple) continue;
     is_judged = true;
     if (*multiple <= worst.multiple) continue;
-    worst = {*multiple, fmt::format("{}[{}] is {}, its text {}, {} exactly, E + R {}; {}",
-                                    text.name, i + 1, emitted[i], typed[i], short_text(x),
-                                    short_text(bound.value()), describe_exactly(subject, state))};
+    worst = {*multiple,
+             fmt::format("{}[{}] is {}, its text {}, {} exactly, E + R {}; {}", text.name, i + 1,
+                         emitted[i], typed[i], short_number_text(x),
+                         short_number_text(bound.value()), describe_state_exactly(subject, state))};
   }
   return is_judged;
 }

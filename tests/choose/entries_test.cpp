@@ -16,7 +16,7 @@ struct Entries {
   Program program;
   Function shape = program.functions[0];
   ClosedForms forms = present(program);
-  Points points = mixed_points(program.leaves);
+  Points points = mixed_magnitude_points(program.leaves);
   ReadableEntries entries = read_entries(program, forms, 0, points);
 };
 
@@ -25,7 +25,7 @@ struct Entries {
 TEST_CASE("all entries of a function have a form") {
   const Entries e({"1 - cos(a)", "b"});
   REQUIRE(is_complete(e.entries));
-  CHECK(length(e.entries) == e.entries[0]->length + e.entries[1]->length);
+  CHECK(total_length(e.entries) == e.entries[0]->length + e.entries[1]->length);
   CHECK_FALSE(is_complete({}));
   CHECK_FALSE(is_complete({e.entries[0], std::nullopt}));
 }
@@ -34,7 +34,7 @@ TEST_CASE("a rewriting that keeps digits is chosen if the entry loses more than 
   Entries e({"1 - cos(a)", "b"});
   Arguments<double> point;
   point.q = {1e-8, 1e-16, 1, 1, 1};  // entries of similar size
-  TextErrors text(e.program, e.shape, {point});
+  FormErrors text(e.program, e.shape, {point});
   e.entries = read_entries(e.program, e.forms, 0, e.points, &text);
   CHECK(e.entries[0]->loss > 1e15);
   CHECK(e.entries[1]->loss <= 1);

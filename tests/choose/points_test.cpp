@@ -37,10 +37,10 @@ std::size_t number_of(const ChosenForms& c, const std::string& name) {
   return static_cast<std::size_t>(std::ranges::find_if(functions, named) - functions.begin());
 }
 
-std::vector<Running<Real>> entries_at(const Program& program, const Function& function,
-                                      const Arguments<double>& point) {
-  const RunningErrorRules<Real> rules{running_leaves<Real>(point, Leaves::exact)};
-  return entries_of(function, fold<Running<Real>>(rules, program, function));
+std::vector<RunningValue<Real>> entries_at(const Program& program, const Function& function,
+                                           const Arguments<double>& point) {
+  const RunningErrorRules<Real> rules{running_leaves<Real>(point, LeafRounding::exact)};
+  return entries_of(function, fold<RunningValue<Real>>(rules, program, function));
 }
 
 /// The largest ratio of the code's loss to the text's loss at states that the choice does not
@@ -68,7 +68,8 @@ bool keeps_text(const ChosenForms& c, const std::string& name, const std::vector
 double digits_lost(const ChosenForms& c, const std::string& name, const std::vector<double>& q) {
   const Function& function = c.choice.program.functions[number_of(c, name)];
   double worst = 0;
-  for (const Running<Real>& entry : entries_at(c.choice.program, function, state_at_rest(c, q))) {
+  for (const RunningValue<Real>& entry :
+       entries_at(c.choice.program, function, state_at_rest(c, q))) {
     const Real lost = entry.error / abs(entry.value);
     if (!lost.is_defined()) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, to_double(lost.value()));

@@ -73,7 +73,7 @@ TEST_CASE("with a rewritten V every function has the values of its text") {
   const ChosenForms c = masses_with("k*sqrt((x - 3/4)^2 + (y - l)^2)", {"[-3, 4]", "[-3, 4]"},
                                     "[parameters]\nk = 3\nl = 0.7\n");
   const Domain domain = domain_of({c.checked.model, c.checked.scene, c.recursive.leaves});
-  const Choice without = *choose(c.recursive, c.forms, domain, c.checked.scene);
+  const FormChoice without = *choose(c.recursive, c.forms, domain, c.checked.scene);
   std::size_t derivatives = 0;
   for (std::size_t i = 0; i < c.recursive.functions.size(); ++i) {
     const Function& function = c.choice.program.functions[i];

@@ -24,8 +24,8 @@ Arguments<double> at(double a, double b) {
 /// True if a rewriting is less accurate than the text at this point.
 bool is_inaccurate(const std::string& rewriting, const std::string& text, double a, double b) {
   const Program program = program_of(Texts{text});
-  const TextErrors errors(program, program.functions[0], {at(a, b)});
-  return !errors.accurate_errors(expressions_of({rewriting}), 0);
+  const FormErrors errors(program, program.functions[0], {at(a, b)});
+  return !errors.errors_if_accurate(expressions_of({rewriting}), 0);
 }
 
 const std::string strut = R"toml(format = 1
@@ -80,9 +80,9 @@ double error_of_force(const ChosenForms& model, double x) {
   Arguments<double> point =
       domain_of({model.checked.model, {}, model.recursive.leaves}).states.front();
   point.q = {x};
-  const RunningErrorRules<Real> rules{running_leaves<Real>(point, Leaves::exact)};
-  const Running<Real> force =
-      entries_of(gravity, fold<Running<Real>>(rules, program, gravity)).at(0);
+  const RunningErrorRules<Real> rules{running_leaves<Real>(point, LeafRounding::exact)};
+  const RunningValue<Real> force =
+      entries_of(gravity, fold<RunningValue<Real>>(rules, program, gravity)).at(0);
   return to_double((force.error / abs(force.value)).value());
 }
 
@@ -112,9 +112,9 @@ TEST_CASE("a rewriting without a value is inaccurate only if the text has a valu
 TEST_CASE("inaccuracy is found for each entry of a function") {
   const Program text = program_of(Texts{"a*b", "(a - b)*(a + b)"});
   const Program form = program_of(Texts{"b*a", "a^2 - b^2"});
-  const TextErrors errors(text, text.functions[0], {at(1, 3), at(1, 1.0000001)});
-  CHECK(errors.inaccurate_entry(form, form.functions[0]) == std::size_t{1});
-  CHECK(errors.inaccurate_entry(text, text.functions[0]) == std::nullopt);
+  const FormErrors errors(text, text.functions[0], {at(1, 3), at(1, 1.0000001)});
+  CHECK(errors.first_inaccurate_entry(form, form.functions[0]) == std::size_t{1});
+  CHECK(errors.first_inaccurate_entry(text, text.functions[0]) == std::nullopt);
 }
 
 TEST_CASE("the force of a strut with anchors at equal distances from the hinge has all digits") {
@@ -135,7 +135,7 @@ TEST_CASE("the preference speed takes the cheaper form despite lost digits") {
     return model.choice.costs[index_of(model.recursive, "gravity")];
   };
   const ChosenForms speedy = chosen(strut, {}, Preference::speed);
-  CHECK_FALSE(gravity(speedy).inaccurate);
+  CHECK_FALSE(gravity(speedy).inaccurate_entry);
   CHECK(error_of_force(speedy, 1e-8) > 1e6);
   CHECK(error_of_force(chosen(strut), 1e-8) < 64);
 }

@@ -126,7 +126,7 @@ BothRoutes both_routes(const Lagrangian& lagrangian, const EquationsOfMotion& de
 }
 
 void prove(const CheckedModel& checked) {
-  const Result<WholeLagrangian> lagrangian = formulate(checked.model);
+  const Result<UnreducedLagrangian> lagrangian = formulate(checked.model);
   const auto derived = derive(*lagrangian, checked.scene.outputs, {});
   const Textbook book(*lagrangian);
   const BothRoutes routes = both_routes(*lagrangian, *derived, book);

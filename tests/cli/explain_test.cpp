@@ -53,7 +53,7 @@ TEST_CASE("explain accepts codes in any case, outputs and functions") {
   CHECK(run("elgen explain e201").output == run("elgen explain E201").output);
   CHECK(mentions(run("elgen explain mass_matrix").output, "mass_matrix: an output\n\n"));
   for (const OutputRow& row : output_table()) {
-    if (row.of_user) continue;
+    if (row.is_user_output) continue;
     INFO(row.name);
     CHECK(mentions(run("elgen explain " + std::string(row.name)).output, std::string(row.doc)));
   }

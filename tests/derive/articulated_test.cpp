@@ -236,6 +236,6 @@ TEST_CASE("the number of definitions of articulated bodies is linear in the leng
 TEST_CASE("the factorisation of a chain takes d (d + 2) operations for each joint with d carriers",
           "[frames]") {
   Derivation derivation(limbs_first(links_text(4)));
-  Tree& tree = tree_of(derivation);
-  CHECK(operations_of_factorisation(tree, *tree_joints(tree)) == 3 + 8 + 15);
+  KinematicTree& tree = tree_of(derivation);
+  CHECK(count_factorisation_operations(tree, *tree_joints(tree)) == 3 + 8 + 15);
 }

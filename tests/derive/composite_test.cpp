@@ -12,7 +12,7 @@ using namespace elgen::test;
 namespace {
 
 /// The twist `before`, taken from the axes before the transform `step` to the axes after `step`.
-Twist after(Tree& tree, std::size_t step, const Twist& before) {
+Twist after(KinematicTree& tree, std::size_t step, const Twist& before) {
   Twist result = before;
   if (tree.transform(step).kind == TransformKind::translation) {
     const ExVector3 carried = tree.algebra.cross(before.spin, tree.transform(step).vector);
@@ -24,8 +24,9 @@ Twist after(Tree& tree, std::size_t step, const Twist& before) {
   return result;
 }
 
-GiNaC::ex power(Tree& tree, const CompositeInertia& inertia, const Twist& a, const Twist& b) {
-  const SpatialForce of_b = momentum(tree.algebra, inertia, b.spin, b.velocity);
+GiNaC::ex power(KinematicTree& tree, const CompositeInertia& inertia, const Twist& a,
+                const Twist& b) {
+  const SpatialForce of_b = spatial_momentum(tree.algebra, inertia, b.spin, b.velocity);
   const GiNaC::ex turning = tree.algebra.dot(a.spin, of_b.moment);
   return turning + tree.algebra.dot(a.velocity, of_b.force);
 }
@@ -43,7 +44,7 @@ SpatialForce force_of_rate(VectorAlgebra& algebra, const CompositeRate& rate, co
   return result;
 }
 
-Vector listed(const SpatialForce& f) {
+RealVector listed(const SpatialForce& f) {
   return {f.moment[0], f.moment[1], f.moment[2], f.force[0], f.force[1], f.force[2]};
 }
 
@@ -63,7 +64,7 @@ TEST_CASE("the base carries all bodies", "[frames]") {
   const State state = some_state(system.checked);
   Derivation derivation(system.lagrangian);
   const CompositeInertia base = composite_inertias(tree_of(derivation)).front();
-  const auto value = [&](ExpressionId id) { return *oracle_expression(model, id, state); };
+  const auto value = [&](ExpressionId id) { return *oracle_expression_value(model, id, state); };
   Reals expected(4, 0);  // mass and first moment about the base, which is at (x, 0, 0)
   for (const Body& body : model.bodies) {
     const cln::cl_R mass = value(*body.mass);
@@ -81,7 +82,7 @@ TEST_CASE("twice the kinetic energy is independent of the axes", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);
     Derivation derivation(system.lagrangian);
-    Tree& tree = tree_of(derivation);
+    KinematicTree& tree = tree_of(derivation);
     const std::vector<CompositeInertia> inertias = composite_inertias(tree);
     for (std::size_t k = 0; k < tree.size(); ++k) {
       INFO(name << " step " << k);
@@ -102,21 +103,21 @@ TEST_CASE("the composite rate of a body along its own twist is w x momentum", "[
     INFO(name);
     const Framed system(text);
     Derivation derivation(system.lagrangian);
-    Tree& tree = tree_of(derivation);
+    KinematicTree& tree = tree_of(derivation);
     VectorAlgebra& algebra = tree.algebra;
-    const std::vector<Twist> twists = tree_twists(tree, derivation.fixed_time);
+    const std::vector<Twist> twists = tree_twists(tree, derivation.rate_at_fixed_time);
     const std::size_t leaf = tree.size() - 1;  // a leaf carries only itself
     const CompositeRate rate = composite_rates(tree, twists)[leaf];
     const CompositeInertia inertia = composite_inertias(tree)[leaf];
     const ExVector3& w = twists[leaf].spin;
-    const SpatialForce p = momentum(algebra, inertia, w, twists[leaf].velocity);
+    const SpatialForce p = spatial_momentum(algebra, inertia, w, twists[leaf].velocity);
     SpatialForce expected;
     const ExVector3 of_spin = algebra.cross(w, p.moment);
     const ExVector3 of_velocity = algebra.cross(twists[leaf].velocity, p.force);
     expected.moment = algebra.add(of_spin, of_velocity);
     expected.force = algebra.cross(w, p.force);
-    const Vector derived = listed(force_of_rate(algebra, rate, w));
-    const Vector wanted = listed(expected);
+    const RealVector derived = listed(force_of_rate(algebra, rate, w));
+    const RealVector wanted = listed(expected);
     const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
     CHECK(nearly_equal(at(derived), at(wanted)));
   }
@@ -127,15 +128,15 @@ TEST_CASE("a force per twist transforms to the axes before a step", "[frames]") 
   for (const auto& [name, text] : frame_systems()) {
     const Framed system(text);
     Derivation derivation(system.lagrangian);
-    Tree& tree = tree_of(derivation);
+    KinematicTree& tree = tree_of(derivation);
     const std::vector<CompositeRate> rates =
-        composite_rates(tree, tree_twists(tree, derivation.fixed_time));
+        composite_rates(tree, tree_twists(tree, derivation.rate_at_fixed_time));
     for (std::size_t k = 0; k < tree.size(); ++k) {
       INFO(name << " step " << k);
       const CompositeRate before = to_parent(tree, k, rates[k]);
       const SpatialForce after = force_of_rate(tree.algebra, rates[k], tree.to_child(k, s));
-      const Vector passed = listed(tree.before(k, after));
-      const Vector direct = listed(force_of_rate(tree.algebra, before, s));
+      const RealVector passed = listed(tree.force_to_parent(k, after));
+      const RealVector direct = listed(force_of_rate(tree.algebra, before, s));
       const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
       CHECK(nearly_equal(at(direct), at(passed)));
     }

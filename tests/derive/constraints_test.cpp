@@ -146,8 +146,8 @@ struct WrittenMotion {
   }
 
   Derived system;
-  Vector acceleration = {};
-  Vector multipliers = {};
+  RealVector acceleration = {};
+  RealVector multipliers = {};
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-const FieldEquations& field(const Steps& steps, const std::string& output,
+const FieldEquations& field(const DerivationSteps& steps, const std::string& output,
                             const std::string& name) {
   for (const OutputEquations& step : steps.equations.outputs) {
     for (const FieldEquations& field : step.fields) {
@@ -30,10 +30,10 @@ TEST_CASE("the four directions differ in the variables that they move") {
   const GiNaC::ex whole = s.textbook.rate(s.textbook.write_out(x));
   GiNaC::ex still = whole;
   for (const GiNaC::ex& v : s.source.symbols.v) still = still.subs(v == 0);
-  CHECK(s.agree(s.derivation.motion(x), whole));
-  CHECK(s.agree(s.derivation.zero_acceleration(x), whole));
+  CHECK(s.agree(s.derivation.motion_rate(x), whole));
+  CHECK(s.agree(s.derivation.rate_without_acceleration(x), whole));
   CHECK(s.agree(s.derivation.time_partial(x), still));
-  CHECK(s.agree(s.derivation.fixed_time(x), whole - still));
+  CHECK(s.agree(s.derivation.rate_at_fixed_time(x), whole - still));
 }
 
 TEST_CASE(
@@ -44,7 +44,7 @@ TEST_CASE(
     for (const GiNaC::ex& term : terms) sum += term;
     return written_out(s.derivation.definitions, sum);
   };
-  const GradedEnergies& graded = s.derivation.graded();
+  const GradedEnergies& graded = s.derivation.graded_energies();
   const Terms* const kinetic[] = {&graded.kinetic0, &graded.kinetic1, &graded.kinetic2};
   const Terms* const potential[] = {&graded.potential0, &graded.potential1};
   const auto check = [&](const auto& grades, const GiNaC::ex& expected) {
@@ -69,7 +69,7 @@ TEST_CASE("the derivation steps of every system agree with the textbook") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     Derived s(text);
-    const Result<Steps> steps = derive_steps(s.source);
+    const Result<DerivationSteps> steps = derive_textbook_steps(s.source);
     REQUIRE(steps);
     const auto total = [&](const std::string& output, const std::string& step) {
       GiNaC::ex sum = 0;  // the sum of the printed terms
@@ -100,7 +100,7 @@ TEST_CASE("the derivation steps of every system agree with the textbook") {
 
 TEST_CASE("positions and velocities in steps refer to their point or body") {
   Derived s(read_model("cart_pole"));
-  const Result<Steps> steps = derive_steps(s.source);
+  const Result<DerivationSteps> steps = derive_textbook_steps(s.source);
   REQUIRE(steps);
   REQUIRE(steps->masses.size() == 2);
   CHECK(steps->masses[1].kind == EntityKind::point);

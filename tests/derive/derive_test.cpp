@@ -32,7 +32,7 @@ const OutputRequest& request(const CheckedModel& checked, OutputKind kind) {
 std::size_t fields_of(OutputKind kind, const Model& model) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   const auto is_there = [&](const FieldRow& field) {
-    return extent_of(model, field.rows) > 0 && extent_of(model, field.columns) > 0;
+    return extent_size(model, field.rows) > 0 && extent_size(model, field.columns) > 0;
   };
   const std::size_t more = output_row(kind).gives_pivots ? 1 : 0;
   return more + static_cast<std::size_t>(std::count_if(fields.begin(), fields.end(), is_there));
@@ -66,7 +66,7 @@ TEST_CASE("gravity alone needs no definitions with velocities or accelerations")
   const auto equations = derived(checked, {request(checked, OutputKind::gravity)});
   REQUIRE(equations);
   for (const Definition& definition : equations->definitions.list) {
-    CHECK_FALSE(definition.depends.has_any(Opcode::velocity | Opcode::acceleration));
+    CHECK_FALSE(definition.leaf_dependence.has_any(Opcode::velocity | Opcode::acceleration));
   }
 }
 

@@ -8,7 +8,7 @@
 namespace elgen::test {
 
 inline Lagrangian lagrangian_of(const std::string& text) {
-  Result<WholeLagrangian> lagrangian = formulate(checked_model(text).model);
+  Result<UnreducedLagrangian> lagrangian = formulate(checked_model(text).model);
   if (!lagrangian) throw std::runtime_error(format(lagrangian.diagnostics));
   return *lagrangian;
 }

@@ -59,7 +59,7 @@ class NumbersAt {
     return cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(number(value)).to_cl_N());
   }
 
-  [[nodiscard]] Reals operator()(const Vector& values) const {
+  [[nodiscard]] Reals operator()(const RealVector& values) const {
     Reals result;
     for (const GiNaC::ex& value : values) result.push_back((*this)(value));
     return result;
@@ -91,9 +91,9 @@ class Framed {
   }
 
   /// The derived entries of all fields of an output.
-  [[nodiscard]] Vector derived(const std::string& name) {
+  [[nodiscard]] RealVector derived(const std::string& name) {
     equations_ = *derive(lagrangian, {request(name)}, {});
-    Vector entries;
+    RealVector entries;
     for (const FieldEquations& field : equations_.outputs.front().fields) {
       entries.insert(entries.end(), field.entries.begin(), field.entries.end());
     }
@@ -102,7 +102,7 @@ class Framed {
 
   /// The derived entries as numbers.
   [[nodiscard]] Reals derived(const std::string& name, const State& state) {
-    const Vector entries = derived(name);
+    const RealVector entries = derived(name);
     return NumbersAt(equations_.symbols, equations_.definitions, state)(entries);
   }
 
@@ -121,7 +121,7 @@ class Framed {
   }
 
   [[nodiscard]] bool agrees(const std::string& name) {
-    const Vector entries = derived(name);
+    const RealVector entries = derived(name);
     for (const int sample : {1, 2}) {
       const State state = some_state(checked, sample);
       const NumbersAt at(equations_.symbols, equations_.definitions, state);
@@ -150,10 +150,10 @@ class Framed {
     Reals result;
     for (const ExpressionId entry : twist) {
       for (cln::cl_R& v : state.v) v = 0;
-      const cln::cl_R at_rest = *oracle_expression(checked.model, entry, state);
+      const cln::cl_R at_rest = *oracle_expression_value(checked.model, entry, state);
       for (cln::cl_R& v : state.v) {
         v = 1;
-        result.push_back(*oracle_expression(checked.model, entry, state) - at_rest);
+        result.push_back(*oracle_expression_value(checked.model, entry, state) - at_rest);
         v = 0;
       }
     }
@@ -164,7 +164,7 @@ class Framed {
     for (cln::cl_R& a : state.a) a = 0;
     Reals result;
     for (const ExpressionId entry : twist) {
-      result.push_back(*oracle_rate(checked.model, entry, state));
+      result.push_back(*oracle_expression_rate(checked.model, entry, state));
     }
     return result;
   }

@@ -87,8 +87,8 @@ TEST_CASE("derivatives by columns agree with differences of the inverse dynamics
 TEST_CASE("two arms are coupled only through their base", "[frames]") {
   Framed system(read_model("two_arms"));
   const std::size_t n = system.size();
-  const Vector mass = system.derived("mass_matrix");
-  const Vector coriolis = system.derived("coriolis_matrix");
+  const RealVector mass = system.derived("mass_matrix");
+  const RealVector coriolis = system.derived("coriolis_matrix");
   // Velocities x, a1, a2, b1, b2; the energy couples a1 and b2.
   for (const auto& [i, j] :
        std::vector<std::pair<std::size_t, std::size_t>>{{1, 3}, {2, 3}, {2, 4}}) {
@@ -109,12 +109,12 @@ TEST_CASE("dM/dt - 2 C is skew-symmetric", "[frames]") {
     const Framed system(text);
     Derivation derivation(system.lagrangian);
     const std::size_t n = derivation.size();
-    const Vector mass = mass_matrix(derivation);
-    const Vector coriolis = coriolis_matrix(derivation);
-    Vector rates;
-    Vector sums;
+    const RealVector mass = mass_matrix(derivation);
+    const RealVector coriolis = coriolis_matrix(derivation);
+    RealVector rates;
+    RealVector sums;
     for (std::size_t i = 0; i < n * n; ++i) {
-      rates.push_back(derivation.fixed_time(mass[i]));
+      rates.push_back(derivation.rate_at_fixed_time(mass[i]));
       sums.push_back(coriolis[i] + coriolis[i % n * n + i / n]);
     }
     const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));

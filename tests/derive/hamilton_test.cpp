@@ -92,8 +92,8 @@ vector = ["0", "0", "-g"]
 
 TEST_CASE("inputs, forces and dissipation change momenta, at the velocities of the momenta") {
   Derived s(read_model("cart_pole") + "[energy]\nD = \"1/2*m*dot(x)^2\"\n");
-  const Vector v = velocities_of_momenta(s.derivation);
-  const Vector rates = hamilton_equations(s.derivation).momentum_rates;
+  const RealVector v = velocities_of_momenta(s.derivation);
+  const RealVector rates = hamilton_equations(s.derivation).momentum_rates;
   const ex& m = s.source.symbols.parameters[1];
   CHECK(
       agree(s, rates[0], s.source.symbols.u[0] - m * written_out(s.derivation.definitions, v[0])));
@@ -104,7 +104,7 @@ TEST_CASE("momenta of a free top turn in its axes: dp/dt = p x w") {
   Rotation rotation;
   rotation.name = rotation.identifier = "e";
   append_rotation(model, rotation);
-  Result<WholeLagrangian> lagrangian = formulate(model);
+  Result<UnreducedLagrangian> lagrangian = formulate(model);
   REQUIRE(lagrangian);
   const GiNaC::numeric inertias[] = {2, 3, 5};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -132,8 +132,8 @@ TEST_CASE("momentum(velocities_of_momenta(p)) equals p in every system") {
   for (const auto& [name, text] : systems()) {
     INFO(name);
     Derived s(text);
-    if (!s.source.quadratic) continue;
-    const Vector v = velocities_of_momenta(s.derivation);
+    if (!s.source.is_quadratic) continue;
+    const RealVector v = velocities_of_momenta(s.derivation);
     GiNaC::exmap moving;
     for (std::size_t i = 0; i < v.size(); ++i) {
       moving[s.source.symbols.v[i]] = written_out(s.derivation.definitions, v[i]);

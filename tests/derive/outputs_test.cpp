@@ -14,7 +14,7 @@ namespace {
 /// A vector output and its textbook entries; `of_quadratic`: only for L quadratic in v.
 struct VectorOutput {
   const char* name;
-  Vector (*derived)(Derivation& derivation);
+  RealVector (*derived)(Derivation& derivation);
   GiNaC::ex (Textbook::*expected)(std::size_t i) const;
   bool of_quadratic;
 };
@@ -31,7 +31,7 @@ const VectorOutput vectors[] = {
 };
 
 template <class Expected>
-void check_entries(const Derived& system, const Vector& derived, const Expected& expected) {
+void check_entries(const Derived& system, const RealVector& derived, const Expected& expected) {
   REQUIRE(derived.size() == system.size());
   for (std::size_t i = 0; i < derived.size(); ++i) {
     INFO("entry " << i);
@@ -39,7 +39,7 @@ void check_entries(const Derived& system, const Vector& derived, const Expected&
   }
 }
 
-void check_matrix(const Derived& system, const Vector& derived,
+void check_matrix(const Derived& system, const RealVector& derived,
                   GiNaC::ex (Textbook::*expected)(std::size_t i, std::size_t j) const) {
   const std::size_t n = system.size();
   REQUIRE(derived.size() == n * n);
@@ -56,7 +56,7 @@ TEST_CASE("vector outputs of every system agree with the textbook") {
     for (const VectorOutput& output : vectors) {
       INFO(name << " " << output.name);
       Derived s(text);
-      if (output.of_quadratic && !s.source.quadratic) continue;
+      if (output.of_quadratic && !s.source.is_quadratic) continue;
       check_entries(s, output.derived(s.derivation),
                     [&](std::size_t i) { return (s.textbook.*output.expected)(i); });
     }
@@ -68,12 +68,12 @@ TEST_CASE(
   for (const auto& [name, text] : systems()) {
     INFO(name);
     Derived s(text);
-    const Vector mass = mass_matrix(s.derivation);
+    const RealVector mass = mass_matrix(s.derivation);
     check_matrix(s, mass, &Textbook::mass);
     for (std::size_t k = 0; k < mass.size(); ++k) {
       CHECK(mass[k].is_equal(mass[k % s.size() * s.size() + k / s.size()]));
     }
-    if (!s.source.quadratic) continue;
+    if (!s.source.is_quadratic) continue;
     Derived other(text);
     check_matrix(other, coriolis_matrix(other.derivation), &Textbook::coriolis);
   }
@@ -84,7 +84,7 @@ TEST_CASE("energies of every system agree with the textbook") {
     INFO(name);
     Derived s(text);
     CHECK(s.agree(energy_function(s.derivation), s.textbook.energy()));
-    if (!s.source.quadratic) continue;
+    if (!s.source.is_quadratic) continue;
     CHECK(s.agree(kinetic_energy(s.derivation), s.textbook.kinetic()));
     CHECK(s.agree(potential_energy(s.derivation), s.textbook.potential0()));
     CHECK(s.agree(total_energy(s.derivation), s.textbook.total()));
@@ -122,7 +122,7 @@ TEST_CASE("applied forces with and without inputs") {
 
 TEST_CASE("dissipation is the gradient of D with respect to the rates") {
   Derived s(read_model("everything"));
-  const Vector force = dissipation(s.derivation);
+  const RealVector force = dissipation(s.derivation);
   const GiNaC::ex D = s.textbook.write_out(s.source.dissipation.front().value);
   CHECK(s.agree(force[0], Textbook::derivative_by(D, s.source.symbols.v[0])));
   CHECK(force[1].is_zero());
@@ -142,7 +142,7 @@ TEST_CASE("the mass matrix of a quadratic L contains no rates") {
 
 TEST_CASE("input matrices are the derivatives of forces with respect to inputs") {
   Derived s(read_model("everything"));
-  const Vector matrix = input_matrix(s.derivation);
+  const RealVector matrix = input_matrix(s.derivation);
   REQUIRE(matrix.size() == 4);
   for (std::size_t i = 0; i < 2; ++i) {
     for (std::size_t j = 0; j < 2; ++j) {
@@ -155,8 +155,8 @@ TEST_CASE("input matrices are the derivatives of forces with respect to inputs")
 TEST_CASE("Jacobians and second rates of declared outputs") {
   Derived s(read_model("everything"));
   const Terms& values = s.source.outputs.front().values;
-  const Vector slopes = jacobian(s.derivation, values);
-  const Vector rates = second_rate(s.derivation, values);
+  const RealVector slopes = jacobian(s.derivation, values);
+  const RealVector rates = second_rate(s.derivation, values);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const GiNaC::ex value = s.textbook.write_out(values[k]);
     for (std::size_t j = 0; j < s.size(); ++j) {
@@ -172,7 +172,7 @@ TEST_CASE("forward dynamics satisfies M a + bias = B u in every system") {
     INFO(name);
     Derived s(text);
     const ForwardDynamics solved = forward_dynamics(s.derivation);
-    const Vector mass = mass_matrix(s.derivation);
+    const RealVector mass = mass_matrix(s.derivation);
     for (std::size_t i = 0; i < s.size(); ++i) {
       GiNaC::ex inertia = 0;
       for (std::size_t j = 0; j < s.size(); ++j) {
@@ -221,9 +221,9 @@ TEST_CASE("the reaction of a locked cart is the force of the swinging bob") {
   const CheckedModel checked =
       checked_scene(read_model("cart_pole"), "[lock]\nx = { value = 0, reaction = true }\n");
   Derivation d(*specialise(*formulate(checked.model), checked));
-  const Vector before = gravity(d);
-  const Vector force = reaction(d);
-  const Vector after = gravity(d);
+  const RealVector before = gravity(d);
+  const RealVector force = reaction(d);
+  const RealVector after = gravity(d);
   REQUIRE(force.size() == 1);
   const auto& [theta, omega, alpha] = std::tie(d.symbols.q[0], d.symbols.v[0], d.symbols.a[0]);
   const GiNaC::ex m = d.symbols.parameters[1];

@@ -23,27 +23,27 @@ Program program_of(const Framed& system, const std::string& output) {
 
 /// Compares the composed `output` with the entries that `longer` derives directly.
 void check_composed(const std::string& text, const std::string& output,
-                    const std::function<Vector(Derivation&)>& longer) {
+                    const std::function<RealVector(Derivation&)>& longer) {
   const Framed system(text);
   const Program program = program_of(system, output);
   const Function& function = program.functions.front();
-  CHECK(check_invariants(program).empty());
+  CHECK(find_invariant_violation(program).empty());
   CHECK(function.repeated.count >= 16);
   Derivation derivation(system.lagrangian);
-  const Vector entries = longer(derivation);
+  const RealVector entries = longer(derivation);
   for (const int sample : {1, 2}) {
     const State state = some_state(system.checked, sample);
     const OracleValues found =
-        defined_values(evaluate(program, function, arguments_at<Real>(state)));
+        to_oracle_values(evaluate(program, function, arguments_at<Real>(state)));
     REQUIRE(found);
     CHECK(nearly_equal(*found,
                        NumbersAt(derivation.symbols, derivation.definitions, state)(entries)));
   }
 }
 
-Vector joined(const std::vector<Vector>& fields) {
-  Vector all;
-  for (const Vector& field : fields) all.insert(all.end(), field.begin(), field.end());
+RealVector joined(const std::vector<RealVector>& fields) {
+  RealVector all;
+  for (const RealVector& field : fields) all.insert(all.end(), field.begin(), field.end());
   return all;
 }
 
@@ -83,9 +83,9 @@ TEST_CASE("with rotations a linearization is composed except for the rates of co
 TEST_CASE("with few velocities or zero matrices the program has no repetition", "[frames]") {
   Derivation few(Framed(limbs_text(4)).lagrangian);
   CHECK(few.size() == 9);
-  CHECK_FALSE(response_parts(few));
+  CHECK_FALSE(forward_dynamics_terms(few));
   Derivation chain(Framed(links_text(10)).lagrangian);
-  CHECK(response_parts(chain));
+  CHECK(forward_dynamics_terms(chain));
   CHECK(program_of(Framed(limbs_text(4)), "linearization").functions[0].repeated.count == 0);
   const Program springs = program_of(Framed(springs_text(12)), "forward_dynamics_derivatives");
   CHECK(springs.functions[0].repeated.count == 0);

@@ -17,17 +17,18 @@ Lagrangian derivation_in_order(const std::string& text, bool last_first) {
   return lagrangian;
 }
 
-SymmetricSolve solve_of(Derivation& derivation, const Vector& mass) {
-  return {derivation.definitions, mass, order_of_velocities(derivation), RowsOf::velocities};
+SymmetricSolver solve_of(Derivation& derivation, const RealVector& mass) {
+  return {derivation.definitions, mass, velocity_elimination_order(derivation),
+          RowKind::velocities};
 }
 
 /// The number of definitions that the factorisation and one solution add to M.
 std::size_t cost(const std::string& text, bool last_first) {
   Derivation derivation(derivation_in_order(text, last_first));
-  Vector mass = mass_matrix(derivation);
+  RealVector mass = mass_matrix(derivation);
   for (GiNaC::ex& entry : mass) entry = define(derivation.definitions, entry);
   const std::size_t before = derivation.definitions.list.size();
-  SymmetricSolve solve = solve_of(derivation, mass);
+  SymmetricSolver solve = solve_of(derivation, mass);
   (void)solve.solve(derivation.symbols.a);
   return derivation.definitions.list.size() - before;
 }
@@ -62,10 +63,10 @@ TEST_CASE("M x = r holds in both orders of elimination", "[frames]") {
       const Framed system(text);
       Derivation derivation(derivation_in_order(text, last_first));
       const std::size_t n = derivation.size();
-      const Vector mass = mass_matrix(derivation);
-      SymmetricSolve solve = solve_of(derivation, mass);
-      const Vector x = solve.solve(derivation.symbols.a);
-      Vector products(n, 0);
+      const RealVector mass = mass_matrix(derivation);
+      SymmetricSolver solve = solve_of(derivation, mass);
+      const RealVector x = solve.solve(derivation.symbols.a);
+      RealVector products(n, 0);
       for (std::size_t i = 0; i < n * n; ++i) products[i / n] += mass[i] * x[i % n];
       const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
       CHECK(nearly_equal(at(products), at(derivation.symbols.a)));
@@ -78,8 +79,8 @@ TEST_CASE("the first relative pivot is 1, the second is its Schur complement ove
   const Framed system(read_model("two_turns"));
   for (const bool last_first : {false, true}) {
     Derivation derivation(derivation_in_order(read_model("two_turns"), last_first));
-    const Vector mass = mass_matrix(derivation);
-    const Vector pivots = solve_of(derivation, mass).relative_pivots();
+    const RealVector mass = mass_matrix(derivation);
+    const RealVector pivots = solve_of(derivation, mass).relative_pivots();
     const std::size_t first = last_first ? 1 : 0;
     CHECK(pivots[first].is_equal(1));
     const GiNaC::ex expected = 1 - mass[1] * mass[1] / (mass[0] * mass[3]);

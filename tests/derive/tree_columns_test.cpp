@@ -13,9 +13,10 @@ namespace {
 using Pairs = std::multiset<std::pair<std::size_t, std::size_t>>;
 
 Pairs visited_pairs(Derivation& derivation) {
-  Tree& tree = tree_of(derivation);
+  KinematicTree& tree = tree_of(derivation);
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
-  TreeColumns columns(tree, variables, {derivation.fixed_time, derivation.fixed_time});
+  TreeColumns columns(tree, variables,
+                      {derivation.rate_at_fixed_time, derivation.rate_at_fixed_time});
   Pairs pairs;
   columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
     CHECK(pair.columns.size() == 1);
@@ -48,14 +49,15 @@ TEST_CASE("variables of one step are paired in both orders", "[frames]") {
 TEST_CASE("the inertia column of a rotation is the composite inertia about its axis", "[frames]") {
   const Framed system(read_model("planar"));
   Derivation derivation(system.lagrangian);
-  Tree& tree = tree_of(derivation);
+  KinematicTree& tree = tree_of(derivation);
   const std::vector<TreeVariable> variables = tree_variables(tree).list;
   const std::vector<CompositeInertia> inertias = composite_inertias(tree);
-  TreeColumns columns(tree, variables, {derivation.fixed_time, derivation.fixed_time});
+  TreeColumns columns(tree, variables,
+                      {derivation.rate_at_fixed_time, derivation.rate_at_fixed_time});
   columns.for_each_pair({ColumnKind::inertia}, [&](const ColumnPair& pair) {
     const TreeVariable& variable = variables[pair.upper];
     if (pair.upper != pair.lower || is_zero(variable.spin)) return;
-    const GiNaC::ex entry = columns.along(pair.lower, UnitKind::unit, pair.columns[0]);
+    const GiNaC::ex entry = columns.twist_product(pair.lower, TwistKind::unit, pair.columns[0]);
     const NumbersAt at(derivation.symbols, derivation.definitions, some_state(system.checked));
     CHECK(nearly_equal({at(entry)}, {at(inertias[variable.transform].inertia[2])}));
   });
@@ -78,10 +80,10 @@ TEST_CASE("moving angles and components of offsets are variables", "[frames]") {
 TEST_CASE("a step moved only by time is no variable", "[frames]") {
   const Framed system(read_model("turntable"));
   Derivation derivation(system.lagrangian);
-  Tree& tree = tree_of(derivation);
+  KinematicTree& tree = tree_of(derivation);
   const TreeVariables variables = tree_variables(tree);
   REQUIRE(variables.list.size() == 2);
-  const std::vector<Coefficient> row = jacobian_row(tree, variables.list[1]);
+  const std::vector<JacobianEntry> row = jacobian_row(tree, variables.list[1]);
   REQUIRE(row.size() == 2);
   CHECK(row[0].velocity == 0);
   CHECK(row[0].value.is_equal(2));

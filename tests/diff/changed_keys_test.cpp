@@ -23,7 +23,7 @@ std::string key_changes(const std::string& before, const std::string& after,
   const FileSyntax now = syntax(after);
   std::string text;
   for (const KeyChange& change : changed_keys(old, now, renames)) {
-    const std::string key = change.is_order ? "order" : text_of(change.path);
+    const std::string key = change.is_reordering ? "order" : text_of(change.path);
     text += change.entry + (key.empty() ? "" : " " + key) + ": " + change.before + " -> " +
             change.after + "\n";
   }
@@ -38,8 +38,8 @@ TEST_CASE("one item of a list is one change at its position") {
   const FileSyntax old = *parse_model(make_source("a.toml", cart), {});
   const FileSyntax now = *parse_model(make_source("b.toml", after), {});
   const KeyChange change = changed_keys(old, now).at(0);
-  CHECK(line_column(*change.new_at.source, change.new_at.begin).line == 56);
-  CHECK(line_column(*change.new_at.source, change.new_at.begin).column == 17);
+  CHECK(line_column(*change.new_span.source, change.new_span.begin).line == 56);
+  CHECK(line_column(*change.new_span.source, change.new_span.begin).column == 17);
 }
 
 TEST_CASE("blanks, comments, brackets and the order of keys are no change") {
@@ -85,11 +85,11 @@ TEST_CASE("with a given renaming there are no changes") {
 
 TEST_CASE("names change at declarations and at uses") {
   const FileSyntax syntax = *parse_model(make_source("model.toml", spring()), {});
-  const std::string text = dump(renamed(syntax, {{"x", "s"}, {"m", "mass"}}));
+  const std::string text = dump(apply_renames(syntax, {{"x", "s"}, {"m", "mass"}}));
   CHECK(mentions(text, "dot(s)"));
   CHECK(mentions(text, "mass"));
   CHECK_FALSE(mentions(text, "dot(x)"));
-  CHECK(dump(renamed(syntax, {})) == dump(syntax));
+  CHECK(dump(apply_renames(syntax, {})) == dump(syntax));
 }
 
 TEST_CASE("keys of a scene that are names are renamed, too") {
@@ -97,7 +97,7 @@ TEST_CASE("keys of a scene that are names are renamed, too") {
       "format = 1\nmodel = \"m.toml\"\nname = \"fast\"\n[parameters]\n"
       "fixed = { m = 2 }\n[lock]\nx = { value = 0 }\n";
   const FileSyntax syntax = *parse_scene(make_source("a.scene.toml", scene), {});
-  const FileSyntax now = renamed(syntax, {{"m", "mass"}, {"x", "s"}, {"value", "v"}});
+  const FileSyntax now = apply_renames(syntax, {{"m", "mass"}, {"x", "s"}, {"value", "v"}});
   CHECK(mentions(dump(now), "mass"));
   CHECK(now.entries.back().keys.front().key == "s");
   CHECK(now.entries.back().keys.front().value.entries.front().key == "value");
@@ -121,7 +121,7 @@ TEST_CASE("a state of an expectation is compared key by key, and its rates are r
   const std::string text = spring() + "[[expect]]\nat = { x = 1, \"dot(x)\" = 2 }\ngravity = [3]\n";
   CHECK(key_changes(text, replaced(text, "{ x = 1", "{ x = 4")) == "[[expect]] #1 at.x: 1 -> 4\n");
   const FileSyntax syntax = *parse_model(make_source("model.toml", text), {});
-  const FileSyntax now = renamed(syntax, {{"x", "s"}});
+  const FileSyntax now = apply_renames(syntax, {{"x", "s"}});
   const std::vector<KeySyntax>& at = now.entries.back().keys.front().value.entries;
   CHECK(at.front().key == "s");
   CHECK(at.back().key == "dot(s)");

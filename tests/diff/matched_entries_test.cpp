@@ -30,9 +30,9 @@ std::string exchanged(const std::string& given = plane) {
 
 std::vector<MatchedEntry> matched(const LoweredVersion& old, const LoweredVersion& now,
                                   OutputKind kind, const Renames& renames = {}) {
-  return matched_entries(old.products.checked->model, *find_function(*old.products.lowered, kind),
-                         now.products.checked->model, *find_function(*now.products.lowered, kind),
-                         renames);
+  return match_entries(old.products.checked->model, *find_function(*old.products.lowered, kind),
+                       now.products.checked->model, *find_function(*now.products.lowered, kind),
+                       renames);
 }
 
 /// A model with `constraints`. If `is_reversed`, its entries are declared in reverse order.
@@ -171,7 +171,7 @@ TEST_CASE("entries of an output that only one version has are unmatched") {
   const LoweredVersion one = lowered(plane);
   const Model& model = one.products.checked->model;
   const Function& gravity = *find_function(*one.products.lowered, OutputKind::gravity);
-  const auto entries = matched_entries(model, {}, model, gravity, {});
+  const auto entries = match_entries(model, {}, model, gravity, {});
   REQUIRE(entries.size() == 2);
   CHECK(entries[1].after == 1U);
   CHECK_FALSE(entries[1].before);

@@ -100,8 +100,8 @@ TEST_CASE("an entry too long for a line is not printed") {
 
 TEST_CASE("the witness lists the variables of the entry, rounded as printed") {
   const EntryChange change = only_change(spring("1/2*k*x^2"), spring("k*x^2"));
-  CHECK(change.share == Approx(0.5));
-  const std::string& at = change.witness->at;
+  CHECK(change.relative_change == Approx(0.5));
+  const std::string& at = change.witness->state_text;
   REQUIRE(starts_with(at, "x = "));
   const double x = std::stod(at.substr(4));
   CHECK(change.witness->before == Approx(1.5 * x * x).epsilon(1e-12));
@@ -112,6 +112,6 @@ TEST_CASE("parameters with value 0 get random values, so that their terms are co
   const std::string before = replaced(spring(), "k = 3", "k = 3\nc = 0");
   const EntryChange change =
       only_change(before, replaced(before, "1/2*k*x^2", "1/2*k*x^2 + c*x^4"));
-  CHECK(mentions(change.witness->at, "c = "));
-  CHECK(change.share > 0);
+  CHECK(mentions(change.witness->state_text, "c = "));
+  CHECK(change.relative_change > 0);
 }

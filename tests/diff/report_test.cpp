@@ -44,7 +44,7 @@ TEST_CASE("entries without closed forms are described by their witness") {
   CHECK(text_of(entry) == "bias[2] differs");
   CHECK(witness_text(entry).empty());
   entry.witness = Witness{"theta = 0.3", 1, 2};
-  entry.share = 0.5;
+  entry.relative_change = 0.5;
   CHECK(witness_text(entry) == "at theta = 0.3: 1 -> 2 N*m, 0.5 of the largest entry");
 }
 
@@ -174,7 +174,7 @@ TEST_CASE("each cause has the worst impact that it can have itself") {
   CHECK(system.impact == Impact::breaks);
   for (const KeyChange& key : system.keys) {
     const Impact of_equations = key.table == "energy" ? Impact::different : Impact::values;
-    const Impact impact = key.is_order ? Impact::breaks : of_equations;
+    const Impact impact = key.is_reordering ? Impact::breaks : of_equations;
     INFO(text_of(key));
     CHECK(key.impact == impact);
   }

@@ -31,7 +31,7 @@ inline LoweredVersion lowered(const std::string& text, const std::string& scene 
                               Goal goal = Goal::lower) {
   PipelineOptions options;
   options.goals = {goal};
-  const Inputs inputs = inputs_of(text, scene);
+  const PipelineSources inputs = inputs_of(text, scene);
   static std::vector<SourcePointer> alive;  // spans of reports point into the sources
   alive.insert(alive.end(), {inputs.model, inputs.scene});
   LoweredVersion result{.products = run_pipeline(inputs, options)};

@@ -11,8 +11,8 @@ namespace {
 
 DefinitionText text_of(const Subject& subject, std::size_t function) {
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
-  return definition(*dialect, subject.program, subject.program.functions[function],
-                    Storage::row_major)
+  return function_definition(*dialect, subject.program, subject.program.functions[function],
+                             Storage::row_major)
       .whole;
 }
 
@@ -43,9 +43,9 @@ TEST_CASE("float has its own functions and literals") {
   CHECK(mentions(text_of(subject, 1).body, "const float sin_theta = cart_pole_sine_of(q[1]);"));
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
   CHECK(dialect->constant(rational_constant(cln::cl_RA(-1) / 3)).text == "-0.33333334f");
-  CHECK(dialect->pair("s", "c", {"x"}, true) ==
+  CHECK(dialect->sine_cosine_statement("s", "c", {"x"}, true) ==
         "  float s, c;\n  cart_pole_sine_cosine(x, &s, &c);\n");
-  CHECK(dialect->pair("w->s", "w->c", {"x"}, false) ==
+  CHECK(dialect->sine_cosine_statement("w->s", "w->c", {"x"}, false) ==
         "  cart_pole_sine_cosine(x, &w->s, &w->c);\n");
   CHECK(dialect->square_root({"x"}).text == "sqrtf(x)");
   CHECK(dialect->call(FunctionId::abs, {{"x"}}).text == "fabsf(x)");
@@ -56,24 +56,24 @@ TEST_CASE("sine and cosine of the library are separate calls") {
   Subject subject = cart_pole_in_c();
   subject.scene.numerics.has_library_sines = true;
   CHECK(mentions(text_of(subject, 1).body, "const double sin_theta = sin(q[1]);"));
-  CHECK_FALSE(c99_dialect(subject.model, subject.scene, subject.program)->has_pairs());
+  CHECK_FALSE(c99_dialect(subject.model, subject.scene, subject.program)->has_sine_cosine_calls());
 }
 
 TEST_CASE("temporaries hide no other names, and shared temporaries of parts are members") {
   const Subject subject = cart_pole_in_c();
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
-  CHECK(dialect->shared("sin_theta") == "w->sin_theta");
+  CHECK(dialect->workspace_member("sin_theta") == "w->sin_theta");
   CHECK(dialect->call(FunctionId::abs, {{"x"}}).text == "fabs(x)");
-  CHECK(dialect->temporary("sin_theta") == "sin_theta");
+  CHECK(dialect->temporary_name("sin_theta") == "sin_theta");
   for (const char* name : {"p", "result", "sinf", "cart_pole_bias"}) {
-    CHECK(dialect->temporary(name) == std::string(name) + "_");
+    CHECK(dialect->temporary_name(name) == std::string(name) + "_");
   }
 }
 
 TEST_CASE("a scalar function in parts returns its number through an array") {
   const Subject subject = cart_pole_in_c();
   const auto dialect = c99_dialect(subject.model, subject.scene, subject.program);
-  CHECK(dialect->body_with_calls(subject.program.functions[2], 2) ==
+  CHECK(dialect->body_calling_parts(subject.program.functions[2], 2) ==
         "  double result[1];\n"
         "  cart_pole_kinetic_energy_workspace w;\n"
         "  cart_pole_kinetic_energy_part_1(p, q, v, &w, result);\n"

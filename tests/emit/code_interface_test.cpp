@@ -64,9 +64,9 @@ TEST_CASE("an energy is a number, the force of one coordinate an array of one") 
 TEST_CASE("column-major matrices are emitted transposed, and vectors are unchanged") {
   Function function;
   function.fields = {{"A", 2, 3, {1, 2, 3, 4, 5, 6}}, {"b", 3, 1, {7, 8, 9}}};
-  CHECK(in_storage_order(function, Storage::row_major).fields[0].entries ==
+  CHECK(to_storage_order(function, Storage::row_major).fields[0].entries ==
         function.fields[0].entries);
-  const Function columns = in_storage_order(function, Storage::column_major);
+  const Function columns = to_storage_order(function, Storage::column_major);
   CHECK(columns.fields[0].entries == std::vector<std::uint32_t>{1, 4, 2, 5, 3, 6});
   CHECK(columns.fields[0].rows == 3);
   CHECK(columns.fields[1].entries == function.fields[1].entries);
@@ -75,10 +75,10 @@ TEST_CASE("column-major matrices are emitted transposed, and vectors are unchang
 
 TEST_CASE("a result too large for the stack is not returned by value") {
   Function function;
-  function.fields = {{"", 64, 64, std::vector<std::uint32_t>(largest_returned, 0)}};
-  CHECK(is_returned(function));
+  function.fields = {{"", 64, 64, std::vector<std::uint32_t>(max_returned_entries, 0)}};
+  CHECK(is_returned_by_value(function));
   function.fields[0].entries.push_back(0);
-  CHECK_FALSE(is_returned(function));
+  CHECK_FALSE(is_returned_by_value(function));
 }
 
 TEST_CASE("types of fields") {
@@ -111,7 +111,7 @@ TEST_CASE("the default namespace is the base name") {
   Scene scene;
   scene.base_name = "cart_pole";
   CHECK(name_space(scene) == "cart_pole");
-  CHECK(capitals(name_space(scene)) == "CART_POLE");
+  CHECK(upper_case(name_space(scene)) == "CART_POLE");
   scene.emission.name_space = "cart2";
   CHECK(name_space(scene) == "cart2");
 }
@@ -119,11 +119,11 @@ TEST_CASE("the default namespace is the base name") {
 TEST_CASE("sign, min, max and Stumpff functions are emitted and compare numbers") {
   Program program;
   program.functions.emplace_back();
-  CHECK_FALSE(needs_order(program.functions[0]));
+  CHECK_FALSE(needs_ordered_scalar(program.functions[0]));
   program.functions[0].instructions = {{Opcode::call, FunctionId::abs, 0, 0}};
-  CHECK_FALSE(needs_order(program.functions[0]));
+  CHECK_FALSE(needs_ordered_scalar(program.functions[0]));
   program.functions[0].instructions = {{Opcode::call, FunctionId::sign, 0, 0}};
-  CHECK(needs_order(program.functions[0]));
+  CHECK(needs_ordered_scalar(program.functions[0]));
   CHECK(function_row(FunctionId::sign).own_name == "sign_of");
   CHECK(function_row(FunctionId::min).own_name == "smaller");
   CHECK(function_row(FunctionId::max).own_name == "larger");
@@ -184,7 +184,7 @@ TEST_CASE("a header declares arrays of names, units and ranges") {
 TEST_CASE("the values of a parameter array are the values of its elements") {
   Model model = cart_pole().model;
   add_parameter_array(model, "k", {1, 2});
-  CHECK(values_of(model, model.parameter_arrays.back()) == std::vector<cln::cl_R>{1, 2});
+  CHECK(element_values(model, model.parameter_arrays.back()) == std::vector<cln::cl_R>{1, 2});
 }
 
 TEST_CASE("arguments have a fixed order, with t and h last") {
@@ -201,7 +201,7 @@ TEST_CASE("arguments have a fixed order, with t and h last") {
   CHECK(names(subject.model, step) == "pqvuh");
   subject.model.uses_time = true;
   CHECK(names(subject.model, step) == "pqvuth");
-  subject.model.quadratic = false;
+  subject.model.is_quadratic = false;
   CHECK(names(subject.model, functions[0]) == "pqvt");
   Function inverse;
   inverse.kind = OutputKind::inverse_mass_matrix;

@@ -13,7 +13,7 @@ namespace {
 
 std::string body_of(const Subject& subject, const Function& function) {
   const auto dialect = cpp_dialect(subject.model, subject.program);
-  return definition(*dialect, subject.program, function, Storage::row_major).whole.body;
+  return function_definition(*dialect, subject.program, function, Storage::row_major).whole.body;
 }
 
 std::string body_of(std::size_t function) {
@@ -24,8 +24,8 @@ std::string body_of(std::size_t function) {
 DefinitionText on_eigen(std::size_t function) {
   const Subject subject = cart_pole();
   const auto dialect = eigen_dialect(subject.model, subject.program);
-  return definition(*dialect, subject.program, subject.program.functions[function],
-                    Storage::row_major)
+  return function_definition(*dialect, subject.program, subject.program.functions[function],
+                             Storage::row_major)
       .whole;
 }
 
@@ -77,11 +77,11 @@ TEST_CASE("big results are written entry by entry") {
   function.name = "bias";
   function.instructions = {{Opcode::velocity, FunctionId::sin, 1, 0}};
   function.names = {""};
-  const auto count = static_cast<std::uint32_t>(largest_returned + 1);
+  const auto count = static_cast<std::uint32_t>(max_returned_entries + 1);
   function.fields = {{"", count, 1, std::vector<std::uint32_t>(count, 0)}};
   const auto dialect = cpp_dialect(subject.model, subject.program);
   const FunctionDefinition written =
-      definition(*dialect, subject.program, function, Storage::row_major);
+      function_definition(*dialect, subject.program, function, Storage::row_major);
   REQUIRE(written.parts.size() > 1);
   const std::string& first = written.parts.front().body;
   CHECK(first.rfind("  result[0] = v[1];\n  result[1] = v[1];\n", 0) == 0);
@@ -122,8 +122,8 @@ TEST_CASE("calls") {
   CHECK(dialect->call(FunctionId::min, {{"x"}, {"y"}}).text == "detail::smaller<Scalar>(x, y)");
   CHECK(dialect->call(FunctionId::max, {{"x"}, {"y"}}).text == "detail::larger<Scalar>(x, y)");
   CHECK(dialect->square_root({"x"}).text == "sqrt(x)");
-  CHECK(dialect->temporary("sin") == "sin_");
-  CHECK(dialect->shared("sin_theta") == "w.sin_theta");
+  CHECK(dialect->temporary_name("sin") == "sin_");
+  CHECK(dialect->workspace_member("sin_theta") == "w.sin_theta");
 }
 
 TEST_CASE("Eigen: arguments are read in place, entries written into the result") {
@@ -145,7 +145,7 @@ TEST_CASE("Eigen: a matrix stored by columns has the shape of the function's res
   Function function = subject.program.functions[1];
   function.fields = {{"", 2, 3, {0, 1, 0, 1, 0, 1}}};
   const DefinitionText text =
-      definition(*dialect, subject.program, function, Storage::column_major).whole;
+      function_definition(*dialect, subject.program, function, Storage::column_major).whole;
   CHECK(mentions(text.signature, "Matrix<Scalar, 2, 3> gravity("));
   CHECK(mentions(text.body, "  Matrix<Scalar, 2, 3> result;\n"));
 }
@@ -159,16 +159,16 @@ TEST_CASE("Eigen: numbers are returned, structs filled") {
 TEST_CASE("Eigen: temporaries hide no names of the header") {
   const Subject subject = cart_pole();
   const auto dialect = eigen_dialect(subject.model, subject.program);
-  CHECK(dialect->temporary("Vector") == "Vector_");
-  CHECK(dialect->temporary("sin") == "sin_");
-  CHECK(dialect->temporary("Vectors") == "Vectors");
+  CHECK(dialect->temporary_name("Vector") == "Vector_");
+  CHECK(dialect->temporary_name("sin") == "sin_");
+  CHECK(dialect->temporary_name("Vectors") == "Vectors");
 }
 
 TEST_CASE("temporaries with a used name get an underscore") {
   const Subject subject = cart_pole();
   const auto dialect = cpp_dialect(subject.model, subject.program);
-  CHECK(dialect->temporary("sin_theta") == "sin_theta");
+  CHECK(dialect->temporary_name("sin_theta") == "sin_theta");
   for (const std::string name : {"p", "w", "sin", "constant", "velocity_count"}) {
-    CHECK(dialect->temporary(name) == name + "_");
+    CHECK(dialect->temporary_name(name) == name + "_");
   }
 }

@@ -99,7 +99,7 @@ TEST_CASE("sine and cosine are in line for float and double, in any order of sca
   subject.scene.numerics.scalars = {ScalarKind::double_precision};
   subject.scene.numerics.has_library_sines = true;
   CHECK_FALSE(mentions(cpp_text(subject), "Trigonometry"));
-  subject.scene.emission.batch = true;  // packs cannot call the library
+  subject.scene.emission.has_batch_header = true;  // packs cannot call the library
   CHECK(mentions(cpp_text(subject), "Trigonometry<double>"));
   CHECK_FALSE(mentions(cpp_text(subject), "SineCosineInLine"));
 }

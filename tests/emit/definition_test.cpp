@@ -28,7 +28,7 @@ Subject long_function(std::size_t statements, std::size_t entry = 1) {
 
 FunctionDefinition function_of(const Subject& subject, Storage storage = Storage::row_major) {
   const auto dialect = cpp_dialect(subject.model, subject.program);
-  return definition(*dialect, subject.program, subject.program.functions.front(), storage);
+  return function_definition(*dialect, subject.program, subject.program.functions.front(), storage);
 }
 
 }  // namespace
@@ -36,12 +36,12 @@ FunctionDefinition function_of(const Subject& subject, Storage storage = Storage
 TEST_CASE("a short function is one body") {
   const FunctionDefinition function = function_of(long_function(20));
   CHECK(function.parts.empty());
-  CHECK(function.workspace.values.empty());
+  CHECK(function.workspace.members.empty());
   CHECK(mentions(function.whole.body, "return {{"));
 }
 
 TEST_CASE("a long function calls its parts in order") {
-  const FunctionDefinition function = function_of(long_function(longest_body));
+  const FunctionDefinition function = function_of(long_function(max_body_statements));
   REQUIRE(function.parts.size() == 3);
   CHECK(function.workspace.name == "GravityWorkspace");
   CHECK(function.whole.body ==
@@ -52,8 +52,8 @@ TEST_CASE("a long function calls its parts in order") {
         "  detail::gravity_part_3(result, w, p, q);\n"
         "  return result;\n");
   CHECK(mentions(function.whole.signature, "Parameters<Scalar>& p"));
-  CHECK(function.workspace.values.size() == 4);  // two values at each of two cuts
-  const std::string shared = "w." + function.workspace.values.front();
+  CHECK(function.workspace.members.size() == 4);  // two values at each of two cuts
+  const std::string shared = "w." + function.workspace.members.front();
   CHECK(mentions(function.parts[0].body, "\n  " + shared + " = "));
   CHECK(mentions(function.parts[1].body, shared));
 }
@@ -66,11 +66,11 @@ TEST_CASE("one call computes the sine and the cosine of an angle") {
 
 TEST_CASE("one call writes a sine and cosine that parts share") {
   const std::size_t sine = 1;
-  const FunctionDefinition parts = function_of(long_function(longest_body, sine));
+  const FunctionDefinition parts = function_of(long_function(max_body_statements, sine));
   REQUIRE(parts.parts.size() == 3);
   // The sine is an entry of the first part; later parts need neither the sine nor the cosine.
   CHECK(parts.parts[0].body.find("  const auto [sin_x, cos_x] = ") == 0);
-  Subject subject = long_function(longest_body);
+  Subject subject = long_function(max_body_statements);
   Function& gravity = subject.program.functions.front();
   gravity.instructions.back().b = sine;
   const FunctionDefinition shared = function_of(subject);
@@ -79,7 +79,7 @@ TEST_CASE("one call writes a sine and cosine that parts share") {
 }
 
 TEST_CASE("parts name only arguments that they use") {
-  const FunctionDefinition function = function_of(long_function(longest_body));
+  const FunctionDefinition function = function_of(long_function(max_body_statements));
   const std::string& last = function.parts.back().signature;
   CHECK(mentions(last, "GravityWorkspace<Scalar>& w"));
   CHECK(mentions(last, "const Coordinates<Scalar>&)"));
@@ -133,9 +133,9 @@ TEST_CASE("repetitions are a loop over columns") {
 }
 
 TEST_CASE("parts share the arrays of a loop") {
-  const FunctionDefinition function = function_of(repeating_function(longest_body));
+  const FunctionDefinition function = function_of(repeating_function(max_body_statements));
   REQUIRE(function.parts.size() == 3);
-  const std::vector<std::string>& shared = function.workspace.values;
+  const std::vector<std::string>& shared = function.workspace.members;
   CHECK(shared[shared.size() - 2] == "given[2]");
   CHECK(shared.back() == "solved[2]");
   const std::string& last = function.parts.back().body;

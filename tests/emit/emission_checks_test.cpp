@@ -33,8 +33,8 @@ TEST_CASE("a value must be in the range of the requested scalars") {
   REQUIRE(diagnostics.size() == 1);
   CHECK(diagnostics[0].code == Code::E702);
   CHECK(diagnostics[0].message == "`1e-50`, the value of `tiny`, vanishes in float");
-  CHECK(fits(subject.model, subject.program, ScalarKind::double_precision));
-  CHECK_FALSE(fits(subject.model, subject.program, ScalarKind::single_precision));
+  CHECK(literals_fit(subject.model, subject.program, ScalarKind::double_precision));
+  CHECK_FALSE(literals_fit(subject.model, subject.program, ScalarKind::single_precision));
 }
 
 TEST_CASE("overflow, subnormals, constants") {

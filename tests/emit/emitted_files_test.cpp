@@ -50,7 +50,7 @@ TEST_CASE("headers and sidecar equal the golden files, in C++ and in C") {
 
 TEST_CASE("the paths are known before the derivation") {
   const EmittedFiles files = emitted(cart_pole());
-  const std::vector<Artifact> wanted = artifacts_of(cart_pole().scene);
+  const std::vector<Artifact> wanted = requested_artifacts(cart_pole().scene);
   CHECK(files.files.size() == wanted.size());
   for (const Artifact& artifact : wanted) CHECK(files.files.count(artifact.path) == 1);
 }
@@ -72,7 +72,7 @@ TEST_CASE("the folder of the model changes no byte") {
 
 TEST_CASE("the scene changes the stamp and the namespace") {
   Subject subject = cart_pole();
-  subject.scene.canonical = "fixed g = 9.81";
+  subject.scene.canonical_text = "fixed g = 9.81";
   subject.scene.emission.name_space = "plant";
   const std::string header = emitted(subject).files.at("cart_pole/cart_pole.hpp");
   CHECK_FALSE(mentions(header, "scene full"));

@@ -63,7 +63,7 @@ inline void read_parameter(Subject& subject, const std::string& leaf) {
 
 /// Makes the first function load `constant`, so that the constant is emitted.
 inline void load_constant(Subject& subject, const Constant& constant) {
-  const std::uint32_t index = position_of(constant, subject.program.constants);
+  const std::uint32_t index = intern_constant(constant, subject.program.constants);
   subject.program.functions.front().instructions.push_back(
       {Opcode::constant, FunctionId::sin, index, 0});
   subject.program.functions.front().names.emplace_back();
@@ -94,7 +94,7 @@ inline Model cart_pole_model() {
   Input input;
   input.name = "u";
   input.identifier = "u";
-  input.on = 0;
+  input.velocity = 0;
   input.unit = find_unit("N");
   input.unit_text = "N";
   input.limits = Interval{-20, 20};

@@ -13,7 +13,7 @@ namespace {
 Lines docs(const Subject& subject, std::size_t index) {
   const Function& function = subject.program.functions[index];
   const FunctionEquations printed =
-      equations(subject.program, function, temporary_names(subject.program, function));
+      function_equations(subject.program, function, temporary_names(subject.program, function));
   return function_docs({subject.model, subject.program, function, printed, "a.equations.json", {}});
 }
 

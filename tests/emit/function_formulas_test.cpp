@@ -19,9 +19,11 @@ class Plain final : public Vocabulary {
     return leaf_text(leaves_, kind, number);
   }
   FormulaText constant(const Constant& constant) const override { return {text_of(constant.form)}; }
-  FormulaText square_root(const FormulaText& x) const override { return called("sqrt", {x}); }
+  FormulaText square_root(const FormulaText& x) const override {
+    return named_call_text("sqrt", {x});
+  }
   FormulaText call(FunctionId function, const std::vector<FormulaText>& arguments) const override {
-    return called(function_row(function).name, arguments);
+    return named_call_text(function_row(function).name, arguments);
   }
 
  private:
@@ -37,7 +39,7 @@ std::string formula_text(const std::string& operations, std::uint32_t last) {
   const Function& function = program.functions.front();
   const Plain language(program.leaves);
   const std::vector<std::string> names(function.instructions.size());
-  return FunctionFormulas(program, function, language, names).entry(last).text;
+  return FunctionFormulas(program, function, language, names).name_or_formula(last).text;
 }
 
 }  // namespace
@@ -50,13 +52,14 @@ TEST_CASE("products keep their order, and named values are written by name") {
   const Function& function = program.functions.front();
   std::vector<std::string> names(function.instructions.size());
   const Plain language(program.leaves);
-  CHECK(FunctionFormulas(program, function, language, names).entry(4).text == "cos(m * (x * x))");
-  CHECK(FunctionFormulas(program, function, language, names).entry(6).text == "-1/2");
+  CHECK(FunctionFormulas(program, function, language, names).name_or_formula(4).text ==
+        "cos(m * (x * x))");
+  CHECK(FunctionFormulas(program, function, language, names).name_or_formula(6).text == "-1/2");
   names[3] = "mass";
   const FunctionFormulas named(program, function, language, names);
-  CHECK(named.entry(3).text == "mass");
-  CHECK(named.definition(3).text == "m * (x * x)");
-  CHECK(named.entry(4).text == "cos(mass)");
+  CHECK(named.name_or_formula(3).text == "mass");
+  CHECK(named.formula(3).text == "m * (x * x)");
+  CHECK(named.name_or_formula(4).text == "cos(mass)");
 }
 
 TEST_CASE("brackets keep the order of evaluation, and there are no others") {

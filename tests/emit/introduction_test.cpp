@@ -42,7 +42,7 @@ TEST_CASE("title, variables and fixed parameters") {
 TEST_CASE("omitted outputs are listed, if there are any") {
   Subject subject = cart_pole();
   const Lines without = introduction(subject.model, subject.scene, subject.program);
-  subject.scene.left_out = {{OmissionReason::kinked_force, {"linearization"}}};
+  subject.scene.omitted_outputs = {{OmissionReason::kinked_force, {"linearization"}}};
   const Lines lines = introduction(subject.model, subject.scene, subject.program);
   REQUIRE(lines.size() == without.size() + 2);
   CHECK(lines[without.size()].empty());
@@ -63,8 +63,8 @@ TEST_CASE("one row per function, columns aligned") {
 
 TEST_CASE("the page ends with the operations of every function") {
   const Subject subject = cart_pole();
-  const std::string page =
-      markdown(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
+  const std::string page = markdown_page_text(
+      emission_input(subject.model, subject.scene, subject.program, {subject.program}));
   const std::size_t operations = page.find("\n## Operations\n");
   REQUIRE(operations != std::string::npos);
   for (const Function& function : subject.program.functions) {
@@ -74,9 +74,9 @@ TEST_CASE("the page ends with the operations of every function") {
 
 TEST_CASE("the page lists omitted outputs") {
   Subject subject = cart_pole();
-  subject.scene.left_out = {{OmissionReason::too_many_entries, {"linearization"}}};
-  const std::string page =
-      markdown(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
+  subject.scene.omitted_outputs = {{OmissionReason::too_many_entries, {"linearization"}}};
+  const std::string page = markdown_page_text(
+      emission_input(subject.model, subject.scene, subject.program, {subject.program}));
   CHECK(mentions(page,
                  "\n\nLeft out, with more than 4096 entries: linearization. To emit one, name it "
                  "in a scene or with --outputs.\n\n"));

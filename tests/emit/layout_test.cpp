@@ -52,10 +52,10 @@ TEST_CASE("user text cannot end its literal") {
 }
 
 TEST_CASE("documentation of members is aligned") {
-  CHECK(documented_members({{"int a;", "one"}, {"double b;", "two"}}) ==
+  CHECK(member_doc_lines({{"int a;", "one"}, {"double b;", "two"}}) ==
         Lines{"int a;     ///< one", "double b;  ///< two"});
   const std::string wide(80, 'x');
-  CHECK(documented_members({{"int a;", "one"}, {wide, "a doc that has no place"}}) ==
+  CHECK(member_doc_lines({{"int a;", "one"}, {wide, "a doc that has no place"}}) ==
         Lines{"int a;  ///< one", "/// a doc that has no place", wide});
 }
 

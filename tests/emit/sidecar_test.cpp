@@ -11,7 +11,8 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 std::string text_of(const Subject& subject) {
-  return sidecar(emission_input(subject.model, subject.scene, subject.program, {subject.program}));
+  return sidecar_text(
+      emission_input(subject.model, subject.scene, subject.program, {subject.program}));
 }
 
 }  // namespace
@@ -69,7 +70,7 @@ TEST_CASE("definitions are listed in order, before the entries that use them") {
   const auto formula = [](const char* text) { return name_formula(text); };
   input.equations[1] = {{{formula("sum"), formula("x + y")}, {formula("square"), formula("sum^2")}},
                         {{formula("square"), formula("0")}}};
-  const Json json = Json::parse(sidecar(input));
+  const Json json = Json::parse(sidecar_text(input));
   const Json& output = json["outputs"]["gravity"];
   CHECK(output["definitions"] == Json::parse(R"([{"name": "sum", "value": "x + y"},
                                                  {"name": "square", "value": "sum^2"}])"));
@@ -100,8 +101,9 @@ TEST_CASE("short lists are on one line, and lines end with LF") {
 
 TEST_CASE("omitted outputs are listed, each with its reason") {
   Subject subject = cart_pole();
-  subject.scene.left_out = {{OmissionReason::too_many_entries, {"mass_matrix", "coriolis_matrix"}},
-                            {OmissionReason::kinked_force, {"linearization"}}};
+  subject.scene.omitted_outputs = {
+      {OmissionReason::too_many_entries, {"mass_matrix", "coriolis_matrix"}},
+      {OmissionReason::kinked_force, {"linearization"}}};
   const Json left_out = Json::parse(text_of(subject))["left_out"];
   CHECK(left_out.dump() ==
         R"({"mass_matrix":"too many entries","coriolis_matrix":"too many entries",)"

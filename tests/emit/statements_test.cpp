@@ -14,11 +14,11 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;
 
 Statement assign(std::uint32_t instruction, Numbers uses) {
-  return Assign{instruction, {std::move(uses), {}}};
+  return AssignStatement{instruction, {std::move(uses), {}}};
 }
 
 Statement entry(std::uint32_t index, Numbers uses) {
-  return Entry{0, 0, index, {std::move(uses), {}}};
+  return EntryStatement{0, 0, index, {std::move(uses), {}}};
 }
 
 /// Each assignment uses at most one earlier value, and entries use any values.
@@ -42,18 +42,18 @@ TEST_CASE("a shared value is one statement, before its uses") {
   const Program program = read_program(
       "parameters a b\nfunction gravity\n  0 = parameter a\n  1 = parameter b\n"
       "  2 = add 0 1\n  3 = multiply 2 2\n  4 = negate 3\n  result 2 1 = 4 2\n");
-  const std::vector<Statement> all =
-      statements(program.functions.front(), {"", "", "total", "", ""}, Pairing::joint);
+  const std::vector<Statement> all = make_statements(
+      program.functions.front(), {"", "", "total", "", ""}, SineCosinePairing::joint);
   REQUIRE(all.size() == 3);
-  CHECK(std::get<Assign>(all[0]).instruction == 2);
+  CHECK(std::get<AssignStatement>(all[0]).instruction == 2);
   CHECK(operands_of(all[0]).uses.empty());
-  CHECK(operands_of(all[0]).written == Numbers{2, 0, 1});
-  CHECK(std::get<Entry>(all[1]).index == 0);
+  CHECK(operands_of(all[0]).inlined_instructions == Numbers{2, 0, 1});
+  CHECK(std::get<EntryStatement>(all[1]).index == 0);
   CHECK(operands_of(all[1]).uses == Numbers{2});
-  CHECK(operands_of(all[1]).written == Numbers{4, 3});
-  CHECK(std::get<Entry>(all[2]).index == 1);
+  CHECK(operands_of(all[1]).inlined_instructions == Numbers{4, 3});
+  CHECK(std::get<EntryStatement>(all[2]).index == 1);
   CHECK(operands_of(all[2]).uses == Numbers{2});
-  CHECK(operands_of(all[2]).written.empty());
+  CHECK(operands_of(all[2]).inlined_instructions.empty());
 }
 
 TEST_CASE(
@@ -62,33 +62,34 @@ TEST_CASE(
       "coordinates x y\nfunction gravity\n  0 = coordinate x\n  1 = coordinate y\n"
       "  2 = add 0 1\n  3 = sin 2\n  4 = cos 2\n  5 = sin 0\n  result 3 1 = 3 4 5\n");
   const std::vector<std::string> names = {"", "", "sum", "sine", "cosine", "other"};
-  const std::vector<Statement> joint = statements(program.functions.front(), names, Pairing::joint);
+  const std::vector<Statement> joint =
+      make_statements(program.functions.front(), names, SineCosinePairing::joint);
   REQUIRE(joint.size() == 3 + 3);
-  CHECK(named_by(joint[1]) == Numbers{3, 4});
-  CHECK(std::holds_alternative<SineAndCosine>(joint[1]));
+  CHECK(assigned_values(joint[1]) == Numbers{3, 4});
+  CHECK(std::holds_alternative<SineCosineStatement>(joint[1]));
   CHECK(operands_of(joint[1]).uses == Numbers{2});
-  CHECK(operands_of(joint[1]).written.empty());  // the calls are not written out
-  CHECK(std::holds_alternative<Assign>(joint[2]));
+  CHECK(operands_of(joint[1]).inlined_instructions.empty());  // the calls are not written out
+  CHECK(std::holds_alternative<AssignStatement>(joint[2]));
   const std::vector<Statement> separate =
-      statements(program.functions.front(), names, Pairing::separate);
+      make_statements(program.functions.front(), names, SineCosinePairing::separate);
   REQUIRE(separate.size() == 4 + 3);
-  CHECK(operands_of(separate[1]).written == Numbers{3});
-  CHECK(std::holds_alternative<Assign>(separate[1]));
+  CHECK(operands_of(separate[1]).inlined_instructions == Numbers{3});
+  CHECK(std::holds_alternative<AssignStatement>(separate[1]));
 }
 
 TEST_CASE("an entry follows the last statement that it uses") {
-  const Sections cut = sections(
+  const BodyParts cut = cut_into_parts(
       {assign(0, {}), assign(1, {0}), assign(2, {1}), entry(0, {2}), entry(1, {0}), entry(2, {})},
       4);
   REQUIRE(cut.parts.size() == 2);
   const auto is_entry = [&](std::size_t part, std::size_t item, std::uint32_t index) {
-    const Entry* const found = std::get_if<Entry>(&cut.parts[part][item]);
+    const EntryStatement* const found = std::get_if<EntryStatement>(&cut.parts[part][item]);
     return found != nullptr && found->index == index;
   };
   CHECK(is_entry(0, 0, 2));  // uses nothing
   CHECK(is_entry(0, 2, 1));  // after the first statement
   CHECK(is_entry(1, 1, 0));  // after the last statement
-  CHECK(cut.crosses == std::vector<bool>{false, true, false});
+  CHECK(cut.crosses_parts == std::vector<bool>{false, true, false});
 }
 
 TEST_CASE("a loop follows the statements for its inputs and names its first instruction") {
@@ -99,22 +100,23 @@ TEST_CASE("a loop follows the statements for its inputs and names its first inst
   function.repeated = {1, 2};
   const std::vector<std::string> names = {"", "", "sum", "solved[0]", "solved[1]"};
   const std::vector<Statement> all =
-      statements(function, names, Pairing::joint, column_loop(function));
+      make_statements(function, names, SineCosinePairing::joint, column_loop(function));
   REQUIRE(all.size() == 1 + 2 + 1 + 2);
-  CHECK(std::get<LoopOperand>(all[1]).instruction == 0);
-  CHECK(std::get<LoopOperand>(all[2]).instruction == 1);
-  CHECK(operands_of(all[2]).written == Numbers{1});
-  CHECK(named_by(all[2]).empty());
-  CHECK(std::get<Loop>(all[3]).first == 3);
-  CHECK(named_by(all[3]) == Numbers{3});
+  CHECK(std::get<LoopOperandStatement>(all[1]).instruction == 0);
+  CHECK(std::get<LoopOperandStatement>(all[2]).instruction == 1);
+  CHECK(operands_of(all[2]).inlined_instructions == Numbers{1});
+  CHECK(assigned_values(all[2]).empty());
+  CHECK(std::get<LoopStatement>(all[3]).first == 3);
+  CHECK(assigned_values(all[3]) == Numbers{3});
   CHECK(operands_of(all[3]).uses == Numbers{2});
   CHECK(operands_of(all[5]).uses == Numbers{3});  // all columns
 }
 
 TEST_CASE("a sine and cosine of one statement cross a cut together") {
-  const Sections cut = sections({SineAndCosine{0, 1}, assign(2, {0}), assign(3, {1})}, 2);
+  const BodyParts cut =
+      cut_into_parts({SineCosineStatement{0, 1}, assign(2, {0}), assign(3, {1})}, 2);
   REQUIRE(cut.parts.size() == 2);
-  CHECK(cut.crosses == std::vector<bool>{true, true, false, false});
+  CHECK(cut.crosses_parts == std::vector<bool>{true, true, false, false});
 }
 
 TEST_CASE("parts are in order and full, and share exactly the values that cross a cut") {
@@ -122,7 +124,7 @@ TEST_CASE("parts are in order and full, and share exactly the values that cross 
     const std::vector<Statement> body = random_body();
     const std::size_t count = body.size() - 4;
     const auto part_length = *rc::gen::inRange<std::size_t>(1, 10);
-    const Sections cut = sections(body, part_length);
+    const BodyParts cut = cut_into_parts(body, part_length);
     std::vector<std::size_t> part_of(count, cut.parts.size());
     std::size_t items = 0;
     std::vector<bool> crosses(count);
@@ -134,10 +136,10 @@ TEST_CASE("parts are in order and full, and share exactly the values that cross 
           RC_ASSERT(part_of[used] < cut.parts.size());  // computed before its use
           if (part_of[used] != part) crosses[used] = true;
         }
-        for (const std::uint32_t at : named_by(statement)) part_of[at] = part;
+        for (const std::uint32_t at : assigned_values(statement)) part_of[at] = part;
       }
     }
     RC_ASSERT(items == body.size());
-    RC_ASSERT(crosses == cut.crosses);
+    RC_ASSERT(crosses == cut.crosses_parts);
   }));
 }

@@ -7,7 +7,7 @@ using namespace elgen;
 namespace {
 
 std::string drawn(const std::string& latex, Alphabet alphabet) {
-  return text_of(drawing(read_latex(latex), alphabet), "");
+  return text_of(draw_glyphs(read_latex(latex), alphabet), "");
 }
 
 }  // namespace
@@ -57,9 +57,10 @@ TEST_CASE("brackets grow with the fraction inside them") {
 
 TEST_CASE("a fraction is drawn in line on request") {
   const Glyphs tree = read_latex("\\frac{\\partial \\tau}{\\partial q}");
-  CHECK(text_of(drawing(tree, Alphabet::unicode, Fractions::in_line), "") == "∂τ/∂q\n");
+  CHECK(text_of(draw_glyphs(tree, Alphabet::unicode, FractionStyle::in_line), "") == "∂τ/∂q\n");
   const Glyphs rate = read_latex("\\frac{d}{dt} x + \\frac{a}{m l}");
-  CHECK(text_of(drawing(rate, Alphabet::unicode, Fractions::in_line), "") == "d/dt x + a/(m l)\n");
+  CHECK(text_of(draw_glyphs(rate, Alphabet::unicode, FractionStyle::in_line), "") ==
+        "d/dt x + a/(m l)\n");
 }
 
 TEST_CASE("unmatched brackets are drawn unchanged") {
@@ -68,40 +69,40 @@ TEST_CASE("unmatched brackets are drawn unchanged") {
 }
 
 TEST_CASE("a matrix has square brackets") {
-  const std::vector<Block> cells{{{"a"}, 0}, {{"0"}, 0}};
-  CHECK(text_of(matrix_drawing(cells, 1, Alphabet::unicode), "") == "⎡ a ⎤\n⎣ 0 ⎦\n");
-  CHECK(text_of(matrix_drawing(cells, 2, Alphabet::ascii), "") == "[ a   0 ]\n");
+  const std::vector<TextBlock> cells{{{"a"}, 0}, {{"0"}, 0}};
+  CHECK(text_of(draw_matrix(cells, 1, Alphabet::unicode), "") == "⎡ a ⎤\n⎣ 0 ⎦\n");
+  CHECK(text_of(draw_matrix(cells, 2, Alphabet::ascii), "") == "[ a   0 ]\n");
 }
 
 TEST_CASE("combining accents take no column") {
-  CHECK(columns_of("θ̇₁") == 2);
-  CHECK(columns_of("q̈") == 1);
-  CHECK(columns_of("m l²") == 4);
+  CHECK(terminal_width("θ̇₁") == 2);
+  CHECK(terminal_width("q̈") == 1);
+  CHECK(terminal_width("m l²") == 4);
 }
 
 TEST_CASE("blocks are aligned on one baseline") {
-  const Block half = stacked({{"1"}, 0}, {{"2"}, 0}, "-");
-  const Block drawn = join_blocks(half, {{" m"}, 0});
+  const TextBlock half = stack_blocks({{"1"}, 0}, {{"2"}, 0}, "-");
+  const TextBlock drawn = join_blocks(half, {{" m"}, 0});
   CHECK(text_of(drawn, "") == "1\n- m\n2\n");
   CHECK(text_of(join_blocks({{"m "}, 0}, half), "  ") == "    1\n  m -\n    2\n");
 }
 
 TEST_CASE("a fraction is as wide as its wider part") {
-  CHECK(text_of(stacked({{"a + b"}, 0}, {{"c"}, 0}, "-"), "") == "a + b\n-----\n  c\n");
+  CHECK(text_of(stack_blocks({{"a + b"}, 0}, {{"c"}, 0}, "-"), "") == "a + b\n-----\n  c\n");
 }
 
 TEST_CASE("cells of a grid are centred or left-aligned") {
-  const std::vector<Block> cells{{{"a + b"}, 0}, {{"c"}, 0}, {{"d"}, 0}, {{"e"}, 0}};
-  CHECK(text_of(grid(cells, 2), "") == "a + b   c\n  d     e\n");
-  CHECK(text_of(grid(cells, 2, Alignment::left), "") == "a + b   c\nd       e\n");
+  const std::vector<TextBlock> cells{{{"a + b"}, 0}, {{"c"}, 0}, {{"d"}, 0}, {{"e"}, 0}};
+  CHECK(text_of(draw_grid(cells, 2), "") == "a + b   c\n  d     e\n");
+  CHECK(text_of(draw_grid(cells, 2, Alignment::left), "") == "a + b   c\nd       e\n");
 }
 
 TEST_CASE("rows of a grid with tall cells are separated by a blank line") {
-  const Block half = stacked({{"1"}, 0}, {{"2"}, 0}, "-");
-  CHECK(text_of(grid({half, {{"x"}, 0}}, 1), "") == "1\n-\n2\n\nx\n");
+  const TextBlock half = stack_blocks({{"1"}, 0}, {{"2"}, 0}, "-");
+  CHECK(text_of(draw_grid({half, {{"x"}, 0}}, 1), "") == "1\n-\n2\n\nx\n");
 }
 
 TEST_CASE("brackets are as high as their neighbour") {
-  CHECK(text_of(bracket_drawing("(", {{"x"}, 0}, Alphabet::ascii), "") == "(\n");
-  CHECK(text_of(bracket_drawing("(", {{"x", "y", "z"}, 1}, Alphabet::ascii), "") == "/\n|\n\\\n");
+  CHECK(text_of(draw_bracket("(", {{"x"}, 0}, Alphabet::ascii), "") == "(\n");
+  CHECK(text_of(draw_bracket("(", {{"x", "y", "z"}, 1}, Alphabet::ascii), "") == "/\n|\n\\\n");
 }

@@ -22,7 +22,7 @@ const Formula b = symbol("b");
 const Formula c = symbol("c");
 const Formula two = number_formula(2);
 
-std::string latex_of(const Formula& formula) { return latex(glyphs_of(formula)); }
+std::string latex_of(const Formula& formula) { return to_latex(glyphs_of(formula)); }
 
 Formula number(const char* text) { return number_formula(cln::cl_RA(text)); }
 
@@ -43,13 +43,13 @@ const std::vector<Nesting> nestings{
      }},
     {"x - y",
      [](const Formula& x, const Formula& y) {
-       return sum_of({x, negative(y)});
+       return sum_of({x, negative_of(y)});
      }},
     {"y - x",
      [](const Formula& x, const Formula& y) {
-       return sum_of({y, negative(x)});
+       return sum_of({y, negative_of(x)});
      }},
-    {"-x", [](const Formula& x, const Formula&) { return negative(x); }},
+    {"-x", [](const Formula& x, const Formula&) { return negative_of(x); }},
     {"x y",
      [](const Formula& x, const Formula& y) {
        return product_of({x, y});
@@ -88,7 +88,7 @@ bool is_near(const Value& x, const Value& y) {
 Texts wrong_notations(const Formula& formula) {
   const Value value = value_of_tree(formula);
   const std::string text = text_of(formula);
-  const Block drawn = drawing(glyphs_of(formula), Alphabet::ascii, Fractions::in_line);
+  const TextBlock drawn = draw_glyphs(glyphs_of(formula), Alphabet::ascii, FractionStyle::in_line);
   Texts wrong;
   const auto expect = [&](const std::string& printed, const auto& value_of) {
     try {
@@ -107,25 +107,25 @@ Texts wrong_notations(const Formula& formula) {
 }  // namespace
 
 TEST_CASE("brackets are printed only if precedence requires them, in the model language") {
-  const Spelling& n = model_spelling;
+  const OperatorSpelling& n = model_spelling;
   const FormulaText x{"a"};
   const FormulaText y{"b"};
   const FormulaText z{"c"};
   CHECK(sum_text({{x}, {sum_text({{y}, {z, true}})}}).text == "a + (b - c)");
   CHECK(sum_text({{sum_text({{x}, {y}})}, {z}}).text == "a + b + c");
-  CHECK(product_text(n, {sum_text({{x}, {y}}), power(z, {"2"})}).text == "(a + b)*c^2");
-  CHECK(quotient(n, x, product_text(n, {y, z})).text == "a/(b*c)");
-  CHECK(negated(sum_text({{x}, {y}})).text == "-(a + b)");
-  CHECK(called("sqrt", {sum_text({{x}, {y}})}).text == "sqrt(a + b)");
-  CHECK(power(called("sin", {x}), {"2"}).text == "sin(a)^2");
+  CHECK(product_text(n, {sum_text({{x}, {y}}), power_text(z, {"2"})}).text == "(a + b)*c^2");
+  CHECK(quotient_text(n, x, product_text(n, {y, z})).text == "a/(b*c)");
+  CHECK(negation_text(sum_text({{x}, {y}})).text == "-(a + b)");
+  CHECK(named_call_text("sqrt", {sum_text({{x}, {y}})}).text == "sqrt(a + b)");
+  CHECK(power_text(named_call_text("sin", {x}), {"2"}).text == "sin(a)^2");
 }
 
 TEST_CASE("nested trees follow the same rules, with brackets around nested sums") {
-  CHECK(text_of(sum_of({a, sum_of({b, negative(c)})})) == "a + (b - c)");
+  CHECK(text_of(sum_of({a, sum_of({b, negative_of(c)})})) == "a + (b - c)");
   CHECK(text_of(sum_of({sum_of({a, b}), c})) == "(a + b) + c");
   CHECK(text_of(product_of({sum_of({a, b}), power_of(c, two)})) == "(a + b)*c^2");
   CHECK(text_of(quotient_of(a, product_of({b, c}))) == "a/(b*c)");
-  CHECK(text_of(negative(sum_of({a, b}))) == "-(a + b)");
+  CHECK(text_of(negative_of(sum_of({a, b}))) == "-(a + b)");
   CHECK(text_of(root_of(sum_of({a, b}))) == "sqrt(a + b)");
   CHECK(text_of(power_of(call_of(FunctionId::sin, {a}), two)) == "sin(a)^2");
 }
@@ -141,9 +141,9 @@ TEST_CASE("in LaTeX functions come last, so that no factor is read as part of an
   const Formula sine = call_of(FunctionId::sin, {a});
   CHECK(latex_of(product_of({sine, sum_of({b, c}), c})) == "(b + c) c \\sin a");
   CHECK(latex_of(product_of({two, sine, sine})) == "2 \\sin a \\sin a");
-  CHECK(latex_of(product_of({sine, negative(b)})) == "-b \\sin a");
+  CHECK(latex_of(product_of({sine, negative_of(b)})) == "-b \\sin a");
   CHECK(text_of(product_of({sine, b})) == "sin(a)*b");
-  CHECK(product_text(code_spelling, {called("sin", {{"a"}}), {"b"}}).text == "sin(a) * b");
+  CHECK(product_text(code_spelling, {named_call_text("sin", {{"a"}}), {"b"}}).text == "sin(a) * b");
 }
 
 TEST_CASE("log1p, expm1, hypot and Stumpff functions are printed in mathematical notation") {
@@ -163,14 +163,14 @@ TEST_CASE("log1p, expm1, hypot and Stumpff functions are printed in mathematical
 }
 
 TEST_CASE("only a leading sign has no brackets") {
-  const Spelling& n = code_spelling;
+  const OperatorSpelling& n = code_spelling;
   const FormulaText x{"a"};
   const FormulaText y{"b"};
-  CHECK(product_text(n, {negated(x), y}).text == "-a * b");
-  CHECK(negated(product_text(n, {x, y})).text == "-a * b");
-  CHECK(product_text(n, {x, negated(y)}).text == "a * (-b)");
-  CHECK(sum_text({{{"c"}}, {negated(product_text(n, {x, y})), true}}).text == "c - (-a * b)");
-  CHECK(negated(negated(x)).text == "-(-a)");
+  CHECK(product_text(n, {negation_text(x), y}).text == "-a * b");
+  CHECK(negation_text(product_text(n, {x, y})).text == "-a * b");
+  CHECK(product_text(n, {x, negation_text(y)}).text == "a * (-b)");
+  CHECK(sum_text({{{"c"}}, {negation_text(product_text(n, {x, y})), true}}).text == "c - (-a * b)");
+  CHECK(negation_text(negation_text(x)).text == "-(-a)");
 }
 
 TEST_CASE("numbers are exact") {
@@ -192,15 +192,15 @@ TEST_CASE("relations, lists, words and signs") {
   };
   const std::vector<Row> rows{
       {relation(a, sum_of({b, c})), "a = b + c", "a = b + c"},
-      {tuple_of({a, negative(b)}), "(a, -b)", "(a, -b)"},
+      {tuple_of({a, negative_of(b)}), "(a, -b)", "(a, -b)"},
       {enumeration({a}), "a", "a"},
       {enumeration({a, b}), "a and b", "a \\text{ and } b"},
       {enumeration({a, b, c}), "a, b and c", "a, b \\text{ and } c"},
       {row_of({a, prose("; then"), b}), "a; then b", "a \\text{; then } b"},
       {row_of({prose("at"), {}, a, prose("")}), "at a", "\\text{at } a"},
       {plus_minus(sum_of({a, b})), "+-(a + b)", "\\pm (a + b)"},
-      {bars(sum_of({a, b})), "|a + b|", "\\left| a + b \\right|"},
-      {product_of({group(negative(a)), b}), "(-a)*b", "(-a) b"},
+      {absolute_value_of(sum_of({a, b})), "|a + b|", "\\left| a + b \\right|"},
+      {product_of({group(negative_of(a)), b}), "(-a)*b", "(-a) b"},
       {digits_formula("-1.5e-07"), "-1.5e-07", "-1.5 \\cdot 10^{-7}"},
       {latex_formula("\\ddot{<q>}_{1}"), "ddot(q1)", "\\ddot{\\mathbf{q}}_{1}"},
       {power_of(symbol_formula("V", read_latex("V(r)"), true), two), "V^2", "(V(r))^{2}"},
@@ -210,7 +210,7 @@ TEST_CASE("relations, lists, words and signs") {
   for (const Row& row : rows) {
     CHECK(text_of(row.formula) == row.text);
     CHECK(latex_of(row.formula) == row.latex);
-    CHECK(latex(read_latex(row.latex)) == row.latex);
+    CHECK(to_latex(read_latex(row.latex)) == row.latex);
   }
   CHECK(row_of({{}, prose("")}).is_empty());
 }
@@ -239,7 +239,7 @@ TEST_CASE("a nested operation has the value of the tree in text, LaTeX and ASCII
     for (const Nesting& outer : nestings) {
       const Formula formula = outer.build(inner, c);
       for (const std::string& notation : wrong_notations(formula)) wrong.push_back(notation);
-      CHECK(latex(read_latex(latex_of(formula))) == latex_of(formula));
+      CHECK(to_latex(read_latex(latex_of(formula))) == latex_of(formula));
     }
   }
   CHECK(wrong == Texts{});

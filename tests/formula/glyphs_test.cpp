@@ -18,15 +18,15 @@ using Texts = std::vector<std::string>;
 
 Texts lines_of(const std::string& text, double widest) {
   Texts lines;
-  for (const Glyphs& line : break_lines(read_latex(text), widest)) lines.push_back(latex(line));
+  for (const Glyphs& line : break_lines(read_latex(text), widest)) lines.push_back(to_latex(line));
   return lines;
 }
 
 /// The pieces of a text; prose in quotes, formulas without.
 Texts pieces_in(const std::string& text) {
   Texts all;
-  for (const auto& [is_prose, prose, formula] : pieces(read_latex(text))) {
-    all.push_back(is_prose ? "'" + prose + "'" : latex(formula));
+  for (const auto& [is_prose, prose, formula] : split_at_prose(read_latex(text))) {
+    all.push_back(is_prose ? "'" + prose + "'" : to_latex(formula));
   }
   return all;
 }
@@ -66,7 +66,7 @@ Texts latex_of_tables() {
 TEST_CASE("the LaTeX of tables is printed unchanged") {
   const Texts all = latex_of_tables();
   CHECK(all.size() > 100);
-  for (const std::string& text : all) CHECK(latex(read_latex(text)) == with_bold(text));
+  for (const std::string& text : all) CHECK(to_latex(read_latex(text)) == with_bold(text));
 }
 
 TEST_CASE("LaTeX is printed unchanged, with scripts in braces") {
@@ -74,13 +74,13 @@ TEST_CASE("LaTeX is printed unchanged, with scripts in braces") {
        {"{\\delta} q", "\\left[ x \\right]_{\\mathrm{locked}}", "\\left. {} + x \\right)^{-1/2}",
         "{x^{2}}^{3}", "\\ddot{\\mathrm{elbow}}_{2}'", "a \\text{, so } b, \\quad c",
         "\\operatorname{tr} A", "\\unknown x", "1.5 \\cdot 10^{-7}", "|x| \\le \\pm 2"}) {
-    CHECK(latex(read_latex(text)) == text);
+    CHECK(to_latex(read_latex(text)) == text);
   }
   const std::vector<std::pair<std::string, std::string>> rows{
       {"q_1^2", "q_{1}^{2}"},        {"\\frac1x", "\\frac{1}{x}"}, {"<tau>", "\\boldsymbol{\\tau}"},
       {"\\dot q", "\\dot{q}"},       {"{\\alpha}x", "{\\alpha}x"}, {"\\bm{q}", "\\mathbf{q}"},
       {"\u03b8 + 1", "\\theta + 1"}, {"x^\\prime", "x^{'}"}};
-  for (const auto& [typed, printed] : rows) CHECK(latex(read_latex(typed)) == printed);
+  for (const auto& [typed, printed] : rows) CHECK(to_latex(read_latex(typed)) == printed);
 }
 
 TEST_CASE("a formula is parsed into its parts") {
@@ -157,7 +157,7 @@ TEST_CASE("LaTeX becomes MathML") {
   };
   for (const auto& [latex, expected] : rows) {
     INFO(latex);
-    CHECK(mathml(read_latex(latex)) == expected);
+    CHECK(to_mathml(read_latex(latex)) == expected);
   }
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("prose and formulas alternate") {
 }
 
 TEST_CASE("bold letters become plain, and words upright") {
-  const auto bare = [](const char* text) { return latex(without_bold(read_latex(text))); };
+  const auto bare = [](const char* text) { return to_latex(remove_bold(read_latex(text))); };
   CHECK(bare("\\dot{\\mathbf{q}}_{\\boldsymbol{\\tau}}") == "\\dot{q}_{\\tau}");
   CHECK(bare("\\mathbf{bias}") == "\\mathrm{bias}");
 }

@@ -55,7 +55,7 @@ class Count {
 
 SourcePointer option(const std::string& text) { return make_source("option", text); }
 
-Inputs chain() { return {make_source("chain.toml", model_file("chain")), nullptr}; }
+PipelineSources chain() { return {make_source("chain.toml", model_file("chain")), nullptr}; }
 
 PipelineOptions chain_options(int links, const std::string& output) {
   PipelineOptions options;
@@ -84,12 +84,12 @@ Counts counts_of_chain(int links) {
 }
 
 /// Operations of the stage `typeset`.
-Operations count_of_pages(const Inputs& inputs, PipelineOptions options) {
+Operations count_of_pages(const PipelineSources& inputs, PipelineOptions options) {
   Count count;
   options.goals = {Goal::typeset};
   options.on_stage = [&](const std::string& stage) { count.begin(stage); };
   const Products products = run_pipeline(inputs, options);
-  REQUIRE(products.book);
+  REQUIRE(products.page_programs);
   return count.end().at("typeset");
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("operations of a stage grow no faster than the chain") {
     const double growth = static_cast<double>(many->first) / few->first;
     // Every goal except steps, claims and the analyses is a stage here; the energy's magnitude is
     // an additional stage.
-    REQUIRE(many->second.size() == goal_names.size() - analysis_table.size() - 1);
+    REQUIRE(many->second.size() == stage_names.size() - analysis_table.size() - 1);
     for (const auto& [stage, count] : many->second) {
       const Operations& before = few->second.at(stage);
       INFO(stage << ", " << few->first << " and " << many->first << " links: " << before.bytes
@@ -160,7 +160,7 @@ namespace {
 /// Bytes that the pipeline allocates up to the last of `goals`, for a model with n coordinates.
 std::uint64_t bytes_of(const std::string& text, const std::vector<Goal>& goals,
                        const std::vector<std::string>& outputs, int size) {
-  const Inputs inputs{make_source("small.toml", text), nullptr};
+  const PipelineSources inputs{make_source("small.toml", text), nullptr};
   PipelineOptions options;
   options.scene.sizes = {option("n=" + std::to_string(size))};
   for (const std::string& output : outputs) options.scene.outputs.push_back(option(output));
@@ -214,7 +214,7 @@ TEST_CASE("the search of boxes stops at its limit of operations") {
       "T = \"sum(i, 1, n, dot(q[i])^2)/2\"\n"
       "V = \"sum(i, 1, n, cos(q[i])) + 0.3*sum(i, 2, n, cos(q[i] - q[i-1]))\"\n");
   for (const int size : {6, 12}) {
-    const Inputs inputs{make_source("small.toml", waves), nullptr};
+    const PipelineSources inputs{make_source("small.toml", waves), nullptr};
     PipelineOptions options;
     options.scene.sizes = {option("n=" + std::to_string(size))};
     options.goals = {Goal::equilibria};

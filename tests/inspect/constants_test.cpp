@@ -133,14 +133,15 @@ TEST_CASE("a root names its entry and its role in the entry") {
                           "[[output]]\nname = \"o\"\nvalue = \"sin(x)\"\n")
                           .model;
   const auto texts_of = [&model](RootRole role) {
-    return texts(model, roots_if(model, [role](const Root& root) { return root.role == role; }));
+    return texts(model,
+                 filter_roots(model, [role](const Root& root) { return root.role == role; }));
   };
   CHECK(texts_of(RootRole::armature) == "J");
   CHECK(texts_of(RootRole::mass) == "m");
   CHECK(texts_of(RootRole::potential) == "k*length^2");
   CHECK(texts_of(RootRole::kinetic).empty());
   CHECK(texts_of(RootRole::value) == "cos(x), sin(x), 2*x");
-  CHECK(texts(model, roots_if(model, is_force)) == "cos(x)");
+  CHECK(texts(model, filter_roots(model, is_force_value)) == "cos(x)");
   const std::vector<Root> roots = roots_of(model);
   const auto armature = std::ranges::find(roots, RootRole::armature, &Root::role);
   REQUIRE(armature != roots.end());
@@ -157,7 +158,7 @@ TEST_CASE("all energies and forces are roots", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     INFO(name);
     const Model model = checked_model(text).model;
-    const auto all = reachable_from(model, equation_roots(model));
+    const auto all = reachable_expressions(model, equation_roots(model));
     for (const Body& body : model.bodies) {
       if (!body.mass) continue;
       ++masses;

@@ -12,7 +12,7 @@ namespace {
 
 Diagnostics diagnostics(const std::string& model, const std::string& lines) {
   const CheckedModel checked = approximated(model, lines);
-  return inspect_equilibrium({checked.model, checked.scene});
+  return inspect_expansion_point({checked.model, checked.scene});
 }
 
 std::string equilibrium_findings(const std::string& model, const std::string& lines) {
@@ -50,7 +50,7 @@ on = "q"
 
 TEST_CASE("models without approximation and true equilibria pass") {
   const CheckedModel exact = checked_model(read_model("cart_pole"));
-  CHECK(inspect_equilibrium({exact.model, exact.scene}).empty());
+  CHECK(inspect_expansion_point({exact.model, exact.scene}).empty());
   CHECK(equilibrium_findings(read_model("cart_pole"), "order = 1\nabout = { x = 3, theta = 0 }")
             .empty());
   CHECK(

@@ -171,6 +171,6 @@ TEST_CASE("a declared singular factor is reported as written, without a search")
   const SourcePointer source = make_source("model.toml", "singular = \"sin(th)\"");
   const ExpressionId factor = b.expression("sin(th)");
   b.model.expressions[factor].span = {source.get(), 12, 19};
-  b.model.coordinates[0].singular = factor;
+  b.model.coordinates[0].singular_condition = factor;
   CHECK(chart_findings(b) == "E511: the chart of `th` breaks where `sin(th)` is zero");
 }

@@ -21,12 +21,14 @@ ModelBuilder spring(const std::string& potential) {
   return b;
 }
 
-std::string unused_findings(const Model& model) { return text_of(inspect_unused({model, {}})); }
+std::string unused_findings(const Model& model) {
+  return text_of(inspect_unused_names({model, {}}));
+}
 
 Diagnostics left_out_notes(const std::vector<OmittedOutputs>& left_out) {
   Scene scene;
-  scene.left_out = left_out;
-  return inspect_left_out({Model{}, scene});
+  scene.omitted_outputs = left_out;
+  return inspect_omissions({Model{}, scene});
 }
 
 std::string smoothed_findings(const std::string& force, const std::vector<std::string>& outputs) {
@@ -47,7 +49,7 @@ value = ")toml" + force + "\"\n"));
     return std::find(outputs.begin(), outputs.end(), output.name) == outputs.end();
   });
   for (OutputRequest& output : scene.outputs) output.span = {source.get(), 0, 13};
-  return text_of(inspect_smoothed({checked.model, scene}));
+  return text_of(inspect_smoothed_friction({checked.model, scene}));
 }
 
 const std::string is_damper = "E627: `linearization` contains this friction as a damper near rest";
@@ -73,7 +75,7 @@ TEST_CASE("an input must act on a velocity or occur in a force") {
 
 TEST_CASE("a parameter that only a locked model lacks counts as used") {
   Model locked = spring("x^2").model;
-  locked.variant.whole = std::make_shared<const Model>(spring("k1*x^2").model);
+  locked.reduction.unreduced = std::make_shared<const Model>(spring("k1*x^2").model);
   CHECK(unused_findings(locked).empty());
 }
 

@@ -12,7 +12,7 @@ std::string message_of(OutputKind kind, const std::optional<std::size_t>& row) {
   LeafNames names;
   names.multipliers = {"loop", "rod"};
   const OutputRequest request{.kind = kind, .name = "x"};
-  const auto fault = singular_besides_mass(request, row, names);
+  const auto fault = singular_system_error(request, row, names);
   return fault ? std::string(code_row(fault->code).name) + " " + fault->message : "";
 }
 

@@ -81,12 +81,12 @@ TEST_CASE("leaf kinds of few functions have names only if a function takes them"
     INFO(row.symbol);
     LeafNames leaves = unused;
     name_optional_leaves(row.id, leaves);
-    if (row.passed != Passed::if_used) {
+    if (row.argument_rule != ArgumentRule::if_used) {
       CHECK(has_names(leaves, row.id) == has_names(unused, row.id));
       continue;
     }
     // Kinds with one leaf per velocity get the names of the velocities.
-    CHECK((row.of == LeafOwner::velocities || row.of == LeafOwner::system));
+    CHECK((row.owner == LeafOwner::velocities || row.owner == LeafOwner::system));
     CHECK_FALSE(has_names(unused, row.id));
     CHECK(has_names(leaves, row.id));
   }
@@ -187,7 +187,7 @@ TEST_CASE("operands precede their users, each once, even through definitions") {
           "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n[define]\n"
           "a = \"2*x\"\nunused = \"3*x\"\n[energy]\nT = \"dot(x)^2\"\nV = \"sin(a) + a\"\n")
           .model;
-  CHECK(texts(model, reachable_from(model, {*model.energies.V})) ==
+  CHECK(texts(model, reachable_expressions(model, {*model.energies.V})) ==
         "2, x, 2*x, a, sin(a), a, sin(a) + a");
   CHECK(texts(model, references(model, *model.energies.V)) == "sin(a), a");
 }
@@ -201,7 +201,7 @@ TEST_CASE("references through points, frames and prescribed functions are follow
           "[[point]]\nname = \"P\"\nframe = \"F\"\nat = [\"x\", \"0\", \"0\"]\nmass = \"m\"\n"
           "[[output]]\nname = \"o\"\nvalue = \"x(P)\"\n")
           .model;
-  const auto all = reachable_from(model, {model.outputs.front().values.front()});
+  const auto all = reachable_expressions(model, {model.outputs.front().values.front()});
   const auto has = [&](Opcode kind) {
     return std::any_of(all.begin(), all.end(),
                        [&](ExpressionId id) { return is_leaf(model.expressions[id], kind); });
@@ -241,8 +241,8 @@ TEST_CASE("a cycle consists of references, link by link") {
 
 TEST_CASE("an expression reached twice is listed once") {
   const Model model = checked(model_file("chain")).model;
-  auto all = reachable_from(model, {*model.expectations.front().entries.begin(),
-                                    *model.expectations.front().entries.begin()});
+  auto all = reachable_expressions(model, {*model.expectations.front().entries.begin(),
+                                           *model.expectations.front().entries.begin()});
   std::sort(all.begin(), all.end());
   CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
 }

@@ -33,7 +33,7 @@ std::vector<std::string> names_in_full(const std::string& model) {
 /// One line per reason, such as "too many entries: mass_matrix, linearization".
 std::string left_out(const CheckedModel& checked) {
   std::string lines;
-  for (const OmittedOutputs& reason : checked.scene.left_out) {
+  for (const OmittedOutputs& reason : checked.scene.omitted_outputs) {
     std::string names;
     for (const std::string& output : reason.outputs) names += (names.empty() ? "" : ", ") + output;
     lines += std::string(name_of(reason.reason)) + ": " + names + "\n";
@@ -146,7 +146,7 @@ TEST_CASE("forces with kinks have no derivatives, and full omits the derivatives
         "`min` and `max` have none; a smooth approximation is tanh(x/width)\n");
   const CheckedModel kinked = checked(model);
   CHECK(left_out(kinked) == without_derivatives);
-  CHECK(covered_text(kinked.scene.left_out.front().span) == "abs(x)");
+  CHECK(covered_text(kinked.scene.omitted_outputs.front().span) == "abs(x)");
 }
 
 TEST_CASE("outputs that do not apply to a model are not listed as left out") {
@@ -185,7 +185,7 @@ TEST_CASE("large outputs are left out of full, each above its own size limit") {
   CHECK(left_out(big) ==
         "too many entries: mass_matrix, coriolis_matrix, linearization, "
         "inverse_dynamics_derivatives, forward_dynamics_derivatives\n");
-  CHECK(covered_text(big.scene.left_out.front().span) == "a");
+  CHECK(covered_text(big.scene.omitted_outputs.front().span) == "a");
   CHECK(big.scene.outputs.front().name == "velocity_force");
 }
 
@@ -195,12 +195,12 @@ TEST_CASE("a scene or an option that names a large output gets it") {
       {.scene = "format = 1\nmodel = \"a.toml\"\nname = \"b\"\n[outputs]\nlinearization = true\n"});
   REQUIRE(by_scene.scene.outputs.size() == 1);
   CHECK(by_scene.scene.outputs.front().rows == 130);
-  CHECK(by_scene.scene.left_out.empty());
+  CHECK(by_scene.scene.omitted_outputs.empty());
   CheckOptions option;
   option.outputs = {"mass_matrix"};
   const CheckedModel by_option = checked(masses(65), option);
   CHECK(by_option.scene.outputs.front().rows == 65);
-  CHECK(by_option.scene.left_out.empty());
+  CHECK(by_option.scene.omitted_outputs.empty());
   option.outputs = {"mass_matrx"};
   CHECK_THAT(
       messages(masses(65), option),

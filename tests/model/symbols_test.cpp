@@ -12,7 +12,7 @@ namespace {
 
 std::vector<std::string> latex_of(const Formulas& symbols) {
   std::vector<std::string> all;
-  for (const Formula& symbol : symbols) all.push_back(latex(glyphs_of(symbol)));
+  for (const Formula& symbol : symbols) all.push_back(to_latex(glyphs_of(symbol)));
   return all;
 }
 
@@ -37,18 +37,18 @@ TEST_CASE("names become symbols") {
   };
   for (const auto& [name, expected] : rows) {
     INFO(name);
-    CHECK(latex(symbol_of_name(name)) == expected);
+    CHECK(to_latex(symbol_of_name(name)) == expected);
   }
 }
 
 TEST_CASE("a model's own LaTeX is used") {
-  CHECK(latex(symbol_of_name("phi", "\\varphi")) == "\\varphi");
+  CHECK(to_latex(symbol_of_name("phi", "\\varphi")) == "\\varphi");
 }
 
 TEST_CASE("if a symbol draws nothing, the name is drawn") {
   for (const char* const key : {"{}", " ", "^", "\\dot", "\\mathrm{}", "\\dot{}", "_{}", "{{}}"}) {
     INFO(key);
-    CHECK(latex(symbol_of_name("theta1", key)) == "\\theta_{1}");
+    CHECK(to_latex(symbol_of_name("theta1", key)) == "\\theta_{1}");
   }
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("an input named after its coordinate has the scripts of the coordinate
                                "[[input]]\nname = \"tau_elbow\"\non = \"elbow\"\n"
                                "[[input]]\nname = \"tau_wrist\"\non = \"wrist\"\n"
                                "[[input]]\nname = \"u_tau_elbow\"\non = \"elbow\"\n"));
-  CHECK(latex_of(ModelSymbols(checked.model).leaves().u) ==
+  CHECK(latex_of(ModelSymbols(checked.model).leaf_symbols().u) ==
         std::vector<std::string>{"\\tau_{2}", "\\tau_{\\mathrm{wrist}}",
                                  "u_{\\tau, \\mathrm{elbow}}"});
 }
@@ -72,7 +72,7 @@ TEST_CASE("two long names do not get the same symbol") {
       "[[coordinate]]\nname = \"left_hip\"\n[[coordinate]]\nname = \"left_hip_\"\n[parameters]\n"
       "Ixx_hip = 1\nI_xx_hip = 2\n[energy]\n"
       "T = \"Ixx_hip*dot(left_hip)^2 + I_xx_hip*dot(left_hip_)^2\"\n"));
-  const LeafValues<Formula> symbols = ModelSymbols(checked.model).leaves();
+  const LeafValues<Formula> symbols = ModelSymbols(checked.model).leaf_symbols();
   CHECK(latex_of(symbols.v) == std::vector<std::string>{"\\dot{\\mathrm{left}}_{\\mathrm{hip}}",
                                                         "\\dot{\\mathrm{left}}_{\\mathrm{hip}}'"});
   CHECK(latex_of(symbols.parameters) ==
@@ -87,19 +87,20 @@ TEST_CASE("two quantities never share a symbol") {
                  "mass = 3\nF = { value = 1, latex = \"\\\\mathrm{mass}\" }\n"
                  "[energy]\nT = \"m1*dot(x)^2 + m_1*dot(x_)^2 + sum(i, 1, n, l[i])*mass*F*l2\"\n"));
   const ModelSymbols symbols(checked.model);
-  CHECK(latex_of(symbols.leaves().q) == std::vector<std::string>{"x", "x'"});
-  CHECK(latex_of(symbols.leaves().v) == std::vector<std::string>{"\\dot{x}", "\\dot{x}'"});
-  CHECK(latex_of(symbols.leaves().parameters) ==
+  CHECK(latex_of(symbols.leaf_symbols().q) == std::vector<std::string>{"x", "x'"});
+  CHECK(latex_of(symbols.leaf_symbols().v) == std::vector<std::string>{"\\dot{x}", "\\dot{x}'"});
+  CHECK(latex_of(symbols.leaf_symbols().parameters) ==
         std::vector<std::string>{"m_{1}", "m_{1}'", "l_{1}", "l_{2}", "l_{2}'", "\\mathrm{mass}",
                                  "\\mathrm{mass}'"});
   ModelSymbols more = symbols;
-  CHECK(latex(more.distinct(symbol_of_name("F_quaternion"))) == "F_{\\mathrm{quaternion}}");
-  CHECK(latex(more.distinct(symbol_of_name("F_quaternion_"))) == "F_{\\mathrm{quaternion}}'");
-  CHECK(mathml(read_latex("m_{1}'")) != mathml(read_latex("m_{1}")));
+  CHECK(to_latex(more.make_distinct(symbol_of_name("F_quaternion"))) == "F_{\\mathrm{quaternion}}");
+  CHECK(to_latex(more.make_distinct(symbol_of_name("F_quaternion_"))) ==
+        "F_{\\mathrm{quaternion}}'");
+  CHECK(to_mathml(read_latex("m_{1}'")) != to_mathml(read_latex("m_{1}")));
 }
 
 TEST_CASE("exponents of units are superscripts") {
-  CHECK(unit_text("kg*m^2/s^-1", " ", small_exponent) == "kg m²/s⁻¹");
-  CHECK(unit_text("kg^(1/2) * m", " ", small_exponent) == "kg^(1/2) m");
-  CHECK(unit_text("", " ", small_exponent).empty());
+  CHECK(format_unit("kg*m^2/s^-1", " ", small_exponent) == "kg m²/s⁻¹");
+  CHECK(format_unit("kg^(1/2) * m", " ", small_exponent) == "kg^(1/2) m");
+  CHECK(format_unit("", " ", small_exponent).empty());
 }

@@ -83,9 +83,9 @@ TEST_CASE("rank, kernel and pivots of an example") {
   REQUIRE(echelon.rank() == 2);
   CHECK(echelon.pivots()[0].column == 0);
   CHECK(echelon.pivots()[1].column == 2);
-  REQUIRE(echelon.rest(echelon.pivots()[0]).size() == 1);
-  CHECK(echelon.rest(echelon.pivots()[0])[0].column == 1);
-  CHECK(echelon.rest(echelon.pivots()[0])[0].value == 2);
+  REQUIRE(echelon.row_without_pivot(echelon.pivots()[0]).size() == 1);
+  CHECK(echelon.row_without_pivot(echelon.pivots()[0])[0].column == 1);
+  CHECK(echelon.row_without_pivot(echelon.pivots()[0])[0].value == 2);
   CHECK(echelon.kernel() == std::vector<Rationals>{{-2, 1, 0}});
   check_kernel<Exact>(matrix, 3);
 }

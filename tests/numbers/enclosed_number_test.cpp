@@ -19,14 +19,14 @@ const EnclosedArithmetic many(400);
 
 EnclosedNumber exact(const cl_RA& value) { return {value, 0}; }
 
-Enclosed call(const EnclosedArithmetic& with, FunctionId function, const cl_RA& x,
-              const cl_RA& y = 0) {
+EnclosedResult call(const EnclosedArithmetic& with, FunctionId function, const cl_RA& x,
+                    const cl_RA& y = 0) {
   return with.call(function, exact(x), exact(y));
 }
 
 /// True if the value in few digits differs from the value in many digits by at most its error
 /// bound.
-bool agree(const Enclosed& rough, const Enclosed& fine) {
+bool agree(const EnclosedResult& rough, const EnclosedResult& fine) {
   REQUIRE(rough.number);
   REQUIRE(fine.number);
   const cl_R difference = cln::rational(rough.number->value) - cln::rational(fine.number->value);
@@ -50,10 +50,10 @@ TEST_CASE("functions propagate errors of their arguments") {
   const EnclosedNumber rough{cl_RA(7) / 10, power_of_ten(-20)};
   for (const FunctionRow& row : function_table()) {
     INFO(row.name);
-    const Enclosed here = few.call(row.id, rough, rough);
+    const EnclosedResult here = few.call(row.id, rough, rough);
     REQUIRE(here.number);
     for (const cl_RA& end : {power_of_ten(-20), -power_of_ten(-20)}) {
-      const Enclosed there = call(many, row.id, cl_RA(7) / 10 + end, cl_RA(7) / 10 - end);
+      const EnclosedResult there = call(many, row.id, cl_RA(7) / 10 + end, cl_RA(7) / 10 - end);
       CHECK(agree(here, there));
     }
   }
@@ -82,7 +82,7 @@ TEST_CASE("arithmetic propagates errors of its operands") {
 TEST_CASE("small values have as many significant digits as large values") {
   for (const FunctionId function :
        {FunctionId::exp, FunctionId::tanh, FunctionId::sin, FunctionId::log1p, FunctionId::expm1}) {
-    const Enclosed value =
+    const EnclosedResult value =
         call(few, function, function == FunctionId::exp ? cl_RA(-300) : power_of_ten(-300));
     REQUIRE(value.number);
     CHECK(value.number->error < cln::abs(value.number->value) * power_of_ten(-40));
@@ -101,26 +101,26 @@ TEST_CASE("rational results stay exact") {
 }
 
 TEST_CASE("outside the domain the reason is reported") {
-  CHECK(few.reciprocal(exact(0)).why == NoValue::undefined);
-  CHECK(few.reciprocal({0, 1}).why == NoValue::unknown);
-  CHECK(few.power(exact(0), 0).why == NoValue::undefined);
-  CHECK(few.power(exact(-8), cl_RA(1) / 3).why == NoValue::complex);
-  CHECK(few.power(exact(10), 12'000).why == NoValue::too_large);
-  CHECK(call(few, FunctionId::log, 0).why == NoValue::undefined);
-  CHECK(call(few, FunctionId::log, -1).why == NoValue::complex);
-  CHECK(call(few, FunctionId::log1p, -1).why == NoValue::undefined);
-  CHECK(call(few, FunctionId::log1p, -2).why == NoValue::complex);
+  CHECK(few.reciprocal(exact(0)).reason == NoValueReason::undefined);
+  CHECK(few.reciprocal({0, 1}).reason == NoValueReason::unknown);
+  CHECK(few.power(exact(0), 0).reason == NoValueReason::undefined);
+  CHECK(few.power(exact(-8), cl_RA(1) / 3).reason == NoValueReason::complex);
+  CHECK(few.power(exact(10), 12'000).reason == NoValueReason::too_large);
+  CHECK(call(few, FunctionId::log, 0).reason == NoValueReason::undefined);
+  CHECK(call(few, FunctionId::log, -1).reason == NoValueReason::complex);
+  CHECK(call(few, FunctionId::log1p, -1).reason == NoValueReason::undefined);
+  CHECK(call(few, FunctionId::log1p, -2).reason == NoValueReason::complex);
   CHECK(call(few, FunctionId::expm1, -100'000).number->value == -1);
-  CHECK(call(few, FunctionId::expm1, 100'000).why == NoValue::too_large);
-  CHECK(call(few, FunctionId::stumpff, -100'000, -3).why == NoValue::too_large);
+  CHECK(call(few, FunctionId::expm1, 100'000).reason == NoValueReason::too_large);
+  CHECK(call(few, FunctionId::stumpff, -100'000, -3).reason == NoValueReason::too_large);
   CHECK(call(few, FunctionId::stumpff, -100'000, 3).number);
-  CHECK(call(few, FunctionId::asin, 1 + power_of_ten(-30)).why == NoValue::complex);
+  CHECK(call(few, FunctionId::asin, 1 + power_of_ten(-30)).reason == NoValueReason::complex);
   CHECK(call(few, FunctionId::asin, 1 - power_of_ten(-30)).number);
-  CHECK(call(few, FunctionId::atan2, 0, 0).why == NoValue::undefined);
-  CHECK(call(few, FunctionId::exp, 100'000).why == NoValue::too_large);
+  CHECK(call(few, FunctionId::atan2, 0, 0).reason == NoValueReason::undefined);
+  CHECK(call(few, FunctionId::exp, 100'000).reason == NoValueReason::too_large);
   CHECK(call(few, FunctionId::tanh, -100'000).number->value == -1);
-  const Enclosed right_angle = many.product(many.pi(), exact(cl_RA(1) / 2));
-  CHECK(many.call(FunctionId::tan, *right_angle.number, {}).why == NoValue::undefined);
+  const EnclosedResult right_angle = many.product(many.pi(), exact(cl_RA(1) / 2));
+  CHECK(many.call(FunctionId::tan, *right_angle.number, {}).reason == NoValueReason::undefined);
 }
 
 TEST_CASE("a sign is known, or known to be undecided") {

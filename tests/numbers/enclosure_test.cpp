@@ -17,7 +17,7 @@ using namespace elgen;
 namespace {
 
 bool holds(const Enclosure& enclosure, const Real& value) {
-  if (enclosure.defined == Definedness::nowhere) return false;
+  if (enclosure.definedness == Definedness::nowhere) return false;
   const auto is_above = [&](double low) {
     return std::isinf(low) || exact_value(low) <= value.value();
   };
@@ -55,15 +55,15 @@ TEST_CASE("enclosures of functions contain all values on their box") {
     for (int i = 0; i < boxes; ++i) {
       const Enclosure x = random_enclosure(random);
       const bool is_stumpff = row.id == FunctionId::stumpff;
-      const Enclosure y =
-          is_stumpff ? enclosure_of((1 + i % 5) * (i % 2 == 0 ? 1 : -1)) : random_enclosure(random);
+      const Enclosure y = is_stumpff ? point_enclosure((1 + i % 5) * (i % 2 == 0 ? 1 : -1))
+                                     : random_enclosure(random);
       const Enclosure all = interpreter::call(row.id, x, y);
       for (int k = 0; k < points_in_box; ++k) {
         const double at_x = inside(x, random);
         const double at_y = inside(y, random);
         const Real value = interpreter::call(row.id, real_of(at_x), real_of(at_y));
         if (!value.is_defined()) {
-          CHECK(all.defined != Definedness::everywhere);
+          CHECK(all.definedness != Definedness::everywhere);
           continue;
         }
         ++defined;
@@ -97,21 +97,21 @@ TEST_CASE("enclosures of exact results have width 0") {
   const auto is_exactly = [](const Enclosure& x, double value) {
     return x.low == value && x.high == value;
   };
-  const Enclosure two = enclosure_of(2);
-  const Enclosure three = enclosure_of(3);
+  const Enclosure two = point_enclosure(2);
+  const Enclosure three = point_enclosure(3);
   CHECK(is_exactly(two + three, 5));
   CHECK(is_exactly(two - three, -1));
   CHECK(is_exactly(two * three, 6));
   CHECK(is_exactly(three / two, 1.5));
-  CHECK(is_exactly(sqrt(enclosure_of(2.25)), 1.5));
-  CHECK(is_exactly(enclosure_of(0) * Enclosure{-5, 7}, 0));
+  CHECK(is_exactly(sqrt(point_enclosure(2.25)), 1.5));
+  CHECK(is_exactly(point_enclosure(0) * Enclosure{-5, 7}, 0));
   CHECK(is_exactly(ScalarTraits<Enclosure>::from_real(cln::cl_RA(3) / 4), 0.75));
 }
 
 TEST_CASE("enclosures of rounded results are one ulp wide") {
   const Enclosure tenth = ScalarTraits<Enclosure>::from_real(cln::cl_RA(1) / 10);
   CHECK(tenth.high == std::nextafter(tenth.low, 1));
-  const Enclosure third = enclosure_of(1) / enclosure_of(3);
+  const Enclosure third = point_enclosure(1) / point_enclosure(3);
   CHECK(third.high == std::nextafter(third.low, 1));
   CHECK(third.low <= 1.0 / 3);
 }
@@ -133,22 +133,22 @@ TEST_CASE("the product of an operand with itself is a square, other products are
 }
 
 TEST_CASE("enclosures report undefined values and jumps") {
-  CHECK(sqrt(Enclosure{-1, 4}).defined == Definedness::somewhere);
+  CHECK(sqrt(Enclosure{-1, 4}).definedness == Definedness::somewhere);
   CHECK(sqrt(Enclosure{-1, 4}).low == 0);
-  CHECK(sqrt(Enclosure{-2, -1}).defined == Definedness::nowhere);
-  CHECK(log(Enclosure{-1, 0}).defined == Definedness::nowhere);
-  CHECK(asin(Enclosure{2, 3}).defined == Definedness::nowhere);
-  CHECK((Enclosure{1, 2} / Enclosure{-1, 1}).defined == Definedness::somewhere);
-  CHECK(tan(Enclosure{1, 2}).defined == Definedness::somewhere);
-  CHECK(sign(Enclosure{-1, 1}).defined == Definedness::somewhere);
-  CHECK(sign(Enclosure{1, 2}).defined == Definedness::everywhere);
+  CHECK(sqrt(Enclosure{-2, -1}).definedness == Definedness::nowhere);
+  CHECK(log(Enclosure{-1, 0}).definedness == Definedness::nowhere);
+  CHECK(asin(Enclosure{2, 3}).definedness == Definedness::nowhere);
+  CHECK((Enclosure{1, 2} / Enclosure{-1, 1}).definedness == Definedness::somewhere);
+  CHECK(tan(Enclosure{1, 2}).definedness == Definedness::somewhere);
+  CHECK(sign(Enclosure{-1, 1}).definedness == Definedness::somewhere);
+  CHECK(sign(Enclosure{1, 2}).definedness == Definedness::everywhere);
   const Enclosure undefined = sqrt(Enclosure{-2, -1});
-  CHECK((undefined + Enclosure{1, 2}).defined == Definedness::nowhere);
+  CHECK((undefined + Enclosure{1, 2}).definedness == Definedness::nowhere);
   CHECK_FALSE(may_contain(undefined * undefined, 0));
 }
 
 TEST_CASE("slopes of enclosures contain all slopes on their box") {
-  const Dual<Enclosure> x{{0, 1}, enclosure_of(1)};
+  const Dual<Enclosure> x{{0, 1}, point_enclosure(1)};
   const Dual<Enclosure> y = sin(x * x);
   // d sin(x^2)/dx = 2 x cos(x^2) has its maximum 1.6... on [0, 1] at x = 0.8...
   CHECK(y.slope.low <= 0);

@@ -165,12 +165,12 @@ TEST_CASE("enclosures are narrow near 0 and for large arguments") {
   const Enclosure near{1e-12, 2e-12};
   CHECK(width(log1p(near)) < 1.001e-12);
   CHECK(width(expm1(near)) < 1.001e-12);
-  CHECK(width(stumpff({-1e-3, 1e-3}, enclosure_of(1))) < 2e-7);
-  CHECK(width(stumpff({-1e-3, 1e-3}, enclosure_of(2))) < 1e-7);
-  CHECK(width(stumpff({1e3, 1e200}, enclosure_of(5))) < 1e-6);
-  CHECK(stumpff({-1e9, 1e9}, enclosure_of(1)).low > -0.22);
-  CHECK(width(stumpff({-1e-3, 1e-3}, enclosure_of(-1))) < 2e-7);
-  CHECK(stumpff({-2, 1}, enclosure_of(-4)).low == Approx(1 / 24.0));
-  CHECK(std::isinf(stumpff({1, 1e200}, enclosure_of(-4)).high));
+  CHECK(width(stumpff({-1e-3, 1e-3}, point_enclosure(1))) < 2e-7);
+  CHECK(width(stumpff({-1e-3, 1e-3}, point_enclosure(2))) < 1e-7);
+  CHECK(width(stumpff({1e3, 1e200}, point_enclosure(5))) < 1e-6);
+  CHECK(stumpff({-1e9, 1e9}, point_enclosure(1)).low > -0.22);
+  CHECK(width(stumpff({-1e-3, 1e-3}, point_enclosure(-1))) < 2e-7);
+  CHECK(stumpff({-2, 1}, point_enclosure(-4)).low == Approx(1 / 24.0));
+  CHECK(std::isinf(stumpff({1, 1e200}, point_enclosure(-4)).high));
   CHECK(hypot(Enclosure{-1, 2}, Enclosure{3, 4}).low == Approx(3));
 }

@@ -7,10 +7,10 @@
 using namespace elgen;
 
 TEST_CASE("nested requests for digits add up") {
-  CHECK(MoreDigits::count() == 0);
-  const auto count = [] { return MoreDigits::count(); };
+  CHECK(ExtraDigits::requested_digits() == 0);
+  const auto count = [] { return ExtraDigits::requested_digits(); };
   CHECK(with_digits(10, [&] { return with_digits(64, count); }) == 74);
-  CHECK(MoreDigits::count() == 0);
+  CHECK(ExtraDigits::requested_digits() == 0);
 }
 
 TEST_CASE("a computation that loses too many digits is repeated with more digits") {
@@ -18,8 +18,8 @@ TEST_CASE("a computation that loses too many digits is repeated with more digits
   const auto losing = [&](const std::vector<unsigned>& losses) {
     counts.clear();
     return with_enough_digits([&] {
-      counts.push_back(MoreDigits::count());
-      for (const unsigned digits : losses) MoreDigits::report_lost(digits);
+      counts.push_back(ExtraDigits::requested_digits());
+      for (const unsigned digits : losses) ExtraDigits::report_lost(digits);
       return counts.size();
     });
   };
@@ -27,14 +27,14 @@ TEST_CASE("a computation that loses too many digits is repeated with more digits
   CHECK(counts == std::vector<unsigned>{0});
   CHECK(losing({100, 20}) == 2);
   CHECK(counts == std::vector<unsigned>{0, 100});
-  CHECK(MoreDigits::count() == 0);
+  CHECK(ExtraDigits::requested_digits() == 0);
 }
 
 TEST_CASE("a repeated computation may lose a few more digits") {
   int computations = 0;
   const auto compute = [&] {
     ++computations;
-    MoreDigits::report_lost(computations == 1 ? 100 : 105);
+    ExtraDigits::report_lost(computations == 1 ? 100 : 105);
     return computations;
   };
   CHECK(with_enough_digits(compute) == 2);

@@ -94,8 +94,8 @@ TEST_CASE("binary numbers are converted exactly, denormals too") {
 }
 
 TEST_CASE("the largest number is the largest magnitude") {
-  CHECK(largest_of({}) == 0);
-  CHECK(largest_of({1, -3, 2}) == 3);
+  CHECK(max_magnitude({}) == 0);
+  CHECK(max_magnitude({1, -3, 2}) == 3);
 }
 
 TEST_CASE("powers of ten are exact in both directions") {

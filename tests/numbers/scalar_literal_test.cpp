@@ -99,22 +99,22 @@ TEST_CASE(
 }
 
 TEST_CASE("fit finds overflow and lost digits") {
-  CHECK(fit(power_of_ten(38), ScalarKind::single_precision) == Fit::fits);
-  CHECK(fit(power_of_ten(39), ScalarKind::single_precision) == Fit::too_large);
-  CHECK(fit(-power_of_ten(39), ScalarKind::single_precision) == Fit::too_large);
-  CHECK(fit(power_of_ten(-38), ScalarKind::single_precision) == Fit::too_small);
-  CHECK(fit(power_of_ten(-38), ScalarKind::double_precision) == Fit::fits);
-  CHECK(fit(power_of_ten(-400), ScalarKind::double_precision) == Fit::too_small);
-  CHECK(fit(power_of_ten(-400), ScalarKind::long_double) == Fit::fits);
-  CHECK(fit(0, ScalarKind::single_precision) == Fit::fits);
+  CHECK(scalar_fit(power_of_ten(38), ScalarKind::single_precision) == ScalarFit::fits);
+  CHECK(scalar_fit(power_of_ten(39), ScalarKind::single_precision) == ScalarFit::too_large);
+  CHECK(scalar_fit(-power_of_ten(39), ScalarKind::single_precision) == ScalarFit::too_large);
+  CHECK(scalar_fit(power_of_ten(-38), ScalarKind::single_precision) == ScalarFit::too_small);
+  CHECK(scalar_fit(power_of_ten(-38), ScalarKind::double_precision) == ScalarFit::fits);
+  CHECK(scalar_fit(power_of_ten(-400), ScalarKind::double_precision) == ScalarFit::too_small);
+  CHECK(scalar_fit(power_of_ten(-400), ScalarKind::long_double) == ScalarFit::fits);
+  CHECK(scalar_fit(0, ScalarKind::single_precision) == ScalarFit::fits);
 }
 
 TEST_CASE("only numbers with 24 significant bits are exact in float") {
-  CHECK(exact_in_float(cl_RA(-1) / 2) == "-0.5");
-  CHECK(exact_in_float(16777216) == "16777216.0");
-  CHECK_FALSE(exact_in_float(16777217));
-  CHECK_FALSE(exact_in_float(cl_RA(1) / 10));
-  CHECK_FALSE(exact_in_float(power_of_ten(300)));
+  CHECK(exact_float_literal(cl_RA(-1) / 2) == "-0.5");
+  CHECK(exact_float_literal(16777216) == "16777216.0");
+  CHECK_FALSE(exact_float_literal(16777217));
+  CHECK_FALSE(exact_float_literal(cl_RA(1) / 10));
+  CHECK_FALSE(exact_float_literal(power_of_ten(300)));
 }
 
 TEST_CASE("decimals stay, other numbers get the shortest decimal with the same rounding") {

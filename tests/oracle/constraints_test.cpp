@@ -59,7 +59,7 @@ std::vector<Model> systems_with_constraints() {
 
 State random_pose(const Model& model, unsigned seed) {
   State state = random_state(model, seed);
-  make_unit_quaternions(model, state);
+  set_rational_quaternions(model, state);
   return state;
 }
 
@@ -228,8 +228,8 @@ TEST_CASE("a motion satisfies the equations of motion and the stabilised constra
       const Constraint& constraint = model.constraints[k];
       cl_R sum = product(jacobian, k, state.a) + bias[k];
       if (constraint.omega) {
-        const cl_R omega = *oracle_expression(model, *constraint.omega, state);
-        const cl_R zeta = *oracle_expression(model, *constraint.zeta, state);
+        const cl_R omega = *oracle_expression_value(model, *constraint.omega, state);
+        const cl_R zeta = *oracle_expression_value(model, *constraint.zeta, state);
         sum = sum + 2 * zeta * omega * residual[positions_of(model) + k];
         if (constraint.is_position) sum = sum + omega * omega * residual[k];
       }

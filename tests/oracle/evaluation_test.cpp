@@ -93,10 +93,10 @@ TEST_CASE("only the requested expression is evaluated") {
 
 TEST_CASE("a chain of thousands of links is evaluated without recursion") {
   const ModelBuilder b = chain(5000);
-  Motion motion = motion_of(nominal_state(b.model, {}));
+  Motion motion = make_motion(nominal_state(b.model, {}));
   motion.v.assign(motion.v.size(), Jet(1));
   Evaluation at(b.model, motion);
-  CHECK(at.rate(b.model.points.back().at[0]).real() == 5000 * exact("0.3"));
+  CHECK(at.rate(b.model.points.back().position[0]).real() == 5000 * exact("0.3"));
 }
 
 TEST_CASE("unknown functions are Taylor polynomials whose coefficients are in the state") {

@@ -48,7 +48,7 @@ TEST_CASE("generators square to zero") {
 }
 
 TEST_CASE("magnitudes are the absolute values of all coefficients") {
-  const Jet x = (Jet(-3) + Jet(e0, 2) + Jet(e1, -5)).magnitudes();
+  const Jet x = (Jet(-3) + Jet(e0, 2) + Jet(e1, -5)).absolute_coefficients();
   CHECK(x.real() == 3);
   CHECK(x.coefficient(e0) == 2);
   CHECK(x.coefficient(e1) == 5);
@@ -95,7 +95,7 @@ TEST_CASE("powers of s above the order vanish") {
     const Jet s(graded_symbol(order), 1);
     Jet power = 1;
     for (unsigned j = 0; j < order; ++j) power = power * s;
-    CHECK(power.ungraded().real() == 1);
+    CHECK(power.sum_grades().real() == 1);
     CHECK((power * s).terms().empty());
   }
 }
@@ -103,16 +103,16 @@ TEST_CASE("powers of s above the order vanish") {
 TEST_CASE("the reciprocal of 1 - s is the geometric series") {
   const Jet s(graded_symbol(5), 1);
   const Jet sum = Jet(1) / (Jet(1) - s);
-  CHECK(sum.ungraded().real() == 6);
+  CHECK(sum.sum_grades().real() == 6);
   const Jet with_generator = Jet(1) / (Jet(1) - s - Jet(e0, 1));
-  CHECK(with_generator.part(e0).ungraded().real() == 1 + 2 + 3 + 4 + 5 + 6);
+  CHECK(with_generator.part(e0).sum_grades().real() == 1 + 2 + 3 + 4 + 5 + 6);
 }
 
 TEST_CASE("first derivatives of smooth functions follow the table") {
   const cl_R x = exact("0.3");
   const cl_R y = 2;
   for (const FunctionRow& row : function_table()) {
-    if (row.use == FunctionUse::forces) continue;
+    if (row.use == FunctionUse::forces_only) continue;
     JetFunctions functions;
     const Jet value = functions.value(row.id, Jet(x) + Jet(e0, 2), Jet(y) + Jet(e0, 3));
     CAPTURE(std::string(row.name));
@@ -202,10 +202,10 @@ TEST_CASE("functions of s are their Taylor polynomials") {
   const Jet s(graded_symbol(4), 1);
   // At s = 1: 1 - 1/2 + 1/24, and 1 + 1/2 - 1/8 + 1/16 - 5/128.
   const Jet cosine = functions.value(FunctionId::cos, s);
-  CHECK(cln::abs(cosine.ungraded().real() - cln::cl_RA(13) / 24) < cln::expt(cl_R(10), -50));
+  CHECK(cln::abs(cosine.sum_grades().real() - cln::cl_RA(13) / 24) < cln::expt(cl_R(10), -50));
   const Jet root = functions.power(Jet(1) + s, cln::cl_RA(1) / 2);
-  CHECK(cln::abs(root.ungraded().real() - cln::cl_RA(179) / 128) < cln::expt(cl_R(10), -50));
+  CHECK(cln::abs(root.sum_grades().real() - cln::cl_RA(179) / 128) < cln::expt(cl_R(10), -50));
   // cos(s^2) = 1 - s^4/2 at order 4.
   const Jet even = functions.value(FunctionId::cos, s * s);
-  CHECK(cln::abs(even.ungraded().real() - cln::cl_RA(1) / 2) < cln::expt(cl_R(10), -50));
+  CHECK(cln::abs(even.sum_grades().real() - cln::cl_RA(1) / 2) < cln::expt(cl_R(10), -50));
 }

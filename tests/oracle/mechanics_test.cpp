@@ -66,9 +66,9 @@ TEST_CASE("mass matrix, its gradient and momentum of a quadratic form") {
   const ModelBuilder b = coupled_plane();
   const State state = plane_state(b);
   Mechanics at(b.model, state);  // M = [2, x; x, 2 y]
-  CHECK(at.mass(along_x, along_x) == 2);
-  CHECK(at.mass(along_x, along_y) == 2);
-  CHECK(at.mass(along_y, along_y) == 6);
+  CHECK(at.mass_product(along_x, along_x) == 2);
+  CHECK(at.mass_product(along_x, along_y) == 2);
+  CHECK(at.mass_product(along_y, along_y) == 6);
   CHECK(at.mass_gradient(along_x, along_x, along_y) == 1);
   CHECK(at.mass_gradient(along_y, along_y, along_y) == 2);
   CHECK(at.mass_gradient(along_y, along_x, along_x) == 0);

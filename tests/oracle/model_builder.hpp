@@ -82,7 +82,7 @@ class ModelBuilder {
   ModelBuilder& input(const std::string& name, std::optional<std::uint32_t> on = {}) {
     Input u;
     u.name = u.identifier = name;
-    u.on = on;
+    u.velocity = on;
     names_[name] = leaf_node(Opcode::input, model.inputs.size());
     model.inputs.push_back(u);
     return *this;
@@ -101,7 +101,7 @@ class ModelBuilder {
     Point p;
     p.name = p.identifier = name;
     p.dimension = static_cast<std::uint32_t>(at.size());
-    p.at = padded(at);
+    p.position = padded(at);
     if (!mass.empty()) p.mass = expression(mass);
     points_[name] = static_cast<std::uint32_t>(model.points.size());
     model.points.push_back(p);
@@ -120,7 +120,7 @@ class ModelBuilder {
 
   ModelBuilder& force_on(std::uint32_t velocity, const std::string& value) {
     Force f;
-    f.on = velocity;
+    f.velocity = velocity;
     f.value = {expression(value)};
     model.forces.push_back(f);
     return *this;
@@ -129,8 +129,8 @@ class ModelBuilder {
   ModelBuilder& force_at(const std::string& point, const std::vector<std::string>& value,
                          const std::string& from = "") {
     Force f;
-    f.at = points_.at(point);
-    if (!from.empty()) f.from = points_.at(from);
+    f.point = points_.at(point);
+    if (!from.empty()) f.reaction_point = points_.at(from);
     const auto components = padded(value);
     f.value.assign(components.begin(), components.end());
     model.forces.push_back(f);

@@ -69,7 +69,7 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
   const State state = random_state(b.model, 3);
   OutputRequest request;
   request.kind = kind;
-  if (output_row(kind).steps) {  // only midpoint has all fields
+  if (output_row(kind).is_step) {  // only midpoint has all fields
     request.step = StepSpec{.method = StepMethod::midpoint, .iterations = 2};
   }
   const auto values = oracle_values(b.model, request, state);
@@ -84,10 +84,10 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
 Contraction directions(const FieldRow& field) {
   Contraction by;
   const auto count = [model = everything().model](Extent extent) {
-    return static_cast<int>(extent_of(model, extent));
+    return static_cast<int>(extent_size(model, extent));
   };
   for (int i = 0; i < count(field.rows); ++i) by.w.push_back(2 * i - 1);
-  const int columns = has_columns(field) ? count(field.columns) : 0;
+  const int columns = is_matrix_field(field) ? count(field.columns) : 0;
   for (int j = 0; j < columns; ++j) by.y.push_back(3 - 5 * j);
   return by;
 }
@@ -139,7 +139,7 @@ TEST_CASE("the struct of all outputs has no entries") {
 
 TEST_CASE("contractions are sums over all entries, for every field of every output") {
   for (const OutputRow& row : output_table()) {
-    constexpr std::array others{Need::held, Need::cyclic, Need::constraints};
+    constexpr std::array others{Need::reaction, Need::cyclic, Need::constraints};
     const auto needs = [&row](Need need) { return row.needs.has(need); };
     const bool is_of_task = row.kind == OutputKind::user_operational;
     if (is_of_task || std::ranges::any_of(others, needs)) continue;

@@ -93,7 +93,7 @@ inline ModelBuilder relativistic_particle() {
   ModelBuilder b;
   b.coordinate("x", "m").parameter("m", "2").parameter("c", "10").parameter("k", "5");
   b.L("-m*c^2*sqrt(1 - x_d^2/c^2) - k*x^2/2");
-  b.model.quadratic = false;
+  b.model.is_quadratic = false;
   return b;
 }
 

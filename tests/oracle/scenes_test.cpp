@@ -159,10 +159,10 @@ TEST_CASE("small quantities go to the expansion point with s, others stay") {
   const State state = some_state(checked);
   const auto point = oracle::expansion_point(checked.model, state);
   REQUIRE(point.has_value());
-  const oracle::Motion motion = oracle::scaled_towards(*point, oracle::motion_of(state), 2);
+  const oracle::Motion motion = oracle::scale_towards(*point, oracle::make_motion(state), 2);
   CHECK(motion.q[0].real() == 1);
   CHECK(motion.v[0].real() == 0);
   CHECK(motion.u[0].real() == 3);
-  CHECK(motion.q[0].ungraded().real() == state.q[0]);
+  CHECK(motion.q[0].sum_grades().real() == state.q[0]);
   CHECK(motion.parameters[0].real() == state.parameters[0]);
 }

@@ -89,9 +89,9 @@ TEST_CASE("lines of pages have at most 120 columns, and cells 160 characters") {
     INFO(page.path);
     for (const std::string& line : split_lines(page.prose)) {
       INFO(line);
-      if (!is_row(line)) CHECK(columns_of(line) <= most_columns);
+      if (!is_row(line)) CHECK(terminal_width(line) <= most_columns);
       if (!is_row(line)) continue;
-      for (const std::string& cell : cells(line)) CHECK(columns_of(cell) <= most_of_a_cell);
+      for (const std::string& cell : cells(line)) CHECK(terminal_width(cell) <= most_of_a_cell);
     }
   }
 }

@@ -12,8 +12,8 @@ namespace elgen::test {
 
 TEST_CASE("the reference of entries and keys is current") {
   const std::filesystem::path path = source / "models/REFERENCE.md";
-  if (std::getenv("ELGEN_UPDATE") != nullptr) write_text(path, key_reference());
-  CHECK(read_text(path) == key_reference());
+  if (std::getenv("ELGEN_UPDATE") != nullptr) write_text(path, reference_page());
+  CHECK(read_text(path) == reference_page());
 }
 
 }  // namespace elgen::test

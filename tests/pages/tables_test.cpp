@@ -78,7 +78,7 @@ TEST_CASE("the language page names every function, unit and output") {
     CHECK(mentions(language(), "`" + std::string(row.name) + "`"));
   }
   for (const OutputRow& row : output_table()) {
-    if (row.of_user) continue;
+    if (row.is_user_output) continue;
     INFO(row.name);
     CHECK(mentions(language(), "`" + std::string(row.name) + "`"));
   }

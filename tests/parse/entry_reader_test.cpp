@@ -59,7 +59,7 @@ TEST_CASE("keys of the top level are checked", "[parse]") {
 TEST_CASE("a scene differs from a model by its key `model`") {
   const auto names = [](const std::string& text) {
     const SourcePointer source = make_source("<stdin>", text);
-    return model_key(*source).has_value();
+    return find_model_key(*source).has_value();
   };
   CHECK(names("format = 1\nmodel = \"a.toml\"\n"));
   CHECK_FALSE(names("format = 1\n[model]\nname = \"a\"\n"));

@@ -155,7 +155,7 @@ TEST_CASE("the default limit of depth is 200", "[parse]") {
 
 TEST_CASE("a raised limit is capped before the stack overflows", "[parse]") {
   const Limits limits = depth(1'000'000);
-  const auto most = deepest_expression;
+  const auto most = max_expression_depth;
   CHECK(expression_answer(repeated("(", most) + "x" + repeated(")", most), limits) == "x");
   CHECK(expression_answer(repeated("-f(", 100'000), limits) == "E902 1:1501");
 }

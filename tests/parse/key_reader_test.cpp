@@ -39,7 +39,7 @@ std::vector<Code> codes_of(const KeyRow& row, const std::string& value) {
   const auto root = read_toml(*source);
   REQUIRE(root);
   const Limits limits;
-  FileReading reading{limits};
+  FileReadState reading{limits};
   const TableContext table{std::string(row.entry), "the entry", {source.get(), 0, 0}};
   const auto keys = read_keys(root->entries, table, reading);
   std::vector<Code> codes;
@@ -80,7 +80,7 @@ std::vector<std::string> accepted_by(KeyType type) {
     case KeyType::name:
       return {s.name};
     case KeyType::text:
-    case KeyType::symbol:
+    case KeyType::latex_symbol:
     case KeyType::unit:
       return {s.name, s.expression, s.repetition};
     case KeyType::repetition:

@@ -57,7 +57,7 @@ std::string value_of(const KeyRow& row, std::size_t which) {
       return either("[1]", "[1, 2]");
     case KeyType::name:
     case KeyType::text:
-    case KeyType::symbol:
+    case KeyType::latex_symbol:
     case KeyType::unit:
     case KeyType::text_or_table:
       return either("\"m\"", "\"s\"");
@@ -160,7 +160,7 @@ TEST_CASE("no key has two rows", "[parse]") {
 }
 
 TEST_CASE("the reference has a section for every entry and a row for every key", "[parse]") {
-  const std::string reference = key_reference();
+  const std::string reference = reference_page();
   for (const EntryRow& entry : entry_table()) {
     CHECK(mentions(reference, "\n### `" + header_text(entry) + "`"));
   }

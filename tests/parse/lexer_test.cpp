@@ -15,10 +15,10 @@ struct Lexed {
 Lexed lex(const std::string& input) {
   const SourcePointer source = make_source("test", input);
   const auto size = static_cast<std::uint32_t>(input.size());
-  const DecodedText text = text_of_span({source.get(), 0, size});
+  const DecodedText text = verbatim_text({source.get(), 0, size});
   Lexer lexer(text, 0, input.size());
   Lexed result;
-  while (!lexer.at(TokenKind::end) && !lexer.at(TokenKind::invalid)) {
+  while (!lexer.is_at(TokenKind::end) && !lexer.is_at(TokenKind::invalid)) {
     result.tokens += "[" + std::string(lexer.text(lexer.advance())) + "]";
   }
   result.problem = lexer.problem();
@@ -37,7 +37,7 @@ TEST_CASE("expressions are split into tokens", "[parse]") {
 
 TEST_CASE("the end token is just after the last token", "[parse]") {
   const SourcePointer source = make_source("test", "x   ");
-  const DecodedText text = text_of_span({source.get(), 0, 4});
+  const DecodedText text = verbatim_text({source.get(), 0, 4});
   Lexer lexer(text, 0, 4);
   (void)lexer.advance();
   const Token end = lexer.advance();
@@ -91,26 +91,26 @@ TEST_CASE("text that is no token is reported", "[parse]") {
 
 TEST_CASE("a lexer knows its current token and the previous token", "[parse]") {
   const SourcePointer source = make_source("test", "a + 1");
-  const DecodedText text = text_of_span({source.get(), 0, 5});
+  const DecodedText text = verbatim_text({source.get(), 0, 5});
   Lexer tokens(text, 0, 5);
-  CHECK(tokens.at(TokenKind::name));
+  CHECK(tokens.is_at(TokenKind::name));
   CHECK(tokens.text(tokens.advance()) == "a");
-  CHECK(tokens.at(TokenKind::plus));
+  CHECK(tokens.is_at(TokenKind::plus));
   CHECK(tokens.token_in_backticks(tokens.previous()) == "`a`");
   CHECK(tokens.span(tokens.current()).begin == 2);
   tokens.advance();
   tokens.advance();
-  CHECK(tokens.at(TokenKind::end));
+  CHECK(tokens.is_at(TokenKind::end));
   CHECK(tokens.span(tokens.current()).begin == 5);
   CHECK_FALSE(tokens.problem());
 }
 
 TEST_CASE("a copy of a lexer looks ahead without moving the original", "[parse]") {
   const SourcePointer source = make_source("test", "1,5");
-  const DecodedText text = text_of_span({source.get(), 0, 3});
+  const DecodedText text = verbatim_text({source.get(), 0, 3});
   const Lexer tokens(text, 0, 3);
   Lexer ahead = tokens;
   ahead.advance();
-  CHECK(ahead.at(TokenKind::comma));
-  CHECK(tokens.at(TokenKind::number));
+  CHECK(ahead.is_at(TokenKind::comma));
+  CHECK(tokens.is_at(TokenKind::number));
 }

@@ -48,8 +48,8 @@ TEST_CASE("a method that does not apply stops the pipeline before it emits anyth
 
 TEST_CASE("if a page fails, code is emitted, and a note says that the page has the forms of code") {
   const Products products = derived(inputs_of(model_file("cart_pole")), "gravity");
-  const Result<Book> book =
-      book_or_code(*products.program, []() -> Book { throw std::logic_error("a wheel came off"); });
+  const Result<PagePrograms> book = make_page_or_code(
+      *products.program, []() -> PagePrograms { throw std::logic_error("a wheel came off"); });
   REQUIRE(book);
   CHECK(book->program.functions.size() == 1);
   CHECK_FALSE(book->program.readable.empty());
@@ -61,11 +61,11 @@ TEST_CASE("if a page fails, code is emitted, and a note says that the page has t
 TEST_CASE("a page has no derivation if all rows are too long to read") {
   const auto has_derivation = [](int links, const std::string& output) {
     const Products products =
-        products_with(&Products::book, inputs_of(model_file("chain")),
+        products_with(&Products::page_programs, inputs_of(model_file("chain")),
                       {.scene = {.outputs = {make_source("--outputs", output)},
                                  .sizes = {make_source("--size", "n=" + std::to_string(links))}},
                        .goals = {Goal::typeset}});
-    return products.book->steps.has_value();
+    return products.page_programs->steps.has_value();
   };
   for (const std::string output : {"forward_dynamics", "gravity"}) {
     INFO(output);
@@ -95,7 +95,7 @@ TEST_CASE("dL/dq and d/dt dL/dv are separate steps") {
       {"m*l^2*dot(dot(theta)) + m*g*l*sin(theta)"}};
   CHECK(steps == expected);
   CHECK(products.steps->masses == std::vector<std::string>{"bob"});
-  CHECK(products.steps->left_out.empty());
+  CHECK(products.steps->omitted_masses.empty());
 }
 
 namespace {
@@ -104,7 +104,7 @@ namespace {
 std::string steps_of(const std::string& text) {
   const Products products =
       products_with(&Products::steps, inputs_of(text), {.goals = {Goal::steps}});
-  return text_of(steps_sections(products.checked->model, *products.steps));
+  return text_of(derivation_sections(products.checked->model, *products.steps));
 }
 
 }  // namespace

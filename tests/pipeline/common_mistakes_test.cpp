@@ -46,7 +46,7 @@ std::string disproved(const std::string& text) {
       run_pipeline(inputs_of(text), {.scene = {.purpose = purpose::verify}, .goals = {Goal::emit}});
   const auto& [model, scene] = *products.checked;
   VerifyOptions quick;
-  quick.quick = true;
+  quick.is_quick = true;
   quick.forms = &*products.closed_forms;
   return format(verify(model, scene, *products.program, {}, quick).diagnostics);
 }

@@ -41,7 +41,7 @@ class Constrained {
   [[nodiscard]] ExactNumbers exactly(OutputKind kind, const std::string& field,
                                      const State& state) const {
     const OracleValues values =
-        defined_values(evaluate(program(), function(kind), arguments_at<Real>(state)));
+        to_oracle_values(evaluate(program(), function(kind), arguments_at<Real>(state)));
     return part(kind, field, values.value());
   }
 
@@ -94,7 +94,7 @@ inline State random_state(const Constrained& system) {
 inline void check_close(const std::vector<double>& found, const ExactNumbers& expected,
                         double tolerance) {
   REQUIRE(found.size() == expected.size());
-  const double scale = double_of(largest_of(expected));
+  const double scale = double_of(max_magnitude(expected));
   for (std::size_t i = 0; i < found.size(); ++i) {
     INFO("entry " << i << ": " << found[i] << " instead of " << double_of(expected[i]));
     CHECK(std::abs(found[i] - double_of(expected[i])) <= tolerance * scale);
@@ -104,7 +104,7 @@ inline void check_close(const std::vector<double>& found, const ExactNumbers& ex
 /// Checks that each error is at most 10^-digits times the largest expected |entry|.
 inline void check_digits(const ExactNumbers& found, const ExactNumbers& expected, int digits) {
   REQUIRE(found.size() == expected.size());
-  const cln::cl_R tolerance = largest_of(expected) * power_of_ten(-digits);
+  const cln::cl_R tolerance = max_magnitude(expected) * power_of_ten(-digits);
   for (std::size_t i = 0; i < found.size(); ++i) {
     INFO("entry " << i << ": " << double_of(found[i]) << " instead of " << double_of(expected[i]));
     CHECK(cln::abs(found[i] - expected[i]) <= tolerance);

@@ -26,8 +26,8 @@ struct Generated {
 /// The largest loss of an output in double, in u R, including extreme states.
 double loss_of(const Generated& g, OutputKind kind) {
   VerifyOptions options;
-  options.quick = true;
-  options.extremes = true;
+  options.is_quick = true;
+  options.checks_extremes = true;
   const std::string subject = g.function(kind).name + " (double)";
   const Certificate certificate =
       verify(g.model(), g.products.checked->scene, g.program(), {}, options).certificate;
@@ -74,7 +74,7 @@ std::string one_coordinate(const std::string& potential) {
 }
 
 Arguments<double> at_position(const Generated& g, double x) {
-  Arguments<double> at = leaves_of<double>(
+  Arguments<double> at = make_leaf_values<double>(
       g.model(), [](Opcode, const auto&) { return 1.5; }, [](Opcode) { return 0.0; });
   at.parameters = {2, 9.81, 30, 0.75};
   at.q = {x};
@@ -131,7 +131,7 @@ TEST_CASE("a spring's extension keeps its digits if the extension is small") {
 
 TEST_CASE("accelerations of two nearly aligned links keep their digits if one link is heavy") {
   const Generated g = generated(double_pendulum, "[numeric]\nscalar = [\"float\"]\n");
-  Arguments<float> at = leaves_of<float>(
+  Arguments<float> at = make_leaf_values<float>(
       g.model(), [](Opcode, const auto&) { return 0.F; }, [](Opcode) { return 0.F; });
   at.parameters = {1, 1000, 1, 1, 9.81F};
   for (float angle = 0.3F; angle < 1.4F; angle += 0.1F) {

@@ -262,11 +262,11 @@ State motion(const ExactNumbers& q, const ExactNumbers& v, const ExactNumbers& u
 }
 
 cl_R value_at(const Constrained& system, ExpressionId expression, const State& state) {
-  return oracle_expression(system.model(), expression, state).value();
+  return oracle_expression_value(system.model(), expression, state).value();
 }
 
 cl_R rate_at(const Constrained& system, ExpressionId expression, const State& state) {
-  return oracle_rate(system.model(), expression, state).value();
+  return oracle_expression_rate(system.model(), expression, state).value();
 }
 
 /// The quaternion of the Euler angles phi, theta, psi about the axes z, x, z.
@@ -327,7 +327,7 @@ TEST_CASE("a free body fixed at a point moves like the heavy top") {
   State at = bound.nominal();
   ExactNumbers turning;
   for (std::size_t i = 0; i < 3; ++i) {
-    const ExpressionId centre = top.model().points[0].at[i];
+    const ExpressionId centre = top.model().points[0].position[i];
     at.q[i] = value_at(top, centre, state);
     at.v[i] = rate_at(top, centre, state);
     at.v[3 + i] = value_at(top, spin[i], state);

@@ -57,12 +57,12 @@ std::vector<std::string> ten_models() {
   return texts;
 }
 
-Subject subject_of(const Products& products) {
+SystemUnderTest subject_of(const Products& products) {
   return {products.checked->model, products.checked->scene, *products.program};
 }
 
 /// A random state, with the momenta of its velocities.
-State moving_state(const Subject& subject, Sampler& draw) {
+State moving_state(const SystemUnderTest& subject, Sampler& draw) {
   State state = nominal_state(subject.model, subject.scene);
   draw_motion(subject.model, draw, 0, state);
   const OracleValues p = oracle_values(subject.model, {.kind = OutputKind::momentum}, state);
@@ -85,13 +85,13 @@ void check_values(const std::vector<Real>& values, const std::vector<cln::cl_R>&
 }
 
 std::vector<cln::cl_R> numbers(const std::vector<Real>& values) {
-  const OracleValues defined = defined_values(values);
+  const OracleValues defined = to_oracle_values(values);
   REQUIRE(defined);
   return *defined;
 }
 
 /// dq/dt and d/dt dL/dv under the oracle's accelerations.
-std::vector<cln::cl_R> rates_along_motion(const Subject& subject, const ExactValues& at) {
+std::vector<cln::cl_R> rates_along_motion(const SystemUnderTest& subject, const ExactValues& at) {
   const OracleValues a =
       oracle_values(subject.model, {.kind = OutputKind::forward_dynamics}, at.state());
   REQUIRE(a);
@@ -100,7 +100,7 @@ std::vector<cln::cl_R> rates_along_motion(const Subject& subject, const ExactVal
   for (std::size_t i = 0; i < at.size(); ++i) motion.v[i] = Real((*a)[i]);
   motion.t = Real(1);
   std::vector<Real> rates = motion.q;
-  const std::vector<Real> of_momenta = at.slopes(OutputKind::momentum, motion);
+  const std::vector<Real> of_momenta = at.directional_derivatives(OutputKind::momentum, motion);
   rates.insert(rates.end(), of_momenta.begin(), of_momenta.end());
   return numbers(rates);
 }
@@ -111,7 +111,7 @@ TEST_CASE("H = E, v and dp/dt agree with momenta and motion to 50 digits") {
   for (const std::string& text : ten_models()) {
     const Products products =
         derived(inputs_of(text), std::string("momentum,") + hamiltons_functions);
-    const Subject subject = subject_of(products);
+    const SystemUnderTest subject = subject_of(products);
     INFO(subject.model.name);
     Sampler draw(1);
     for (int sample = 0; sample < 3; ++sample) {
@@ -120,9 +120,9 @@ TEST_CASE("H = E, v and dp/dt agree with momenta and motion to 50 digits") {
       const OracleValues energy =
           oracle_values(subject.model, {.kind = OutputKind::energy_function}, state);
       REQUIRE(energy);
-      check_values(at.value(OutputKind::hamiltonian), *energy);
-      check_values(at.value(OutputKind::velocities_of_momenta), state.v);
-      check_values(at.value(OutputKind::hamilton_equations), rates_along_motion(subject, at));
+      check_values(at.entries(OutputKind::hamiltonian), *energy);
+      check_values(at.entries(OutputKind::velocities_of_momenta), state.v);
+      check_values(at.entries(OutputKind::hamilton_equations), rates_along_motion(subject, at));
     }
   }
 }

@@ -80,10 +80,10 @@ std::string with_fault(const std::string& header, const Fault& fault) {
 
 /// True if the code compiles under strict flags and verify finds no fault.
 bool passes(const Products& products, const EmittedFiles& files,
-            const std::vector<Build>& builds = {Build::as_written}) {
+            const std::vector<BuildFlags>& builds = {BuildFlags::as_written}) {
   const auto& [model, scene] = *products.checked;
-  const auto compiled =
-      compile(files, model, scene, *products.program, {.builds = builds, .declarations = true});
+  const auto compiled = compile(files, model, scene, *products.program,
+                                {.builds = builds, .reads_declared_numbers = true});
   if (!compiled) return false;
   VerifyOptions options;
   options.samples = 4;
@@ -120,7 +120,7 @@ void expect_all_caught(const Products& products, const std::string& ending,
 }  // namespace
 
 TEST_CASE("verify catches a sign, a digit, an index and a term of the emitted code") {
-  const Inputs inputs =
+  const PipelineSources inputs =
       inputs_of(model_file("two_link_arm"),
                 "[outputs]\ngravity = true\nbias = true\n"
                 "[parameters]\nfixed = { g = 9.81 }\n[numeric]\nscalar = [\"double\"]\n");
@@ -128,7 +128,7 @@ TEST_CASE("verify catches a sign, a digit, an index and a term of the emitted co
 }
 
 TEST_CASE("verify catches a sign, a digit, an order and a default of a Python module") {
-  const Inputs inputs =
+  const PipelineSources inputs =
       inputs_of(model_file("two_link_arm"),
                 "[outputs]\ngravity = true\nbias = true\nforward_dynamics = true\n"
                 "[parameters]\nfixed = { g = 9.81 }\n[emit]\nlanguage = \"python\"\n");
@@ -152,7 +152,8 @@ TEST_CASE("verify catches an entry, a step length and an index of a step in C an
 TEST_CASE("verify catches faults in packs as wide as this machine's registers") {
   const Products products = products_in_packs();
   REQUIRE(products.files);
-  const std::vector<Build> builds{Build::as_written, Build::native, Build::user_flags};
+  const std::vector<BuildFlags> builds{BuildFlags::as_written, BuildFlags::native,
+                                       BuildFlags::user_flags};
   CHECK(passes(products, *products.files, builds));
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx") == 0) return;

@@ -80,7 +80,7 @@ State random_state(const CheckedModel& checked) {
   fill(state.v, 11);
   fill(state.a, -8);
   fill(state.u, 5);
-  make_unit_quaternions(checked.model, state);
+  set_rational_quaternions(checked.model, state);
   return state;
 }
 
@@ -104,8 +104,9 @@ TEST_CASE("outputs of rates, accelerations and inputs have the oracle's values a
   const State state = random_state(*products.checked);
   std::size_t compared = 0;
   for (const Function& function : products.program->functions) {
-    const OutputRequest request = request_of(products.checked->model, function.kind, function.user);
-    if (!output_row(function.kind).of_user) continue;
+    const OutputRequest request =
+        make_request(products.checked->model, function.kind, function.user);
+    if (!output_row(function.kind).is_user_output) continue;
     INFO(function.name);
     const std::vector<double> truth =
         rounded(oracle_values(products.checked->model, request, state).value());

@@ -10,7 +10,7 @@ namespace elgen::test {
 
 namespace {
 
-Inputs model(const std::string& name) { return inputs_of(model_file(name)); }
+PipelineSources model(const std::string& name) { return inputs_of(model_file(name)); }
 
 std::vector<std::string> stages(const Products& products) {
   std::vector<std::string> names;
@@ -25,11 +25,11 @@ TEST_CASE("all stages run in order and give a checked program and its files") {
   CHECK(products.self_check->failure.empty());
   CHECK(products.self_check->states >= 1);  // more if the machine is idle
   CHECK(products.files->files.size() == 3);
-  CHECK(check_invariants(*products.program).empty());
+  CHECK(find_invariant_violation(*products.program).empty());
   std::vector<std::string> expected;
-  for (const std::string_view name : goal_names) {
+  for (const std::string_view name : stage_names) {
     const bool is_asked_for =
-        name != "steps" && name != "claims" && find_analysis(*find_goal(name)) == nullptr;
+        name != "steps" && name != "claims" && find_analysis(*find_stage(name)) == nullptr;
     if (is_asked_for) expected.emplace_back(name);
   }
   CHECK(stages(products) == expected);
@@ -46,7 +46,7 @@ TEST_CASE("a page's program knows t if only its conserved quantities name t") {
     const Products page = derived(model(name), options);
     CHECK_FALSE(page.checked->model.uses_time);
     CHECK(page.program->leaves.uses_time);
-    CHECK(check_invariants(*page.program) == "");
+    CHECK(find_invariant_violation(*page.program) == "");
   }
 }
 
@@ -69,9 +69,10 @@ TEST_CASE("a fault of a stage keeps the findings of earlier stages") {
 }
 
 TEST_CASE("a goal runs the stages it needs, each once and in order, and no others") {
-  const auto& all = goal_names;
+  const auto& all = stage_names;
   for (const std::string_view goal : all) {
-    const Products products = run_pipeline(model("simple_pendulum"), {.goals = {*find_goal(goal)}});
+    const Products products =
+        run_pipeline(model("simple_pendulum"), {.goals = {*find_stage(goal)}});
     INFO(goal);
     CHECK_FALSE(has_errors(products.diagnostics));
     const std::vector<std::string> run = stages(products);
@@ -127,9 +128,9 @@ TEST_CASE("each analysis that does not support constraints refuses them") {
   options.goals.clear();
   std::vector<std::string> refused;
   for (const AnalysisRow& row : analysis_table) {
-    options.goals.push_back(row.goal);
-    if (row.instead_of_constraints.empty()) continue;
-    refused.push_back("`" + std::string(name_of(row.goal)) + "` does not support constraints");
+    options.goals.push_back(row.stage);
+    if (row.constraint_hint.empty()) continue;
+    refused.push_back("`" + std::string(name_of(row.stage)) + "` does not support constraints");
   }
   std::vector<std::string> found;
   for (const Diagnostic& each : run_pipeline(inputs_of(slope), options).diagnostics) {
@@ -152,16 +153,16 @@ TEST_CASE("a stage needed by two goals runs once") {
 TEST_CASE("a single output is derived from the checked model") {
   const Products products = run_pipeline(model("cart_pole"), {});
   std::vector<std::string> run;
-  for (const StageTime& time : stage_times_of_output(*products.checked, 1, {}))
+  for (const StageTime& time : output_stage_times(*products.checked, 1, {}))
     run.push_back(time.stage);
   CHECK(run == std::vector<std::string>{"formulate", "specialise", "derive", "lower", "cancel",
                                         "present", "choose"});
 }
 
 TEST_CASE("each stage is announced before it runs, and equations and programs are dumped") {
-  for (const std::string_view name : goal_names) {
+  for (const std::string_view name : stage_names) {
     PipelineOptions options;
-    options.dump = find_goal(name);
+    options.dump = find_stage(name);
     options.goals = {*options.dump};
     std::string last;
     options.on_stage = [&](const std::string& stage) { last = stage; };
@@ -174,7 +175,7 @@ TEST_CASE("each stage is announced before it runs, and equations and programs ar
 }
 
 TEST_CASE("an error ends the run at its stage") {
-  const Inputs faulty{make_source("faulty.toml", "format = 2\n"), nullptr};
+  const PipelineSources faulty{make_source("faulty.toml", "format = 2\n"), nullptr};
   const Products products = run_pipeline(faulty, {});
   CHECK(has_errors(products.diagnostics));
   CHECK(stages(products) == std::vector<std::string>{"parse"});

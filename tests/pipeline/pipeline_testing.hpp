@@ -11,12 +11,12 @@
 namespace elgen::test {
 
 /// Runs the pipeline to the goals of `options`. Fails unless there is a program.
-inline Products derived(const Inputs& inputs, const PipelineOptions& options = {}) {
+inline Products derived(const PipelineSources& inputs, const PipelineOptions& options = {}) {
   return products_with(&Products::program, inputs, options);
 }
 
 /// Runs the pipeline for these outputs. Fails unless there is a program.
-inline Products derived(const Inputs& inputs, const std::string& outputs,
+inline Products derived(const PipelineSources& inputs, const std::string& outputs,
                         const std::vector<Goal>& goals = {Goal::choose}) {
   return derived(inputs,
                  {.scene = {.outputs = {make_source("--outputs", outputs)}}, .goals = goals});

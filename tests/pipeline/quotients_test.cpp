@@ -45,13 +45,13 @@ CheckedModel checked_arm(const std::string& potential) {
 std::optional<double> potential_at(const Model& model, const cln::cl_RA& q) {
   State state = nominal_state(model, {});
   state.q = {q, cln::cl_RA(1) / 2};
-  const auto value = oracle_expression(model, *model.energies.V, state);
+  const auto value = oracle_expression_value(model, *model.energies.V, state);
   return value ? std::optional(cln::double_approx(*value)) : std::nullopt;
 }
 
 Model as_typed(Model model) {
-  for (const auto& [id, quotient] : model.typed) model.expressions[id] = quotient;
-  model.typed.clear();
+  for (const auto& [id, quotient] : model.original_expressions) model.expressions[id] = quotient;
+  model.original_expressions.clear();
   return model;
 }
 
@@ -82,7 +82,8 @@ const std::string by_functions = R"toml(["L*q*cosc(q)", "-L*sinc(q)"])toml";
 std::string steps_of(const std::string& at) {
   const Products products =
       products_with(&Products::steps, inputs_of(soft + at + "\n"), {.goals = {Goal::steps}});
-  return text_of(steps_page(products.checked->model, products.checked->scene, *products.steps));
+  return text_of(
+      derivation_page(products.checked->model, products.checked->scene, *products.steps));
 }
 
 }  // namespace
@@ -121,7 +122,7 @@ TEST_CASE("quotients of sines and cosines have values at 0 and do not change els
                                 {"(q/sin(q))^(-1)", 1}}) {
     INFO(potential);
     const Model model = checked_arm(potential).model;
-    REQUIRE_FALSE(model.typed.empty());
+    REQUIRE_FALSE(model.original_expressions.empty());
     const Model typed = as_typed(model);
     CHECK_FALSE(potential_at(typed, 0));
     CHECK(potential_at(model, 0).value_or(nothing) == Approx(at_zero).margin(1e-15));
@@ -144,7 +145,7 @@ TEST_CASE("quotients that stay 0/0, have poles or different arguments are not ch
         "sin(q)/(1 + q)", "L*sin(q)", "L/q - L*cos(r)/q", "R + R*cos(q)", "R - 2*R*cos(q)",
         "1/q^3 - cos(q)/q^3", "r - r*cos(q)"}) {
     INFO(potential);
-    CHECK(checked_arm(potential).model.typed.empty());
+    CHECK(checked_arm(potential).model.original_expressions.empty());
   }
 }
 

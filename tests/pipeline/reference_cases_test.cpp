@@ -88,14 +88,15 @@ void check_state(const Products& products, const json& given) {
     for (const Function& function : products.program->functions) {
       if (function.name != name) continue;
       const auto values = evaluate(*products.program, function, at.arguments);
-      const ExactRun run = exact_run(*products.program, function, at.state, rounding<double>());
+      const ExactRun run =
+          run_exactly(*products.program, function, at.state, rounding_constants<double>());
       REQUIRE(run.regime == Regime::regular);
       for (std::size_t i = 0; i < decimals.size(); ++i) {
         const double in_ulps = ulps(values[i], exact(decimals[i].get<std::string>()));
-        const Running<Real>& entry = run.entries[i];
-        const double in_errors =
-            in_roundoffs(excess_error(values[i], entry.value, 1000, rounding<double>()),
-                         entry.error, rounding<double>());
+        const RunningValue<Real>& entry = run.entries[i];
+        const double in_errors = error_in_roundoffs(
+            excess_error(values[i], entry.value, 1000, rounding_constants<double>()), entry.error,
+            rounding_constants<double>());
         INFO(given["id"] << " " << name << "[" << i << "]: " << in_ulps << " ulp, " << in_errors
                          << " u E");
         CHECK((in_ulps <= largest_ulps || in_errors <= 1));
@@ -111,7 +112,7 @@ TEST_CASE("static values of textbook systems are right in double") {
   const json cases = json::parse(file);
   REQUIRE(cases["cases"].size() == 9);
   for (const json& system : cases["cases"]) {
-    const Inputs inputs{make_source("reference.toml", model_text(system)), nullptr};
+    const PipelineSources inputs{make_source("reference.toml", model_text(system)), nullptr};
     const Products products = products_with(&Products::program, inputs);
     for (const json& state : system["states"]) {
       check_state(products, {{"id", system["id"]}, {"state", state}});

@@ -83,7 +83,8 @@ TEST_CASE("the regressor times its parameters is the inverse dynamics") {
     INFO(path);
     const std::string text = read_text(path);
     const Constrained whole(text, "inverse_dynamics");
-    if (!is_available(whole.model(), request_of(whole.model(), OutputKind::regressor, 0))) continue;
+    if (!is_available(whole.model(), make_request(whole.model(), OutputKind::regressor, 0)))
+      continue;
     const Constrained system(text, outputs);
     const State state = random_state(system);
     const ExactNumbers forces = system.exactly(OutputKind::inverse_dynamics, "", state);

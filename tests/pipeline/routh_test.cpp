@@ -41,12 +41,12 @@ OracleValues truth_at(const Model& model, OutputKind kind, const State& state) {
 /// The whole model's state for a state of the reduced model, with cyclic accelerations that keep
 /// the momenta constant.
 std::optional<State> whole_state(const Model& reduced, const State& state) {
-  const Model& whole = *reduced.variant.whole;
+  const Model& whole = *reduced.reduction.unreduced;
   const OracleValues rates = truth_at(reduced, OutputKind::cyclic_rates, state);
   if (!rates) return std::nullopt;
   State moving = state;
   for (std::size_t i = 0; i < rates->size(); ++i) {
-    const Cyclic& cyclic = whole.variant.cyclic[i];
+    const CyclicCoordinate& cyclic = whole.reduction.cyclic[i];
     moving.q.insert(moving.q.begin() + cyclic.coordinate, cl_R(cln::cl_RA(1) / 3));
     moving.v.insert(moving.v.begin() + cyclic.velocity, (*rates)[i]);
     moving.a.insert(moving.a.begin() + cyclic.velocity, cl_R(0));
@@ -55,18 +55,18 @@ std::optional<State> whole_state(const Model& reduced, const State& state) {
   const OracleValues mass = truth_at(whole, OutputKind::mass_matrix, moving);
   if (!forces || !mass) return std::nullopt;
   const auto entry = [&](std::size_t i, std::size_t j) {
-    return (*mass)[whole.variant.cyclic[i].velocity * moving.v.size() +
-                   whole.variant.cyclic[j].velocity];
+    return (*mass)[whole.reduction.cyclic[i].velocity * moving.v.size() +
+                   whole.reduction.cyclic[j].velocity];
   };
-  const auto force = [&](std::size_t i) { return (*forces)[whole.variant.cyclic[i].velocity]; };
+  const auto force = [&](std::size_t i) { return (*forces)[whole.reduction.cyclic[i].velocity]; };
   if (rates->size() == 1) {
-    moving.a[whole.variant.cyclic[0].velocity] = -force(0) / entry(0, 0);
+    moving.a[whole.reduction.cyclic[0].velocity] = -force(0) / entry(0, 0);
     return moving;
   }
   const cl_R determinant = entry(0, 0) * entry(1, 1) - entry(0, 1) * entry(1, 0);
-  moving.a[whole.variant.cyclic[0].velocity] =
+  moving.a[whole.reduction.cyclic[0].velocity] =
       (entry(0, 1) * force(1) - entry(1, 1) * force(0)) / determinant;
-  moving.a[whole.variant.cyclic[1].velocity] =
+  moving.a[whole.reduction.cyclic[1].velocity] =
       (entry(1, 0) * force(0) - entry(0, 0) * force(1)) / determinant;
   return moving;
 }
@@ -75,9 +75,10 @@ std::optional<State> whole_state(const Model& reduced, const State& state) {
 std::optional<Numbers> forces_left(const Model& reduced, const State& state) {
   const std::optional<State> moving = whole_state(reduced, state);
   if (!moving) return std::nullopt;
-  OracleValues forces = truth_at(*reduced.variant.whole, OutputKind::inverse_dynamics, *moving);
+  OracleValues forces =
+      truth_at(*reduced.reduction.unreduced, OutputKind::inverse_dynamics, *moving);
   if (!forces) return std::nullopt;
-  const std::vector<Cyclic>& cyclic = reduced.variant.cyclic;
+  const std::vector<CyclicCoordinate>& cyclic = reduced.reduction.cyclic;
   for (auto each = cyclic.rbegin(); each != cyclic.rend(); ++each) {
     CHECK(is_close((*forces)[each->velocity], 0));
     forces->erase(forces->begin() + each->velocity);
@@ -90,7 +91,7 @@ void check_program(const Products& products, OutputKind kind, const State& state
   REQUIRE(function != nullptr);
   const OracleValues truth = truth_at(products.checked->model, kind, state);
   const OracleValues found =
-      defined_values(evaluate(*products.program, *function, arguments_at<Real>(state)));
+      to_oracle_values(evaluate(*products.program, *function, arguments_at<Real>(state)));
   REQUIRE(truth);
   REQUIRE(found);
   REQUIRE(found->size() == truth->size());
@@ -108,11 +109,11 @@ Products reduced_products(const Reduction& reduction, const std::string& value =
 
 /// r after ten revolutions about the centre.
 double last_distance(const std::string& rest) {
-  const Inputs inputs = inputs_of(model_file("kepler_polar"), rest);
+  const PipelineSources inputs = inputs_of(model_file("kepler_polar"), rest);
   const Products checked = products_with(&Products::checked, inputs, {.goals = {Goal::check}});
-  const Products products = derived(inputs, outputs_of_run(checked.checked->model));
-  const Result<Trajectory> run =
-      simulate(*products.checked, *products.program, nullptr, {.time = 150, .tolerance = 1e-11});
+  const Products products = derived(inputs, outputs_for_run(checked.checked->model));
+  const Result<Trajectory> run = simulate(*products.checked, *products.program, nullptr,
+                                          {.duration = 150, .tolerance = 1e-11});
   REQUIRE(run);
   return run->last.at(1);
 }
@@ -162,7 +163,7 @@ TEST_CASE("a momentum has its start value, the value in the scene, or the option
   CHECK(last_parameter(reduced_products({"kepler_polar", "phi = true\n"}, "p_phi=2")).value == 2);
   const auto known = [](const std::string& value) {
     const Products products = reduced_products({"kepler_polar", "phi = true\n"}, value);
-    return products.checked->model.variant.cyclic.front().momentum;
+    return products.checked->model.reduction.cyclic.front().momentum;
   };
   CHECK(known("") == cln::cl_RA(3) / 5);
   CHECK(known("p_phi=2") == 2);

@@ -33,7 +33,7 @@ TEST_CASE("a stage runs when it is first needed, and only then") {
   for (int i = 0; i < 2; ++i) REQUIRE(second.get() != nullptr);
   CHECK(second.product->value == 2);
   CHECK(count == 1);
-  CHECK(run.dumped == "2");
+  CHECK(run.dump_text == "2");
   REQUIRE(run.times.size() == 2);
   CHECK(run.times[1].stage == "check");
 }
@@ -44,7 +44,7 @@ TEST_CASE("a goal runs its stage") {
   Stage<Number> first(run, Goal::parse, std::tie(), one);
   Stage<Number> second(run, Goal::check, std::tie(first),
                        [](const Number& number) { return number; });
-  run.reach(Goal::check);
+  run.run_through(Goal::check);
   CHECK(second.product);
 }
 

@@ -124,14 +124,14 @@ TEST_CASE("no page of any model contains text that no book prints") {
     INFO(path);
     const SourcePointer model = source_of(path);
     const Products typeset = products_for(model, Goal::typeset);
-    REQUIRE(typeset.book);
+    REQUIRE(typeset.page_programs);
     PageOptions options;
-    if (typeset.book->steps) options.opening = &*typeset.book->steps;
-    check_words(
-        model_page(typeset.checked->model, typeset.checked->scene, typeset.book->program, options));
+    if (typeset.page_programs->steps) options.opening_steps = &*typeset.page_programs->steps;
+    check_words(model_page(typeset.checked->model, typeset.checked->scene,
+                           typeset.page_programs->program, options));
     const Products derived = products_for(model, Goal::steps);
     REQUIRE(derived.steps);
-    check_words(steps_page(derived.checked->model, derived.checked->scene, *derived.steps));
+    check_words(derivation_page(derived.checked->model, derived.checked->scene, *derived.steps));
   }
 }
 

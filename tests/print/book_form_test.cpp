@@ -36,7 +36,7 @@ c = { value = 1 }
   const Products products =
       products_with(&Products::steps, {make_source("typed.toml", text), nullptr},
                     {.scene = typed.scene, .goals = {Goal::steps}});
-  return text_of(steps_sections(products.checked->model, *products.steps));
+  return text_of(derivation_sections(products.checked->model, *products.steps));
 }
 
 const std::string kinetic = "T = \"1/2*m*dot(x)^2\"\n";
@@ -174,7 +174,7 @@ TEST_CASE("sums, products and quotients of irrational numbers keep their value i
     INFO("T = " << T << ", V = " << V);
     const Products products = irrational(T, V);
     INFO(format(products.diagnostics));
-    REQUIRE(products.book);
+    REQUIRE(products.page_programs);
     REQUIRE(products.steps);
     CHECK(std::ranges::count(products.diagnostics, Code::E915, &Diagnostic::code) == 0);
     const auto& [model, scene] = *products.checked;
@@ -182,7 +182,7 @@ TEST_CASE("sums, products and quotients of irrational numbers keep their value i
     at.q = {0.7, -0.4};
     at.v = {1.5, 0.3};
     at.a = {-0.6, 2};
-    const Program& page = products.book->program;
+    const Program& page = products.page_programs->program;
     for (const OutputKind kind :
          {OutputKind::mass_matrix, OutputKind::gravity, OutputKind::potential_energy}) {
       const auto function = std::ranges::find(page.functions, kind, &Function::kind);

@@ -91,7 +91,7 @@ std::vector<std::string> book_lines(const std::filesystem::path& path) {
 std::vector<std::string> printed_lines(const std::filesystem::path& path) {
   const Products products =
       products_with(&Products::steps, {source_of(path), nullptr}, {.goals = {Goal::steps}});
-  return read_sections(text_of(steps_sections(products.checked->model, *products.steps)));
+  return read_sections(text_of(derivation_sections(products.checked->model, *products.steps)));
 }
 
 /// The lines of a book that the derivation does not contain.

@@ -14,27 +14,27 @@ std::string sum_of(int terms) {
   return text;
 }
 
-SetEquation equation(const std::string& left, std::uint32_t rows, std::uint32_t columns,
-                     const std::vector<std::string>& entries) {
-  SetEquation result{read_latex(left), rows, columns, {}};
+TypesetEquation equation(const std::string& left, std::uint32_t rows, std::uint32_t columns,
+                         const std::vector<std::string>& entries) {
+  TypesetEquation result{read_latex(left), rows, columns, {}};
   for (const std::string& entry : entries) result.entries.push_back(read_latex(entry));
   return result;
 }
 
 /// The displays of an equation a = `number`.
-std::vector<Display> displays_of(const std::string& number) {
-  return displays(equation("a", 1, 1, {number}));
+std::vector<DisplayedEquation> displays_of(const std::string& number) {
+  return lay_out_equation(equation("a", 1, 1, {number}));
 }
 
 std::string first_line(const std::string& number) {
-  return latex(displays_of(number).at(0).rows.at(0));
+  return to_latex(displays_of(number).at(0).rows.at(0));
 }
 
 std::string last_line(const std::string& number) {
-  return latex(displays_of(number).at(0).rows.back());
+  return to_latex(displays_of(number).at(0).rows.back());
 }
 
-std::string left_of(const Display& display) { return latex(display.left); }
+std::string left_of(const DisplayedEquation& display) { return to_latex(display.left); }
 
 }  // namespace
 
@@ -43,11 +43,11 @@ TEST_CASE(
   const auto parts = displays_of("-\\frac{" + sum_of(60) + "}{m + l}");
   REQUIRE(parts.size() == 1);
   CHECK(parts[0].rows.size() > 2);
-  CHECK(latex(parts[0].rows[0]).starts_with("-\\frac{1}{m + l} \\left( x + x"));
+  CHECK(to_latex(parts[0].rows[0]).starts_with("-\\frac{1}{m + l} \\left( x + x"));
   std::ptrdiff_t terms = 0;
   for (const Glyphs& row : parts[0].rows) {
     CHECK(width(row) < 78);
-    terms += std::ranges::count(latex(row), 'x');
+    terms += std::ranges::count(to_latex(row), 'x');
   }
   CHECK(terms == 60);
 }
@@ -77,7 +77,7 @@ TEST_CASE("the reciprocal of a term wider than the page becomes a power") {
   const std::string number = "c - \\frac{1}{" + sum_of(60) + "} b";
   CHECK(first_line(number).starts_with("c - \\left( x + x"));
   CHECK(last_line(number).ends_with("+ x \\right)^{-1} b"));
-  const std::vector<Display> displays = displays_of(number);
+  const std::vector<DisplayedEquation> displays = displays_of(number);
   for (const Glyphs& row : displays.at(0).rows) CHECK(width(row) < 78);
   CHECK(last_line("\\frac{1}{\\sqrt{" + sum_of(60) + "}}").ends_with("+ x \\right)^{-1/2}"));
 }
@@ -110,12 +110,15 @@ TEST_CASE("lines of a block leave room for its longest left side") {
 }
 
 TEST_CASE("vectors are bold, their components are not") {
-  const auto list = displays(equation("\\mathbf{g}", 2, 1, {sum_of(40), "m"}));
+  const auto list = lay_out_equation(equation("\\mathbf{g}", 2, 1, {sum_of(40), "m"}));
   REQUIRE(list.size() == 2);
   CHECK(left_of(list[0]) == "g_{1}");
-  CHECK(left_of(displays(equation("\\ddot{\\mathbf{q}}", 1, 1, {"x"})).at(0)) == "\\ddot{q}");
-  CHECK(left_of(displays(equation("\\mathbf{bias}", 1, 1, {"x"})).at(0)) == "\\mathrm{bias}");
-  CHECK(left_of(displays(equation("\\mathbf{g}", 2, 1, {"x", "y"})).at(0)) == "\\mathbf{g}");
+  CHECK(left_of(lay_out_equation(equation("\\ddot{\\mathbf{q}}", 1, 1, {"x"})).at(0)) ==
+        "\\ddot{q}");
+  CHECK(left_of(lay_out_equation(equation("\\mathbf{bias}", 1, 1, {"x"})).at(0)) ==
+        "\\mathrm{bias}");
+  CHECK(left_of(lay_out_equation(equation("\\mathbf{g}", 2, 1, {"x", "y"})).at(0)) ==
+        "\\mathbf{g}");
 }
 
 TEST_CASE("a fraction that fits is not split") {
@@ -123,14 +126,14 @@ TEST_CASE("a fraction that fits is not split") {
 }
 
 TEST_CASE("a matrix that does not fit is printed entry by entry, without zeros") {
-  const auto parts = displays(equation("M", 2, 2, {sum_of(30), "0", "0", "m"}));
+  const auto parts = lay_out_equation(equation("M", 2, 2, {sum_of(30), "0", "0", "m"}));
   REQUIRE(parts.size() == 2);
   CHECK(left_of(parts[0]) == "M_{1, 1}");
   CHECK(left_of(parts[1]) == "M_{2, 2}");
 }
 
 TEST_CASE("a matrix that fits is printed as a matrix") {
-  const auto parts = displays(equation("M", 2, 2, {"a", "b", "b", "c"}));
+  const auto parts = lay_out_equation(equation("M", 2, 2, {"a", "b", "b", "c"}));
   REQUIRE(parts.size() == 1);
   CHECK(latex_block(parts) == "M = \\begin{pmatrix}\na & b \\\\\nb & c\n\\end{pmatrix}");
 }

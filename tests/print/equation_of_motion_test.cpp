@@ -84,7 +84,7 @@ TEST_CASE("dissipation, other forces and time have their terms") {
 
 TEST_CASE("an L that is not quadratic in the rates has a bias only") {
   Subject subject = cart_pole();
-  subject.model.quadratic = false;
+  subject.model.is_quadratic = false;
   CHECK(equation(subject) == "M(q,v) a + bias(q,v) = B(q) u");
 }
 

@@ -13,7 +13,7 @@ namespace {
 /// The equations of the first function, with the names used in code.
 FunctionEquations equations_of(const Program& program) {
   const Function& function = program.functions[0];
-  return equations(program, function, temporary_names(program, function));
+  return function_equations(program, function, temporary_names(program, function));
 }
 
 /// The text of instruction `result`. Instructions 0 ... 7 are m, x, y, dot(x), dot(dot(x)), u, t

@@ -188,7 +188,7 @@ T = "1/2*(dot(r)^2 + r^2*dot(phi)^2)"
 
 TEST_CASE("a cost page lists both forms and marks the emitted form") {
   FormCosts row{.function = "bias", .recursive = {.add = 2}, .closed = OperationCounts{.mul = 1}};
-  row.chosen = Form::closed;
+  row.chosen_form = Form::closed;
   row.closed_loss = 0;
   row.recursive_loss = 1e3;
   CHECK(mentions(
@@ -203,8 +203,8 @@ TEST_CASE("a cost page lists both forms and marks the emitted form") {
 
 TEST_CASE("notes list outputs left out of full, and how to get them") {
   Scene scene;
-  scene.left_out = {{OmissionReason::too_many_entries, {"mass_matrix", "linearization"}},
-                    {OmissionReason::kinked_force, {"forward_dynamics_derivatives"}}};
+  scene.omitted_outputs = {{OmissionReason::too_many_entries, {"mass_matrix", "linearization"}},
+                           {OmissionReason::kinked_force, {"forward_dynamics_derivatives"}}};
   CHECK(scene_notes(Model{}, scene) ==
         std::vector<std::string>{
             "Left out, with more than 4096 entries: mass_matrix, linearization. To emit "

@@ -36,7 +36,7 @@ Page wide_page() {
 
 std::size_t widest_line(const std::string& page) {
   std::size_t widest = 0;
-  for (const std::string& line : split_lines(page)) widest = std::max(widest, columns_of(line));
+  for (const std::string& line : split_lines(page)) widest = std::max(widest, terminal_width(line));
   return widest;
 }
 

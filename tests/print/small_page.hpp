@@ -24,7 +24,7 @@ inline Page small_page() {
   return page;
 }
 
-inline std::string latex_of(const Formula& formula) { return latex(glyphs_of(formula)); }
+inline std::string latex_of(const Formula& formula) { return to_latex(glyphs_of(formula)); }
 
 inline std::vector<std::string> latex_of(const Formulas& formulas) {
   std::vector<std::string> all;

@@ -17,19 +17,19 @@ namespace {
 
 struct Derivation {
   explicit Derivation(const std::string& text) : checked(checked_model(text)) {
-    const auto derived = derive_steps(*formulate(checked.model));
+    const auto derived = derive_textbook_steps(*formulate(checked.model));
     const auto recursive = lower(derived->equations, derived->requests, {});
-    steps.program = typeset_steps(checked, present(*recursive), *recursive);
+    steps.program = typeset_derivation(checked, present(*recursive), *recursive);
     steps.masses.assign(derived->masses.size(), "mass");
   }
 
   [[nodiscard]] std::string text(std::string_view title = {}) const {
-    return text_of(steps_sections(checked.model, steps, title));
+    return text_of(derivation_sections(checked.model, steps, title));
   }
-  [[nodiscard]] Page page() const { return steps_page(checked.model, checked.scene, steps); }
+  [[nodiscard]] Page page() const { return derivation_page(checked.model, checked.scene, steps); }
 
   CheckedModel checked;
-  ReadableSteps steps;
+  ReadableDerivation steps;
 };
 
 }  // namespace
@@ -158,11 +158,11 @@ TEST_CASE("a page of steps prints multipliers by their symbols, also in its head
 
 TEST_CASE("the fixed lines of every derivation are printed as they are read") {
   for (const std::string_view line :
-       {variation_lines[0], variation_lines[1], variation_lines[2], variation_lines[3], stationary,
-        virtual_work, balanced_forces, lagrange, constrained_work, constraint_forces,
-        of_velocities}) {
+       {variation_lines[0], variation_lines[1], variation_lines[2], variation_lines[3],
+        stationary_action, virtual_work, virtual_work_balance, lagrange_equation,
+        constrained_virtual_work, constraint_forces, velocity_constraint_note}) {
     const Glyphs glyphs = read_latex(line);
-    CHECK(read_latex(latex(glyphs)) == glyphs);
+    CHECK(read_latex(to_latex(glyphs)) == glyphs);
   }
 }
 

@@ -17,7 +17,7 @@ bool has_unknown(const std::string& code) {
       "parameters p k\npositive p\ncoordinates x y\nfunction gravity\n"
       "  0 = parameter p\n  1 = parameter k\n  2 = coordinate x\n  3 = coordinate y\n" +
       code);
-  const std::vector<bool> marks = unknowns(program, program.functions[0]);
+  const std::vector<bool> marks = mark_unknown_values(program, program.functions[0]);
   return std::find(marks.begin(), marks.end(), true) != marks.end();
 }
 
@@ -86,5 +86,6 @@ TEST_CASE("kinked functions, asin and acos are unknowns, functions of them are n
   const Program program = read_program(
       "coordinates x\nfunction gravity\n  0 = coordinate x\n  1 = abs 0\n  2 = atan 1\n"
       "  result 1 1 = 2\n");
-  CHECK(unknowns(program, program.functions[0]) == std::vector<bool>{false, true, false});
+  CHECK(mark_unknown_values(program, program.functions[0]) ==
+        std::vector<bool>{false, true, false});
 }

@@ -14,18 +14,19 @@ using namespace elgen::test;
 
 namespace {
 
-const ConstantForm pi{.kind = ConstantKind::pi, .parts = {}};
+const ConstantForm pi{.kind = ConstantKind::pi, .operands = {}};
 
-ConstantForm sum(std::vector<ConstantPart> terms) {
-  return {.kind = ConstantKind::sum, .parts = std::move(terms)};
+ConstantForm sum(std::vector<ConstantOperand> terms) {
+  return {.kind = ConstantKind::sum, .operands = std::move(terms)};
 }
 
-ConstantForm product(std::vector<ConstantPart> factors) {
-  return {.kind = ConstantKind::product, .parts = std::move(factors)};
+ConstantForm product(std::vector<ConstantOperand> factors) {
+  return {.kind = ConstantKind::product, .operands = std::move(factors)};
 }
 
 ConstantForm call(FunctionId function, ConstantForm argument, std::int32_t sign = 1) {
-  return {.kind = ConstantKind::call, .function = function, .parts = {{std::move(argument), sign}}};
+  return {
+      .kind = ConstantKind::call, .function = function, .operands = {{std::move(argument), sign}}};
 }
 
 ConstantForm number(const char* text) { return rational_form(cln::cl_RA(text)); }
@@ -55,13 +56,13 @@ TEST_CASE("forms are printed with the brackets that they need") {
 
 TEST_CASE("a sign moves into a form and back") {
   const ConstantForm difference = sum({{number("1"), 1}, {pi, -1}});
-  CHECK(text_of(negated(difference)) == "-1 + pi");
-  CHECK(negated(negated(difference)) == difference);
-  CHECK(text_of(negated(product({{number("1/2"), 1}, {pi, 1}}))) == "-1/2*pi");
-  CHECK(text_of(negated(product({{pi, 1}, {difference, 1}}))) == "pi*(-1 + pi)");
-  CHECK(text_of(negated(product({{pi, 1}, {difference, 2}}))) == "-pi*(1 - pi)^2");
-  CHECK(text_of(negated(call(FunctionId::log, number("1/2")))) == "-log(1/2)");
-  CHECK(negated(negated(pi)) == pi);
+  CHECK(text_of(negated_form(difference)) == "-1 + pi");
+  CHECK(negated_form(negated_form(difference)) == difference);
+  CHECK(text_of(negated_form(product({{number("1/2"), 1}, {pi, 1}}))) == "-1/2*pi");
+  CHECK(text_of(negated_form(product({{pi, 1}, {difference, 1}}))) == "pi*(-1 + pi)");
+  CHECK(text_of(negated_form(product({{pi, 1}, {difference, 2}}))) == "-pi*(1 - pi)^2");
+  CHECK(text_of(negated_form(call(FunctionId::log, number("1/2")))) == "-log(1/2)");
+  CHECK(negated_form(negated_form(pi)) == pi);
 }
 
 TEST_CASE("the text of a form is read back to the same form and value") {
@@ -79,14 +80,14 @@ TEST_CASE("the text of a form is read back to the same form and value") {
 
 TEST_CASE("constants are found by form, never by value") {
   std::vector<Constant> constants;
-  CHECK(position_of(rational_constant(2), constants) == 0);
+  CHECK(intern_constant(rational_constant(2), constants) == 0);
   const auto root = read_constant("sqrt(2)");
   const auto power = read_constant("sqrt(2)^(-1)*2");
   REQUIRE(root);
   REQUIRE(power);
-  CHECK(position_of(*root, constants) == 1);
-  CHECK(position_of(*power, constants) == 2);
-  CHECK(position_of(*root, constants) == 1);
+  CHECK(intern_constant(*root, constants) == 1);
+  CHECK(intern_constant(*power, constants) == 2);
+  CHECK(intern_constant(*root, constants) == 1);
   CHECK(constants.size() == 3);
 }
 
@@ -109,7 +110,7 @@ TEST_CASE("exact constants are printed in both notations") {
   const auto constant = read_constant(row.text);
   REQUIRE(constant);
   CHECK(text_of(constant_formula(constant->form)) == row.text);
-  CHECK(latex(glyphs_of(constant_formula(constant->form))) == row.latex);
+  CHECK(to_latex(glyphs_of(constant_formula(constant->form))) == row.latex);
 }
 
 TEST_CASE("a constant sum is bracketed as a factor") {
@@ -176,7 +177,7 @@ TEST_CASE("200 correct digits despite cancellation") {
                            "exp(1)*pi-tan(7/5)"}) {
     const auto constant = read_constant(text);
     REQUIRE(constant);
-    const auto enclosure = enclosure_of(constant->form);
+    const auto enclosure = enclosed_value(constant->form);
     REQUIRE(enclosure);
     CHECK(enclosure->error <= cln::abs(enclosure->value) * cln::expt(cln::cl_RA(10), -200));
     CHECK(sign_of(*enclosure).has_value());
@@ -187,17 +188,17 @@ TEST_CASE("a sum that cancels has an unknown sign, an exact zero has sign 0") {
   const auto noise = read_constant("sqrt(2)*sqrt(3)-sqrt(6)");
   REQUIRE(noise);
   CHECK(cln::zerop(noise->value));
-  CHECK_FALSE(sign_of(*enclosure_of(noise->form)));
+  CHECK_FALSE(sign_of(*enclosed_value(noise->form)));
   CHECK(noise->form.kind == ConstantKind::sum);
-  CHECK(sign_of(*enclosure_of(rational_form(0))) == 0);
+  CHECK(sign_of(*enclosed_value(rational_form(0))) == 0);
 }
 
 TEST_CASE("constants without a real value have none") {
-  CHECK_FALSE(enclosure_of(call(FunctionId::log, number("0"))));
-  CHECK_FALSE(enclosure_of(call(FunctionId::log, number("-1"))));
-  CHECK_FALSE(enclosure_of(call(FunctionId::asin, number("2"))));
-  CHECK_FALSE(enclosure_of(call(FunctionId::acos, number("-2"))));
-  CHECK_FALSE(enclosure_of(call(FunctionId::exp, number("1000000"))));
+  CHECK_FALSE(enclosed_value(call(FunctionId::log, number("0"))));
+  CHECK_FALSE(enclosed_value(call(FunctionId::log, number("-1"))));
+  CHECK_FALSE(enclosed_value(call(FunctionId::asin, number("2"))));
+  CHECK_FALSE(enclosed_value(call(FunctionId::acos, number("-2"))));
+  CHECK_FALSE(enclosed_value(call(FunctionId::exp, number("1000000"))));
   CHECK_FALSE(read_constant("sqrt(-2)"));
   CHECK_FALSE(read_constant("(sqrt(2)*sqrt(3)-sqrt(6))^(-1)"));
 }

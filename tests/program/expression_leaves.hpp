@@ -16,7 +16,7 @@ namespace elgen::test {
 
 using Texts = std::vector<std::string>;
 
-inline Ref value_of(Graph& graph, const std::string& text) {
+inline SignedNode value_of(Graph& graph, const std::string& text) {
   const auto value = read_value(graph, text, {"a", "b", "c", "d", "e"});
   if (!value) FAIL("cannot read " << text);
   return *value;
@@ -33,11 +33,11 @@ inline Expressions expressions_of(const Texts& texts) {
 struct ExpressionLeaves {
   Expressions expressions = {};
   Graph& graph = expressions.graph;
-  Ref a = graph.leaf(Opcode::coordinate, 0);
-  Ref b = graph.leaf(Opcode::coordinate, 1);
-  Ref c = graph.leaf(Opcode::coordinate, 2);
-  Ref d = graph.leaf(Opcode::coordinate, 3);
-  Ref e = graph.leaf(Opcode::coordinate, 4);
+  SignedNode a = graph.leaf(Opcode::coordinate, 0);
+  SignedNode b = graph.leaf(Opcode::coordinate, 1);
+  SignedNode c = graph.leaf(Opcode::coordinate, 2);
+  SignedNode d = graph.leaf(Opcode::coordinate, 3);
+  SignedNode e = graph.leaf(Opcode::coordinate, 4);
 };
 
 /// A program with one field that lists the values in order.
@@ -69,7 +69,8 @@ inline Program program_of(const Texts& texts) {
 inline Texts texts_of(const Network& network) {
   const Program program = program_of(network);
   const Function& function = program.functions[0];
-  return texts_of(equations(program, function, temporary_names(program, function)).entries.at(0));
+  return texts_of(
+      function_equations(program, function, temporary_names(program, function)).entries.at(0));
 }
 
 inline Texts texts_of(const Expressions& expressions) {

@@ -24,7 +24,7 @@ std::string lowered_again(const std::vector<std::uint32_t>& wanted,
                           const std::vector<bool>& zeros = {}) {
   Program result = program();
   const Function function = result.functions[0];
-  const Expressions expressions = from_program(result, function, wanted, zeros);
+  const Expressions expressions = expressions_from_program(result, function, wanted, zeros);
   Function renewed{.kind = function.kind, .user = function.user, .name = function.name};
   Field field{"", static_cast<std::uint32_t>(wanted.size()), 1, {}};
   for (std::uint32_t i = 0; i < wanted.size(); ++i) field.entries.push_back(i);

@@ -11,10 +11,11 @@ using namespace elgen::test;
 TEST_CASE("instructions with the value of a named intermediate get its name") {
   Expressions told;
   Graph& graph = told.graph;
-  const Ref m = graph.leaf(Opcode::parameter, 0);
-  const Ref x = graph.leaf(Opcode::coordinate, 0);
-  const Ref sine = graph.call(FunctionId::sin, {x});
-  const Ref value = graph.product({{graph.rational(cln::cl_RA(1) / 2), 1}, {m, 1}, {sine, 2}});
+  const SignedNode m = graph.leaf(Opcode::parameter, 0);
+  const SignedNode x = graph.leaf(Opcode::coordinate, 0);
+  const SignedNode sine = graph.call(FunctionId::sin, {x});
+  const SignedNode value =
+      graph.product({{graph.rational(cln::cl_RA(1) / 2), 1}, {m, 1}, {sine, 2}});
   told.values = {value, value, -sine};
   Program program = read_program(
       "parameters m\ncoordinates x\nfunction bias\n  0 = parameter m\n  1 = coordinate x\n"

@@ -71,12 +71,12 @@ TEST_CASE("joined numbers: factors of a sum move into it and merge with its numb
   INFO(row.what);
   const Expressions expressions = expressions_of({row.text});
   const Network apart = make_network(expressions);
-  const Network joined = make_network(expressions, Numbers::joined);
+  const Network joined = make_network(expressions, NumberJoining::joined);
   CHECK(counts_of(apart) == row.apart);
   CHECK(counts_of(joined) == row.joined);
   const Program before = program_of(apart);
   const Program after = program_of(joined);
-  CHECK(check_invariants(after) == "");
+  CHECK(find_invariant_violation(after) == "");
   Arguments<double> arguments;
   arguments.q = {2, 3, 5, 7, 11};
   CHECK(evaluate(after, after.functions[0], arguments)[0] ==
@@ -86,7 +86,7 @@ TEST_CASE("joined numbers: factors of a sum move into it and merge with its numb
 TEST_CASE("joined numbers: a sum with other users stays, and so does its factor") {
   const Expressions shared =
       expressions_of({"3*a - 2*(sin(1)*b - cos(1)*a)", "c*(sin(1)*b - cos(1)*a)"});
-  CHECK(counts_of(make_network(shared, Numbers::joined)) == counts_of(make_network(shared)));
+  CHECK(counts_of(make_network(shared, NumberJoining::joined)) == counts_of(make_network(shared)));
 }
 
 TEST_CASE("operations follow their operands in canonical order") {
@@ -95,7 +95,7 @@ TEST_CASE("operations follow their operands in canonical order") {
   for (NodeId id = 0; id < network.operations.size(); ++id) {
     const Operation& operation = network.operations[id];
     if (operation.kind == OperationKind::leaf) leaves.push_back(operation.index);
-    for (const Ref operand : operation.operands) CHECK(operand.node < id);
+    for (const SignedNode operand : operation.operands) CHECK(operand.node < id);
   }
   CHECK(leaves == std::vector<std::uint32_t>{0, 4, 2, 3});
 }
@@ -119,7 +119,7 @@ TEST_CASE("common sub-sums and sub-products are computed once without changing v
   const Program before = program_of(network);
   eliminate_common_subexpressions(network);
   const Program after = program_of(network);
-  CHECK(check_invariants(after) == "");
+  CHECK(find_invariant_violation(after) == "");
   CHECK(counts_of(network) == OperationCounts{.add = row.add, .mul = row.mul});
   Arguments<double> arguments;
   arguments.q = {2, 3, 5, 7, 11};  // with integers every order of evaluation is exact
@@ -129,14 +129,14 @@ TEST_CASE("common sub-sums and sub-products are computed once without changing v
 
 TEST_CASE("long sums are shared only with neighbouring sums") {
   Network network;
-  std::vector<Ref> terms;
+  std::vector<SignedNode> terms;
   for (std::uint32_t i = 0; i < 200; ++i) {
     network.operations.push_back(
         {.kind = OperationKind::leaf, .leaf = Opcode::coordinate, .index = i});
     terms.push_back({i});
   }
   network.operations.push_back({.kind = OperationKind::sum, .operands = terms});
-  terms.back().negative = true;
+  terms.back().is_negative = true;
   network.operations.push_back({.kind = OperationKind::sum, .operands = terms});
   network.values = {{200}, {201}};
   eliminate_common_subexpressions(network);
@@ -163,8 +163,8 @@ TEST_CASE("turn_signs: a value needed only negated is computed negated") {
   }));
   INFO(row.what);
   Network network = network_of(row.before);
-  turn_signs(network);
-  CHECK(check_invariants(program_of(network)) == "");
+  flip_signs(network);
+  CHECK(find_invariant_violation(program_of(network)) == "");
   CHECK(texts_of(network) == row.after);
 }
 
@@ -214,7 +214,7 @@ TEST_CASE("linearise: equal operations are computed once, and names are kept") {
                         {.kind = OperationKind::product, .operands = {{0}, {0}}, .name = "area"}};
   network.values = {{1}, {2, true}};
   const Program program = program_of(network);
-  CHECK(check_invariants(program) == "");
+  CHECK(find_invariant_violation(program) == "");
   CHECK(program.functions[0].instructions.size() == 3);
   CHECK(program.functions[0].names == Texts{"", "area", ""});
   CHECK(program_of(network_of({"3*a", "3 + b"})).constants.size() == 1);

@@ -33,13 +33,13 @@ Program program_of(const std::string& function) {
 
 TEST_CASE("an identity rule copies values, names and births, and omits unused nodes") {
   ExpressionLeaves l;
-  l.graph.set_birth(3);
-  const Ref root = l.graph.square_root(l.graph.sum({l.a, -l.b}));
-  l.graph.name(root, "distance");
-  const Ref pi = l.graph.pi();
-  const Ref call = l.graph.call(FunctionId::atan2, {-l.c, root});
+  l.graph.set_creation_rank(3);
+  const SignedNode root = l.graph.square_root(l.graph.sum({l.a, -l.b}));
+  l.graph.set_name(root, "distance");
+  const SignedNode pi = l.graph.pi();
+  const SignedNode call = l.graph.call(FunctionId::atan2, {-l.c, root});
   l.expressions.values = {-l.graph.product({{call, 2}, {pi}, {l.d, -1}})};
-  const Expressions copied = rebuild(l.expressions, copy);
+  const Expressions copied = rebuild(l.expressions, copy_node);
   CHECK(texts_of(copied) == texts_of(l.expressions));
   CHECK(copied.graph.size() < l.graph.size());  // e is unused
   std::size_t named = 0;
@@ -47,14 +47,14 @@ TEST_CASE("an identity rule copies values, names and births, and omits unused no
     const Node& node = copied.graph.node(id);
     if (node.name != "distance") continue;
     ++named;
-    CHECK(node.birth == 3);
+    CHECK(node.creation_rank == 3);
   }
   CHECK(named == 1);
 }
 
 TEST_CASE("a rule may change signs: users see the changed operand") {
   const auto turn_b = [](Graph& graph, const RebuildStep& step) {
-    const Ref same = copy(graph, step);
+    const SignedNode same = copy_node(graph, step);
     return same == graph.leaf(Opcode::coordinate, 1) ? -same : same;
   };
   CHECK(texts_of(rebuild(expressions_of({"a + b", "a*b"}), turn_b)) == Texts{"a - b", "-a*b"});
@@ -63,7 +63,7 @@ TEST_CASE("a rule may change signs: users see the changed operand") {
 TEST_CASE("copying into another graph reuses its equal nodes") {
   const Expressions one = expressions_of({"-(a + b)"});
   Expressions other;
-  const Ref first = copy_value(other.graph, one);
+  const SignedNode first = copy_value(other.graph, one);
   const std::size_t size = other.graph.size();
   CHECK(copy_value(other.graph, one) == first);
   CHECK(other.graph.size() == size);
@@ -137,19 +137,19 @@ TEST_CASE("angle_sums: some angles are not expanded") {
   CHECK_FALSE(expand_angle_sums(expressions_of({"cos(a + b)", "sin(a)"})));
   CHECK_FALSE(expand_angle_sums(expressions_of({"cos(a + 5*c)", "sin(a - b)", "cos(b + 5*c)"})));
   const Expressions difference = expressions_of({"sin(a - b)", "sin(a)", "sin(b)"});
-  CHECK(expand_angle_sums(difference, Splits::sums_and_differences));
-  CHECK_FALSE(expand_angle_sums(difference, Splits::sums));
+  CHECK(expand_angle_sums(difference, ExpandedAngles::sums_and_differences));
+  CHECK_FALSE(expand_angle_sums(difference, ExpandedAngles::sums));
 }
 
 TEST_CASE("angle_sums: a chain of splits grows with its length, not with its number of paths") {
   ExpressionLeaves l;
-  const auto cosine = [&l](Ref x) { return l.graph.call(FunctionId::cos, {x}); };
+  const auto cosine = [&l](SignedNode x) { return l.graph.call(FunctionId::cos, {x}); };
   // S_k = S_(k-1) + b^k. sin S_k and cos S_k both use sin and cos of S_(k-1): 2^19 paths.
   constexpr int length = 20;
-  Ref sum = l.a;
+  SignedNode sum = l.a;
   l.expressions.values = {cosine(l.a)};
   for (int k = 1; k < length; ++k) {
-    const Ref joint = l.graph.product({{l.b, k}});
+    const SignedNode joint = l.graph.product({{l.b, k}});
     sum = l.graph.sum({sum, joint});
     l.expressions.values.push_back(cosine(joint));
     l.expressions.values.push_back(cosine(sum));
@@ -168,9 +168,9 @@ TEST_CASE("the needed instructions of an entry are found") {
         std::vector<bool>{true, false, true, false});
   CHECK(needed_instructions(program.functions[0], {3}) ==
         std::vector<bool>{true, true, true, true});
-  CHECK(cone_of(program.functions[0], {2}) == std::vector<std::uint32_t>{0, 2});
-  CHECK(cone_of(program.functions[0], {2, 3, 2}) == std::vector<std::uint32_t>{0, 1, 2, 3});
-  CHECK(cone_of(program.functions[0], {3}, 2).size() == 3);
+  CHECK(dependency_cone(program.functions[0], {2}) == std::vector<std::uint32_t>{0, 2});
+  CHECK(dependency_cone(program.functions[0], {2, 3, 2}) == std::vector<std::uint32_t>{0, 1, 2, 3});
+  CHECK(dependency_cone(program.functions[0], {3}, 2).size() == 3);
 }
 
 TEST_CASE("unused instructions are removed, and the others renumbered") {
@@ -178,8 +178,8 @@ TEST_CASE("unused instructions are removed, and the others renumbered") {
       "  0 = parameter m\n  1 = parameter l\n  2 = multiply 0 0  ; square\n  3 = add 2 1\n"
       "  result 1 1 = 3\n");
   program.functions[0].fields[0].entries = {2};
-  program.functions[0] = pruned(program.functions[0]);
-  CHECK(check_invariants(program).empty());
+  program.functions[0] = eliminate_dead_code(program.functions[0]);
+  CHECK(find_invariant_violation(program).empty());
   CHECK(dump(program) ==
         dump(program_of("  0 = parameter m\n  1 = multiply 0 0  ; square\n  result 1 1 = 1\n")));
 }
@@ -196,7 +196,7 @@ TEST_CASE("names stay with their instructions") {
   Program program = program_of(
       "  0 = parameter m\n  1 = multiply 0 0  ; square\n  2 = parameter l\n"
       "  3 = multiply 1 0  ; cube\n  result 1 1 = 3\n");
-  program.functions[0] = pruned(program.functions[0]);
+  program.functions[0] = eliminate_dead_code(program.functions[0]);
   CHECK(program.functions[0].names == std::vector<std::string>{"", "square", "cube"});
 }
 
@@ -204,8 +204,8 @@ TEST_CASE("reordered instructions compute the same values") {
   Program program = program_of(
       "  0 = parameter m\n  1 = multiply 0 0  ; square\n  2 = parameter l\n  3 = add 1 2\n"
       "  result 1 1 = 3\n");
-  program.functions[0] = reordered(program.functions[0], {2, 0, 1, 3});
-  CHECK(check_invariants(program).empty());
+  program.functions[0] = reorder_instructions(program.functions[0], {2, 0, 1, 3});
+  CHECK(find_invariant_violation(program).empty());
   CHECK(dump(program) == dump(program_of("  0 = parameter l\n  1 = parameter m\n"
                                          "  2 = multiply 1 1  ; square\n  3 = add 2 0\n"
                                          "  result 1 1 = 3\n")));

@@ -58,7 +58,7 @@ TEST_CASE("an instruction that occurs twice is found at its first place") {
   const Instruction l{.opcode = Opcode::parameter, .a = 1};
   function.instructions = {m, m, l};
   function.names.resize(3);
-  Instructions instructions(function);
+  InstructionBuilder instructions(function);
   CHECK(instructions.add(m) == 0);
   CHECK(instructions.add(l) == 2);
   CHECK(instructions.add({.opcode = Opcode::parameter, .a = 2}) == 3);
@@ -68,13 +68,13 @@ TEST_CASE("adding an existing instruction returns it, a new instruction is appen
   Program program = read_program(
       "parameters m l\nfunction gravity\n  0 = parameter m\n  1 = multiply 0 0\n"
       "  result 1 1 = 1\n");
-  Instructions instructions(program.functions[0]);
+  InstructionBuilder instructions(program.functions[0]);
   CHECK(instructions.add(Opcode::multiply, 0, 0) == 1);
   const std::uint32_t l = instructions.add({.opcode = Opcode::parameter, .a = 1});
   CHECK(l == 2);
   CHECK(instructions.add(Opcode::add, 1, l) == 3);
   program.functions[0].fields[0].entries = {3};
-  CHECK(check_invariants(program).empty());
+  CHECK(find_invariant_violation(program).empty());
 }
 
 namespace {
@@ -113,11 +113,11 @@ TEST_CASE("every invariant is checked, and messages name function and instructio
   Program program = read_program(
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = sin 0\n  2 = multiply 0 1\n"
       "  result 1 1 = 2\n");
-  CHECK(check_invariants(program) == "");
+  CHECK(find_invariant_violation(program) == "");
   CHECK_NOTHROW(require_invariants(program));
   row.damage(program.functions[0]);
   const std::string broken = std::string("function `bias`: ") + row.broken;
-  CHECK(check_invariants(program) == broken);
+  CHECK(find_invariant_violation(program) == broken);
   CHECK_THROWS_MATCHES(require_invariants(program), std::logic_error, Catch::Message(broken));
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("repetitions perform the same operations on different operands") {
       "  2 = coordinate z\n  3 = multiply 0 1\n  4 = subtract 3 0\n  5 = multiply 0 2\n"
       "  6 = subtract 5 0\n  repeated 2 2\n  result 2 1 = 4 6\n";
   const Program repeated = read_program(text);
-  CHECK(check_invariants(repeated) == "");
+  CHECK(find_invariant_violation(repeated) == "");
   CHECK(first_repeated_instruction(repeated.functions[0]) == 3);
   CHECK(dump(repeated) == text);
   const BrokenRow row = GENERATE(values<BrokenRow>({
@@ -150,16 +150,16 @@ TEST_CASE("repetitions perform the same operations on different operands") {
   }));
   Program program = repeated;
   row.damage(program.functions[0]);
-  CHECK(check_invariants(program) == std::string("function `bias`: ") + row.broken);
+  CHECK(find_invariant_violation(program) == std::string("function `bias`: ") + row.broken);
 }
 
 TEST_CASE("only repetitions may compute a value twice") {
   Program program = read_program(
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = multiply 0 0\n"
       "  2 = multiply 0 0\n  result 2 1 = 1 2\n");
-  CHECK(check_invariants(program) == "function `bias`: instruction 2: computed before");
+  CHECK(find_invariant_violation(program) == "function `bias`: instruction 2: computed before");
   program.functions[0].repeated = {1, 2};
-  CHECK(check_invariants(program) == "");
+  CHECK(find_invariant_violation(program) == "");
 }
 
 TEST_CASE("repetitions are kept if all of them remain at the end") {
@@ -168,7 +168,7 @@ TEST_CASE("repetitions are kept if all of them remain at the end") {
       "  2 = multiply 0 0\n  3 = multiply 0 1\n  result 2 1 = 2 3\n");
   Function& function = program.functions[0];
   function.repeated = {1, 2};
-  CHECK(reordered(function, {1, 0, 2, 3}).repeated.count == 2);
-  CHECK(reordered(function, {0, 1, 3, 2}).repeated.count == 0);
+  CHECK(reorder_instructions(function, {1, 0, 2, 3}).repeated.count == 2);
+  CHECK(reorder_instructions(function, {0, 1, 3, 2}).repeated.count == 0);
   CHECK(with_entries(function, {2}).repeated.count == 0);
 }

@@ -51,10 +51,9 @@ TEST_CASE("parameters are nominal, then between half and twice their value or in
   Scene scene;
   scene.specialisation.fixed[2] = {3};
   Sampler draw(1);
-  CHECK(drawn_state(b.model, scene, draw, 0).parameters ==
-        nominal_state(b.model, scene).parameters);
+  CHECK(draw_state(b.model, scene, draw, 0).parameters == nominal_state(b.model, scene).parameters);
   for (std::size_t turn = 1; turn < 3; ++turn) {
-    const State state = drawn_state(b.model, scene, draw, turn);
+    const State state = draw_state(b.model, scene, draw, turn);
     CHECK((state.parameters[0] >= 1 && state.parameters[0] <= 4));
     CHECK((state.parameters[1] > 0 && state.parameters[1] <= 1));
     CHECK(state.parameters[2] == 3);

@@ -53,7 +53,7 @@ TEST_CASE("parameters of exact points are positive: all, or only those assumed p
     const LeafValues<cln::cl_RA> positive = draw.point(leaves);
     CHECK((positive.parameters[0] > 0 && positive.parameters[1] > 0));
     CHECK(cln::zerop(positive.t));
-    const LeafValues<cln::cl_RA> assumed = draw.point(leaves, Positive::assumed);
+    const LeafValues<cln::cl_RA> assumed = draw.point(leaves, PositiveParameters::assumed);
     CHECK(assumed.parameters[1] > 0);
     is_negative = is_negative || assumed.parameters[0] < 0;
   }
@@ -61,7 +61,7 @@ TEST_CASE("parameters of exact points are positive: all, or only those assumed p
 }
 
 TEST_CASE("a quarter of the mixed points have ordinary magnitudes, the others wide ones") {
-  const Points points = mixed_points(two_of_each());
+  const Points points = mixed_magnitude_points(two_of_each());
   REQUIRE(points.size() == 16);
   for (std::size_t i = 0; i < points.size(); ++i) {
     CHECK(all_within(points[i], i % 4 == 0 ? -3 : -26, i % 4 == 0 ? 0 : 26));
@@ -75,15 +75,15 @@ TEST_CASE("angles are moved near right angles, straight angles, equal angles and
   Sampler draw(1);
   for (int i = 0; i < 20; ++i) {
     std::vector<double> q{9, 9, 9};
-    draw.set_angles(AnglePlace::right, is_angle, q);
+    draw.set_angles(CancellingAngles::right, is_angle, q);
     CHECK(std::abs(std::cos(q[0])) == Approx(7.5e-9).margin(2.6e-9));
     CHECK(q[1] == 9);
-    draw.set_angles(AnglePlace::straight, is_angle, q);
+    draw.set_angles(CancellingAngles::straight, is_angle, q);
     CHECK(std::abs(std::sin(q[2])) == Approx(7.5e-9).margin(2.6e-9));
-    draw.set_angles(AnglePlace::equal, is_angle, q);
+    draw.set_angles(CancellingAngles::equal, is_angle, q);
     CHECK((q[0] != q[2] && std::abs(q[0] - q[2]) < 2e-3));
     CHECK(std::abs(q[0]) < 2 * right_angle + 1e-3);
-    draw.set_angles(AnglePlace::tiny, is_angle, q);
+    draw.set_angles(CancellingAngles::tiny, is_angle, q);
     CHECK(std::abs(q[0]) < 1e-8);
   }
 }

@@ -178,7 +178,7 @@ TEST_CASE("where sums of angles cancel, each parameter is far from its value") {
 
 TEST_CASE("a sequence gives the same states as sample_states") {
   const System system = cart_pole_system();
-  const Sampling sampling{32, 3, true};
+  const SamplingOptions sampling{32, 3, true};
   const auto states = sample_states<float>(system.subject(), sampling);
   StateSequence<float> sequence(system.subject(), sampling);
   for (const auto& expected : states) {
@@ -198,8 +198,8 @@ TEST_CASE("quaternions are normalised in every scalar type, and zero becomes the
   Arguments<double> rounded;
   rounded.q = {1, 1, 1, 1, 0, 0, 0, 0};
   Arguments<Real> exact = map_leaves([](double x) { return Real(exact_value(x)); }, rounded);
-  scale_quaternions(model, rounded);
-  scale_quaternions(model, exact);
+  normalize_quaternions(model, rounded);
+  normalize_quaternions(model, exact);
   CHECK(rounded.q == std::vector<double>{0.5, 0.5, 0.5, 0.5, 1, 0, 0, 0});
   for (std::size_t i = 0; i < exact.q.size(); ++i) {
     CHECK(is_near(exact.q[i], Real(exact_value(rounded.q[i]))));

@@ -9,12 +9,12 @@ namespace elgen::test {
 
 std::optional<Constant> read_constant(const std::string& text) {
   Limits limits;
-  limits.expression_depth = deepest_expression;
+  limits.expression_depth = max_expression_depth;
   limits.literal_digits = text.size();
   Graph graph;
-  const std::optional<Ref> value = read_value(graph, text, {}, limits);
-  if (!value || !graph.has_form(value->node)) return std::nullopt;
-  return constant_of(graph.form_of(*value));
+  const std::optional<SignedNode> value = read_value(graph, text, {}, limits);
+  if (!value || !graph.has_constant_form(value->node)) return std::nullopt;
+  return make_constant(graph.form_of(*value));
 }
 
 }  // namespace elgen::test

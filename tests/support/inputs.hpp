@@ -15,8 +15,8 @@ inline SourcePointer source_of(const std::filesystem::path& path) {
 }
 
 /// A model, and a scene of it unless `rest` is empty. `rest` follows the scene's name.
-inline Inputs inputs_of(const std::string& text, const std::string& rest = {}) {
-  Inputs inputs{make_source("model.toml", text)};
+inline PipelineSources inputs_of(const std::string& text, const std::string& rest = {}) {
+  PipelineSources inputs{make_source("model.toml", text)};
   if (!rest.empty()) {
     inputs.scene = make_source("given.scene.toml",
                                "format = 1\nmodel = \"model.toml\"\nname = \"given\"\n" + rest);
@@ -26,7 +26,7 @@ inline Inputs inputs_of(const std::string& text, const std::string& rest = {}) {
 
 /// Runs the pipeline. Fails the test unless the product exists.
 template <class Product>
-Products products_with(std::optional<Product> Products::*product, const Inputs& inputs,
+Products products_with(std::optional<Product> Products::*product, const PipelineSources& inputs,
                        const PipelineOptions& options = {}) {
   Products products = run_pipeline(inputs, options);
   INFO(format(products.diagnostics));

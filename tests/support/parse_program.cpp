@@ -92,7 +92,7 @@ class ProgramReader {
 
   std::string read_names(const Words& words, LeafOwner owner) {
     const auto assign = [&](const LeafRow& row, std::vector<std::string>& names) {
-      if (row.of != owner || row.passed == Passed::if_used) return;
+      if (row.owner != owner || row.argument_rule == ArgumentRule::if_used) return;
       names.assign(words.begin() + 1, words.end());
     };
     for_each_list(assign, program_.leaves);
@@ -141,7 +141,7 @@ class ProgramReader {
       if (is_order) step.composed_order = *value;
       if (!is_order && i < 6) *numbers[i - 4] = *value;
     }
-    if (kind->steps) {
+    if (kind->is_step) {
       step.method = static_cast<StepMethod>(first);
       function.step = step;
     } else {
@@ -233,7 +233,7 @@ class ProgramReader {
   std::optional<std::uint32_t> constant_index(std::string_view text) {
     const std::optional<Constant> constant = read_constant(std::string(text));
     if (!constant) return std::nullopt;
-    return position_of(*constant, program_.constants);
+    return intern_constant(*constant, program_.constants);
   }
 
   const SourceText& source_;

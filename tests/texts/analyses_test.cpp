@@ -95,7 +95,7 @@ class FormulaReader {
     const LeadingTerm& term = *point.stability.leading;
     const std::size_t start = cell.rfind(" = ", end) + 3;
     const Real coefficient =
-        value_of(found.forms.algebra, term.coefficient, arguments_at<Real>(point.state));
+        evaluate_form(found.forms.algebra, term.coefficient, arguments_at<Real>(point.state));
     REQUIRE(coefficient.is_defined());
     NamedNumbers names = names_at(model_, point.state);
     const std::string q = leaf_text(model_, Opcode::coordinate, term.coordinate);

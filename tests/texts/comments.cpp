@@ -49,7 +49,7 @@ class CommentReader {
     for (const std::string& line : listing) read_line(line);
     if (!listing.empty()) expect_all_entries(listing.back());
     if (returns_struct(function_) && next_field_ < function_.fields.size()) {
-      fail(listing.back(), in_backticks(function_.fields[next_field_].name) + " is missing");
+      fail(listing.back(), quote_text(function_.fields[next_field_].name) + " is missing");
     }
   }
 
@@ -172,7 +172,7 @@ Lines comment_above(const std::string& header, const std::string& name) {
     if (mentions(code, " " + name + "(")) return comment;
     comment.clear();
   }
-  throw Mistake(in_backticks(name) + " has no comment");
+  throw Mistake(quote_text(name) + " has no comment");
 }
 
 void read_comment(const Lines& comment, WrittenEquations& equations) {
@@ -182,7 +182,7 @@ void read_comment(const Lines& comment, WrittenEquations& equations) {
   std::string heading;
   for (auto line = comment.begin(); line != heading_end; ++line) heading += *line;
   if (!names_shape(heading, function, scene)) {
-    throw Mistake(in_backticks(function.name) + ": the heading says another shape");
+    throw Mistake(quote_text(function.name) + ": the heading says another shape");
   }
   if (!has_equations(output_row(function.kind))) return;
   const auto equation_end =

@@ -98,7 +98,7 @@ class ExpressionFold {
     const FunctionRow* const row = find_function(e.text);
     if (!is_root && row == nullptr) return rules_.named(leaf_name(e));
     if (e.operands.size() != (is_root ? 1 : row->arity)) {
-      return rules_.fail(in_backticks(e.text) + " is no function of so many arguments");
+      return rules_.fail(quote_text(e.text) + " is no function of so many arguments");
     }
     const Value x = (*this)(e.operands[0]);
     if (is_root) return rules_.square_root(x);

@@ -43,7 +43,7 @@ std::string mistake_in(const Formula& read) {
   if (!std::isfinite(value.real()) || !std::isfinite(value.imag())) return {};
   const std::string text = text_of(formula);
   if (!is_near(value, value_of_text(text))) return text;
-  const std::string set = latex(glyphs_of(formula));
+  const std::string set = to_latex(glyphs_of(formula));
   return is_near(value, value_of_line(set)) ? "" : set;
 }
 
@@ -55,8 +55,8 @@ TEST_CASE("equations of random models have the same value in every notation") {
     const random::System system = random::Generator(seed).system();
     const Products products = run_pipeline(
         {make_source("model.toml", text_of(system.model)), nullptr}, {.goals = {Goal::emit}});
-    if (!products.book) continue;
-    const Program& program = products.book->program;
+    if (!products.page_programs) continue;
+    const Program& program = products.page_programs->program;
     for (std::size_t i = 0; i < program.functions.size(); ++i) {
       const FunctionEquations read = equations(products.checked->model, program, i);
       Formulas all;

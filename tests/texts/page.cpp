@@ -51,12 +51,12 @@ class PageReader {
       if (equal == std::string_view::npos) throw Mistake(std::string(line()) + ": no equation");
       const std::string name(line().substr(table_margin.size(), equal - table_margin.size()));
       const std::string problem = equations_.part(name, std::string(line().substr(equal + 3)));
-      if (!problem.empty()) throw Mistake(in_backticks(name) + ": " + problem);
+      if (!problem.empty()) throw Mistake(quote_text(name) + ": " + problem);
     }
   }
 
   [[noreturn]] void fail(const Function& function, const std::string& problem) const {
-    throw Mistake(in_backticks(function.name) + ": " + problem);
+    throw Mistake(quote_text(function.name) + ": " + problem);
   }
 
   void expect_zero(const Function& function) {
@@ -81,7 +81,7 @@ class PageReader {
   void entry(const Function& function, const std::string& name, std::uint32_t instruction) {
     const std::string_view text = line();
     const std::string left = fmt::format("{}{} = ", table_margin, name);
-    if (!text.starts_with(left)) fail(function, in_backticks(name) + " is missing");
+    if (!text.starts_with(left)) fail(function, quote_text(name) + " is missing");
     const std::string right(text.substr(left.size()));
     const std::string problem = equations_.entry(instruction, right);
     if (!problem.empty()) fail(function, problem);

@@ -39,20 +39,20 @@ class SidecarReader {
     if (!model.functions.empty()) open_functions(json);
     parameters(take(json, "parameters"));
     outputs(take(json, "outputs"));
-    if (!origin_.scene.left_out.empty()) left_out(take(json, "left_out"));
+    if (!origin_.scene.omitted_outputs.empty()) left_out(take(json, "left_out"));
     take(json, "hash");
     expect_empty(json);
   }
 
  private:
   [[noreturn]] void fail(const std::string& problem) const {
-    throw Mistake((function_.empty() ? "" : in_backticks(function_) + ": ") + problem);
+    throw Mistake((function_.empty() ? "" : quote_text(function_) + ": ") + problem);
   }
 
   /// Returns the value of a key and removes the key.
   Json take(Json& object, const std::string& key) {
     const bool is_there = object.is_object() && object.contains(key);
-    if (!is_there) fail(in_backticks(key) + " is missing");
+    if (!is_there) fail(quote_text(key) + " is missing");
     Json value = std::move(object[key]);
     object.erase(key);
     return value;
@@ -63,7 +63,7 @@ class SidecarReader {
   }
 
   void expect_empty(const Json& rest) const {
-    if (!rest.empty()) fail(in_backticks(rest.begin().key()) + " should not be there");
+    if (!rest.empty()) fail(quote_text(rest.begin().key()) + " should not be there");
   }
 
   [[nodiscard]] std::string text_of(const Json& json) const {
@@ -114,7 +114,7 @@ class SidecarReader {
       const Coordinate& coordinate = model.coordinates[i];
       interval(list[i], "range", coordinate.range);
       expect(take(list[i], "start"), exact_text(coordinate.start_value));
-      if (coordinate.wrap) expect(take(list[i], "wrap"), true);
+      if (coordinate.wraps) expect(take(list[i], "wrap"), true);
       if (model.rotations.empty()) rate(list[i], model.velocities[i]);
     }
     named(std::move(list), model.coordinates, [](const Coordinate& c) { return c.unit_text; });
@@ -125,7 +125,7 @@ class SidecarReader {
     expect_size(list, model.velocities.size());
     for (std::size_t i = 0; i < list.size(); ++i) rate(list[i], model.velocities[i]);
     named(std::move(list), model.velocities,
-          [&](const Velocity& v) { return velocity_unit(model, v); });
+          [&](const Velocity& v) { return velocity_unit_text(model, v); });
   }
 
   void inputs(Json list) {
@@ -163,7 +163,7 @@ class SidecarReader {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const OpenValue& value = model.open_values[i];
       expect(take(values[i], "function"), model.functions[value.function].name);
-      expect_size(take(values[i], "by"), value.by.size());
+      expect_size(take(values[i], "by"), value.derivative_arguments.size());
     }
     named(std::move(values), model.open_values, unit);
   }
@@ -210,7 +210,8 @@ class SidecarReader {
       function_ = function.name;
       equations_.start(i);
       const OutputRow& row = output_row(function.kind);
-      if (!row.of_user && row.name != function.name) expect(take(output, "output"), row.name);
+      if (!row.is_user_output && row.name != function.name)
+        expect(take(output, "output"), row.name);
       spellings(output, function.name);
       arguments(take(output, "arguments"), function);
       equations(output, function, has_equations(row));
@@ -222,7 +223,7 @@ class SidecarReader {
   }
 
   void left_out(Json all) {
-    for (const OmittedOutputs& each : origin_.scene.left_out) {
+    for (const OmittedOutputs& each : origin_.scene.omitted_outputs) {
       for (const std::string& output : each.outputs) {
         expect(take(all, output), name_of(each.reason));
       }

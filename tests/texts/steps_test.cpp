@@ -87,7 +87,7 @@ State exact_leaves(const Arguments<Real>& state) {
 /// The values of an output at a state, row by row. If `count` is 0, there are none.
 OracleValues matrix_at(const Model& model, OutputKind kind, std::size_t count, const State& state) {
   if (count == 0) return std::vector<cln::cl_R>{};
-  return oracle_values(model, request_of(model, kind, 0), state);
+  return oracle_values(model, make_request(model, kind, 0), state);
 }
 
 /// M a + bias - B u - A^T lambda for each velocity.
@@ -130,7 +130,8 @@ std::vector<ReferenceRow> defined_constraints(const Model& model,
   std::vector<ReferenceRow> rows(model.constraints.size());
   for (const Arguments<Real>& at : states) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const auto value = oracle_expression(model, model.constraints[i].value, exact_leaves(at));
+      const auto value =
+          oracle_expression_value(model, model.constraints[i].value, exact_leaves(at));
       rows[i].add(value ? Real(*value) : Real::undefined(), value ? abs(Real(*value)) : Real());
     }
   }
@@ -165,7 +166,7 @@ void expect_solved(const Model& model, const PrintedEquation& equation,
 
 /// True if every velocity has a row in book form. The last two functions are not rows but the
 /// invariants and accelerations.
-bool all_rows_readable(const ReadableSteps& steps, std::size_t velocities) {
+bool all_rows_readable(const ReadableDerivation& steps, std::size_t velocities) {
   const std::vector<Function>& read = steps.program.readable;
   const auto end = read.end() - 2;
   return std::all_of(end - static_cast<std::ptrdiff_t>(velocities), end,
@@ -178,7 +179,7 @@ bool expect_rows(const SourcePointer& source) {
   const Products products =
       products_with(&Products::steps, {source, nullptr}, {.goals = {Goal::steps}});
   const Model& model = products.checked->model;
-  const std::string text = text_of(steps_sections(model, *products.steps));
+  const std::string text = text_of(derivation_sections(model, *products.steps));
   INFO(text);
   const std::vector<PrintedEquation> equations = motion_equations(text);
   const std::size_t count = model.velocities.size();

@@ -39,7 +39,7 @@ struct Written {
   }
 };
 
-Written written(const Inputs& inputs) {
+Written written(const PipelineSources& inputs) {
   Written result{run_pipeline(inputs, {.goals = {Goal::emit}}), "", "", ""};
   INFO(inputs.model->text);
   INFO(format(result.products.diagnostics));
@@ -72,7 +72,7 @@ void expect_right(const Written& system) {
   CHECK(mistake(read_page, system.page, equations) == "");
 }
 
-void expect_right(const Inputs& inputs) {
+void expect_right(const PipelineSources& inputs) {
   INFO(inputs.model->path << " " << (inputs.scene ? inputs.scene->path : ""));
   expect_right(written(inputs));
 }
@@ -152,7 +152,7 @@ TEST_CASE("the texts of all committed scenes contain the derived equations") {
 TEST_CASE("the texts of random models contain the derived equations") {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const random::System system = random::Generator(seed).system();
-    Inputs inputs{make_source("model.toml", text_of(system.model)), nullptr};
+    PipelineSources inputs{make_source("model.toml", text_of(system.model)), nullptr};
     if (system.scene.is_present) {
       inputs.scene = make_source("scene.toml", text_of(system.scene, system.model));
     }

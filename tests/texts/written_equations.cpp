@@ -23,7 +23,7 @@ std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
                                                 const Arguments<Real>& state) {
   std::unordered_map<std::string, Real> leaves;
   const auto add = [&](Opcode kind, std::uint32_t number, const Real& value) {
-    const bool is_written = is_passed(names, kind) || kind == Opcode::multiplier;
+    const bool is_written = may_be_argument(names, kind) || kind == Opcode::multiplier;
     if (is_written) leaves.emplace(leaf_text(names, kind, number), value);
   };
   for_each_leaf(add, state);
@@ -79,10 +79,10 @@ void WrittenEquations::clear_parts() {
 std::string WrittenEquations::part(const std::string& name, const std::string& text) {
   const Evaluated& written = evaluated(text);
   if (!written.problem.empty()) return written.problem;
-  if (!written.used.empty()) return in_backticks(*written.used.begin()) + " is not defined here";
+  if (!written.used.empty()) return quote_text(*written.used.begin()) + " is not defined here";
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const bool is_new = parts_[i].emplace(name, written.values[i]).second;
-    if (!is_new) return in_backticks(name) + " is defined twice";
+    if (!is_new) return quote_text(name) + " is defined twice";
   }
   return {};
 }
@@ -105,9 +105,9 @@ void WrittenEquations::start(std::size_t index) {
 
 std::string WrittenEquations::definition(const std::string& name, const std::string& text) {
   const auto known = known_[index_].named.find(name);
-  if (known == known_[index_].named.end()) return in_backticks(name) + " is no definition";
+  if (known == known_[index_].named.end()) return quote_text(name) + " is no definition";
   const std::string problem = compare(known->second, text);
-  if (!defined_.insert(name).second) return in_backticks(name) + " is defined twice";
+  if (!defined_.insert(name).second) return quote_text(name) + " is defined twice";
   return problem;
 }
 
@@ -123,7 +123,7 @@ std::string WrittenEquations::number(const cln::cl_R& value, const std::string& 
   const Real difference = abs(written - Real(value));
   const Real tolerance = abs(Real(value)) * Real(power_of_ten(-agreeing_digits));
   const bool is_right = written.is_defined() && difference.value() <= tolerance.value();
-  return is_right ? "" : fmt::format("{} is not {}", in_backticks(text), exact_text(value));
+  return is_right ? "" : fmt::format("{} is not {}", quote_text(text), exact_text(value));
 }
 
 std::string WrittenEquations::values(const std::vector<Real>& derived,
@@ -131,7 +131,7 @@ std::string WrittenEquations::values(const std::vector<Real>& derived,
   const Evaluated& written = evaluated(text);
   if (!written.problem.empty()) return written.problem;
   for (const std::string& name : written.used) {
-    if (defined_.count(name) == 0) return in_backticks(name) + " is not defined here";
+    if (defined_.count(name) == 0) return quote_text(name) + " is not defined here";
   }
   const Real relative(power_of_ten(-agreeing_digits));
   for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -139,7 +139,7 @@ std::string WrittenEquations::values(const std::vector<Real>& derived,
     const Real difference = abs(written.values[i] - derived[i]);
     const Real tolerance = largest[i] * relative;
     if (difference.is_defined() && difference.value() <= tolerance.value()) continue;
-    return fmt::format("{} is {} where {} was derived", in_backticks(text),
+    return fmt::format("{} is {} where {} was derived", quote_text(text),
                        short_value(written.values[i]), short_value(derived[i]));
   }
   return {};
@@ -194,7 +194,7 @@ Real WrittenEquations::named(const std::string& name, Evaluated& result) const {
   const Known& known = known_[index_];
   const auto definition = known.named.find(name);
   if (definition == known.named.end()) {
-    result.problem = in_backticks(name) + " is no name of the model";
+    result.problem = quote_text(name) + " is no name of the model";
     return Real::undefined();
   }
   result.used.insert(name);

@@ -41,11 +41,12 @@ class CompilerWrapper {
   ScopedVariable variable_;
 };
 
-const std::vector<Build> builds_to_verify{Build::as_written, Build::native, Build::user_flags};
+const std::vector<BuildFlags> builds_to_verify{BuildFlags::as_written, BuildFlags::native,
+                                               BuildFlags::user_flags};
 
 elgen::Scene eigen_scene() {
   elgen::Scene scene = sample::scene();
-  scene.emission.eigen = true;
+  scene.emission.has_eigen_header = true;
   return scene;
 }
 
@@ -141,7 +142,7 @@ TEST_CASE("the Eigen header is compiled and run beside the C++ header, in two bu
   for (const std::size_t i : {1U, 3U}) {
     const elgen::CompiledHeader& other = (*compiled)[i];
     CHECK(other.types == "Eigen");
-    CHECK(other.build == (i == 1 ? Build::as_written : Build::native));
+    CHECK(other.build == (i == 1 ? BuildFlags::as_written : BuildFlags::native));
     // The Eigen header's own function, which subtracts 5 * 11.
     CHECK(other.functions->call("inverse_dynamics", arguments<double>()) ==
           std::vector<double>{-8});
@@ -149,7 +150,7 @@ TEST_CASE("the Eigen header is compiled and run beside the C++ header, in two bu
           std::vector<float>{32, 2});
   }
   CHECK(compiled->back().types.empty());
-  CHECK(compiled->back().build == Build::user_flags);
+  CHECK(compiled->back().build == BuildFlags::user_flags);
 }
 
 TEST_CASE("if Eigen is not installed, its header has no functions and the other header has them") {

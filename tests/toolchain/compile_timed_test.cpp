@@ -21,8 +21,8 @@ Result<TimedFunctions> compiled(const std::string& text, const std::vector<Scala
   TimingOptions options{.limits = {.seconds = 600}};
   for (const ScalarKind scalar : scalars) options.variants.push_back({scalar, false});
   options.states = timed_states();
-  return compile_timed(sample::files(text), sample::model(), sample::scene(), sample::program(),
-                       options);
+  return compile_timed_functions(sample::files(text), sample::model(), sample::scene(),
+                                 sample::program(), options);
 }
 
 /// The header of the sample with the parameter values 2, 3 and 5.
@@ -60,8 +60,8 @@ void inverse_dynamics(const Parameters<T>& p, std::size_t count, const T* q, con
 }  // namespace sample::batch
 )";
   Scene scene = sample::scene();
-  scene.emission.batch = true;
-  return compile_timed(files, sample::model(), scene, sample::program(), options);
+  scene.emission.has_batch_header = true;
+  return compile_timed_functions(files, sample::model(), scene, sample::program(), options);
 }
 
 }  // namespace
@@ -74,9 +74,9 @@ TEST_CASE("all states are computed in every scalar with the header's parameters"
   REQUIRE(functions->size() == 2);
   for (const auto& function : *functions) {
     function->run();
-    CHECK(function->at(timed_states()) == std::vector<double>{102, 6});
+    CHECK(function->values_at(timed_states()) == std::vector<double>{102, 6});
     const std::vector<elgen::Arguments<double>> last{timed_states().back()};
-    CHECK(function->at(last) == std::vector<double>{6});
+    CHECK(function->values_at(last) == std::vector<double>{6});
   }
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("one call per state gives the results of packs of all states") {
   REQUIRE(functions->size() == 2);
   for (const auto& function : *functions) {
     function->run();
-    CHECK(function->at(timed_states()) == std::vector<double>{102, 6});
+    CHECK(function->values_at(timed_states()) == std::vector<double>{102, 6});
   }
 }
 
@@ -134,35 +134,35 @@ void halved(const Parameters<T>&, std::size_t count, const T* q, const T* v, T* 
 }  // namespace sample::batch
 )";
   Scene scene = sample::scene();
-  scene.emission.batch = true;
+  scene.emission.has_batch_header = true;
   Program program{sample::program().leaves};
   program.functions.push_back({.kind = OutputKind::step,
                                .name = "advance",
                                .fields = {{"coordinates", 1, 1, {0}}, {"rates", 1, 1, {0}}}});
   const Result<StepLoops> loops =
-      compile_steps(files, sample::model(), scene, program, {.seconds = 600});
+      compile_step_loops(files, sample::model(), scene, program, {.seconds = 600});
   INFO(elgen::format(loops.diagnostics));
   REQUIRE(loops);
   CHECK(loops->entries == 2);
   std::vector<double> one{1, 10};
   std::vector<double> spare(4);
-  loops->one(1, 3, 0, 0.5, nullptr, one.data(), spare.data());
+  loops->one_state_loop(1, 3, 0, 0.5, nullptr, one.data(), spare.data());
   CHECK(one == std::vector<double>{17.5, 13});
   std::vector<double> two{1, 3, 10, 20};
-  loops->in_packs(2, 3, 0, 0.5, nullptr, two.data(), spare.data());
+  loops->pack_loop(2, 3, 0, 0.5, nullptr, two.data(), spare.data());
   CHECK(two == std::vector<double>{17.5, 34.5, 13, 23});
   // The projection is called after every step.
   program.functions.insert(
       program.functions.begin(),
       {.kind = OutputKind::projected, .name = "halved", .fields = program.functions[0].fields});
   const Result<StepLoops> projected =
-      compile_steps(files, sample::model(), scene, program, {.seconds = 600});
+      compile_step_loops(files, sample::model(), scene, program, {.seconds = 600});
   INFO(elgen::format(projected.diagnostics));
   REQUIRE(projected);
   one = {1, 10};
-  projected->one(1, 3, 0, 0.5, nullptr, one.data(), spare.data());
+  projected->one_state_loop(1, 3, 0, 0.5, nullptr, one.data(), spare.data());
   CHECK(one == std::vector<double>{5.125, 13});
   two = {1, 3, 10, 20};
-  projected->in_packs(2, 3, 0, 0.5, nullptr, two.data(), spare.data());
+  projected->pack_loop(2, 3, 0, 0.5, nullptr, two.data(), spare.data());
   CHECK(two == std::vector<double>{5.125, 9.75, 13, 23});
 }

@@ -14,7 +14,7 @@ using elgen::test::mentions;
 namespace {
 
 elgen::ProcessResult compile_text(const std::string& text,
-                                  elgen::Build build = elgen::Build::as_written) {
+                                  elgen::BuildFlags build = elgen::BuildFlags::as_written) {
   const auto directory = elgen::TemporaryDirectory::create();
   REQUIRE(directory);
   const auto source = directory->path() / "a b.cpp";
@@ -87,7 +87,7 @@ TEST_CASE("each warning of the documented list is an error") {
 TEST_CASE("the build with users' flags is optimised and has no warnings enabled") {
   const std::string text = "int f(double x); int f(double x) { return x; }\n";
   const auto result = compile_text("#ifndef __OPTIMIZE__\n#error not optimised\n#endif\n" + text,
-                                   elgen::Build::user_flags);
+                                   elgen::BuildFlags::user_flags);
   INFO(result.output);
   CHECK(result.succeeded());
 }

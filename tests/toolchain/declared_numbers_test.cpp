@@ -11,7 +11,7 @@ using Names = std::vector<std::string>;
 
 namespace {
 
-const CompileOptions declaring{.limits = {.seconds = 600}, .declarations = true};
+const CompileOptions declaring{.limits = {.seconds = 600}, .reads_declared_numbers = true};
 
 Model sample_model() {
   Model model = sample::model();
@@ -54,7 +54,7 @@ Names differing(const std::string& from = "", const std::string& to = "") {
   REQUIRE(compiled);
   Names names;
   for (const DeclaredNumber& number : compiled->front().declared) {
-    if (number.declared != number.of_model) names.push_back(number.name);
+    if (number.declared != number.model_value) names.push_back(number.name);
   }
   return names;
 }
@@ -105,5 +105,5 @@ static const double sample_start_rates[1] = {0.0};
   const std::vector<DeclaredNumber>& numbers = compiled->front().declared;
   CHECK(numbers.size() == 4 + 6 + 1 + 12);  // counts, parameters, size, tables
   CHECK(std::ranges::all_of(
-      numbers, [](const DeclaredNumber& number) { return number.declared == number.of_model; }));
+      numbers, [](const DeclaredNumber& number) { return number.declared == number.model_value; }));
 }

@@ -13,7 +13,7 @@ using namespace elgen::test;
 namespace {
 
 std::string driver(const elgen::Program& program) {
-  return elgen::drivers({sample::model(), sample::scene(), program}, Build::as_written)
+  return elgen::make_drivers({sample::model(), sample::scene(), program}, BuildFlags::as_written)
       .front()
       .text;
 }
@@ -25,7 +25,7 @@ std::string driver_text(const elgen::Model& model, const elgen::Scene& scene,
 
 elgen::Scene batch_scene() {
   elgen::Scene scene = sample::scene();
-  scene.emission.batch = true;
+  scene.emission.has_batch_header = true;
   return scene;
 }
 
@@ -72,7 +72,7 @@ std::vector<double> forward_dynamics(const std::string& stride) {
   REQUIRE(compiled);
   REQUIRE(compiled->size() == 2);
   CHECK(compiled->back().types == "batch");
-  CHECK(compiled->back().in_packs);
+  CHECK(compiled->back().is_in_packs);
   const elgen::Arguments<double> arguments{.parameters = {2, 3, 5}, .q = {7}, .v = {11}, .a = {13}};
   return compiled->back().functions->call("forward_dynamics", arguments);
 }
@@ -89,37 +89,38 @@ std::string driver(const Scene& scene, const std::vector<TimedVariant>& variants
 
 TEST_CASE("every emitted header has a driver in its language") {
   elgen::Scene scene = sample::scene();
-  const auto names = [&scene](Build build) {
+  const auto names = [&scene](BuildFlags build) {
     std::string text;
     for (const elgen::Driver& driver :
-         elgen::drivers({sample::model(), scene, sample::program()}, build)) {
+         elgen::make_drivers({sample::model(), scene, sample::program()}, build)) {
       text += driver.name + "[" + driver.types + "] ";
     }
     return text;
   };
-  CHECK(names(Build::as_written) == "cpp[] ");
-  scene.emission.eigen = true;
-  CHECK(names(Build::as_written) == "cpp[] eigen[Eigen] ");
-  scene.emission.batch = true;
-  CHECK(names(Build::as_written) == "cpp[] eigen[Eigen] batch[batch] ");
-  CHECK(names(Build::native) == names(Build::as_written));
-  CHECK(names(Build::user_flags) == "cpp[] batch[batch] ");
+  CHECK(names(BuildFlags::as_written) == "cpp[] ");
+  scene.emission.has_eigen_header = true;
+  CHECK(names(BuildFlags::as_written) == "cpp[] eigen[Eigen] ");
+  scene.emission.has_batch_header = true;
+  CHECK(names(BuildFlags::as_written) == "cpp[] eigen[Eigen] batch[batch] ");
+  CHECK(names(BuildFlags::native) == names(BuildFlags::as_written));
+  CHECK(names(BuildFlags::user_flags) == "cpp[] batch[batch] ");
   scene.emission = {};
   scene.emission.language = elgen::LanguageId::c99;
   scene.numerics.scalars = {elgen::ScalarKind::double_precision};
-  CHECK(names(Build::as_written) == "c99[] ");
+  CHECK(names(BuildFlags::as_written) == "c99[] ");
 }
 
 TEST_CASE("a build is a single source file, in which Eigen may be missing") {
   elgen::Scene scene = batch_scene();
-  scene.emission.eigen = true;
+  scene.emission.has_eigen_header = true;
   const Program program = sample::program();
-  const auto units = units_of({sample::model(), scene, program}, Build::native, "// more\n");
+  const auto units =
+      make_driver_units({sample::model(), scene, program}, BuildFlags::native, "// more\n");
   REQUIRE(units.size() == 1);
   CHECK(units.front().drivers.size() == 3);
-  const Source& source = units.front().source;
+  const SourceFile& source = units.front().source;
   CHECK(source.file == "driver_1_1.cpp");
-  CHECK(source.needs == "Eigen/Core");
+  CHECK(source.required_header == "Eigen/Core");
   CHECK_THAT(source.text, Contains("#if __has_include(<Eigen/Core>)\n#include \"sample/sample_"));
   CHECK_THAT(source.text, Contains("elgen_driver_cpp_double_0"));
   CHECK_THAT(source.text, Contains("elgen_driver_eigen_double_1"));
@@ -130,20 +131,21 @@ TEST_CASE("a build is a single source file, in which Eigen may be missing") {
 TEST_CASE("for a long program every header is compiled separately, the sines with the first") {
   Program program = sample::program();
   program.functions[1].instructions.resize(5000, program.functions[0].instructions.front());
-  const auto units_in = [&program](Build build) {
-    return units_of({sample::model(), batch_scene(), program}, build, "// more\n");
+  const auto units_in = [&program](BuildFlags build) {
+    return make_driver_units({sample::model(), batch_scene(), program}, build, "// more\n");
   };
-  const auto units = units_in(Build::as_written);
+  const auto units = units_in(BuildFlags::as_written);
   REQUIRE(units.size() == 2);
   CHECK(units.back().source.file == "driver_0_2.cpp");
   CHECK_THAT(units.front().source.text, Contains("// more"));
   CHECK_THAT(units.back().source.text, !Contains("// more"));
-  CHECK(units_in(Build::user_flags).size() == 1);
+  CHECK(units_in(BuildFlags::user_flags).size() == 1);
 }
 
 TEST_CASE("in the build with users' flags, batches have only their sines and cosines") {
   const Program program = sample::program();
-  const auto units = units_of({sample::model(), batch_scene(), program}, Build::user_flags, "");
+  const auto units =
+      make_driver_units({sample::model(), batch_scene(), program}, BuildFlags::user_flags, "");
   REQUIRE(units.size() == 1);
   const std::string& text = units.front().source.text;
   CHECK_THAT(text, Contains("elgen_driver_batch_double_2"));
@@ -181,7 +183,7 @@ TEST_CASE("the mass matrix takes v if L is not quadratic") {
   program.functions = {
       {.kind = elgen::OutputKind::mass_matrix, .name = "M", .fields = {{.entries = {0}}}}};
   CHECK_THAT(driver_text(model, sample::scene(), program), !Contains(">(v)"));
-  model.quadratic = false;
+  model.is_quadratic = false;
   CHECK_THAT(driver_text(model, sample::scene(), program), Contains(">(v)"));
 }
 
@@ -264,7 +266,7 @@ TEST_CASE("without packs, a state is gathered from all arrays and its fields are
 
 TEST_CASE("with packs, the batch header gathers and scatters") {
   Scene scene = sample::scene();
-  scene.emission.batch = true;
+  scene.emission.has_batch_header = true;
   const std::string text = driver(scene, {{}, {ScalarKind::double_precision, true}});
   CHECK_THAT(text, Contains("#include \"sample/sample_batch.hpp\""));
   CHECK_THAT(text,
@@ -294,7 +296,7 @@ TEST_CASE("a step is called in loops, with the time if the model depends on it")
 
 TEST_CASE("in a call for each state its numbers are adjacent") {
   Scene scene = sample::scene();
-  scene.emission.batch = true;
+  scene.emission.has_batch_header = true;
   const std::string text = driver(scene, {{ScalarKind::single_precision, true, true}});
   CHECK_THAT(text, Contains("emitted::batch::inverse_dynamics<Scalar>(p,\n        1,\n        "
                             "gathered<emitted::Coordinates<Scalar>>(q, i, count).data(),"));

@@ -11,7 +11,7 @@
 
 #include "base/no_interrupts.hpp"
 
-using elgen::Ending;
+using elgen::ProcessEnding;
 
 namespace {
 
@@ -67,17 +67,17 @@ TEST_CASE("a failure is reported, and the other processes are ended") {
     return ending;
   };
   const auto thrown = with([] { throw std::runtime_error("no"); });
-  CHECK(thrown.ending == Ending::exited);
+  CHECK(thrown.ending == ProcessEnding::exited);
   CHECK(thrown.status == 70);
   const auto crashed = with([] { (void)::raise(SIGSEGV); });
-  CHECK(crashed.ending == Ending::signalled);
+  CHECK(crashed.ending == ProcessEnding::signalled);
   CHECK(crashed.status == 128 + SIGSEGV);
   const auto late = with([] {
     const rlimit second{1, 2};
     (void)::setrlimit(RLIMIT_CPU, &second);
     compute();
   });
-  CHECK(late.ending == Ending::out_of_time);
+  CHECK(late.ending == ProcessEnding::out_of_time);
 }
 
 TEST_CASE(
@@ -95,13 +95,13 @@ TEST_CASE(
     CHECK(::kill(child[0], 0) != 0);
     return ending.ending;
   };
-  CHECK(in_a_second([] { (void)::raise(SIGSTOP); }) == Ending::out_of_time);
+  CHECK(in_a_second([] { (void)::raise(SIGSTOP); }) == ProcessEnding::out_of_time);
   CHECK(in_a_second([] {
           (void)::signal(SIGALRM, SIG_IGN);
           for (;;) ::sleep(1000);
-        }) == Ending::out_of_time);
-  CHECK(in_a_second(compute) == Ending::out_of_time);
-  CHECK(in_a_second([] { ::usleep(1'000); }) == Ending::exited);
+        }) == ProcessEnding::out_of_time);
+  CHECK(in_a_second(compute) == ProcessEnding::out_of_time);
+  CHECK(in_a_second([] { ::usleep(1'000); }) == ProcessEnding::exited);
 }
 
 TEST_CASE("the parent is asked regularly while the children run") {
@@ -125,19 +125,19 @@ TEST_CASE("an interrupt ends all children and is then delivered") {
       },
       nothing);
   (void)::signal(SIGTERM, before);
-  CHECK(ending.ending == Ending::interrupted);
+  CHECK(ending.ending == ProcessEnding::interrupted);
   CHECK(arrived == 1);
   CHECK(::kill(child[0], 0) != 0);
 }
 
 TEST_CASE("a child that ends by itself has a status, without a child the status is -1") {
-  const elgen::NoInterrupts waiting;
-  const elgen::ChildSignal end_of_child;
-  const elgen::Descriptor signals = elgen::signals_to_wait_for();
+  const elgen::SignalBlocker waiting;
+  const elgen::ChildSignalBlock end_of_child;
+  const elgen::FileDescriptor signals = elgen::open_signal_descriptor();
   elgen::Child child(forked([] { ::usleep(20'000); }));
   CHECK(child.status() == -1);
   while (!child.has_ended()) (void)elgen::read_interrupt(signals);
-  CHECK(child.ending() == elgen::Ending::exited);
+  CHECK(child.ending() == elgen::ProcessEnding::exited);
   CHECK(child.status() == 3);
 }
 
@@ -152,17 +152,17 @@ TEST_CASE("a running child is ended with its owner") {
 }
 
 TEST_CASE("a signal that ended a child is reported") {
-  const elgen::NoInterrupts waiting;
+  const elgen::SignalBlocker waiting;
   elgen::Child child(forked([] { (void)::raise(SIGKILL); }));
   while (!child.has_ended()) ::usleep(1'000);
-  CHECK(child.ending() == elgen::Ending::signalled);
+  CHECK(child.ending() == elgen::ProcessEnding::signalled);
   CHECK(child.status() == 128 + SIGKILL);
 }
 
 TEST_CASE("an interrupt is taken and stays pending") {
   {
-    const elgen::NoInterrupts waiting;
-    const elgen::Descriptor signals = elgen::signals_to_wait_for();
+    const elgen::SignalBlocker waiting;
+    const elgen::FileDescriptor signals = elgen::open_signal_descriptor();
     CHECK_FALSE(elgen::read_interrupt(signals));
     REQUIRE(::raise(SIGHUP) == 0);
     CHECK(elgen::read_interrupt(signals));

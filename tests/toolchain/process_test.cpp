@@ -14,12 +14,12 @@
 #include "toolchain/environment.hpp"
 #include "toolchain/workshop.hpp"
 
-using elgen::plain_text;
+using elgen::sanitize_output;
 using elgen::test::mentions;
 
 namespace {
 
-using elgen::Ending;
+using elgen::ProcessEnding;
 
 volatile std::sig_atomic_t interrupts = 0;
 
@@ -46,7 +46,7 @@ class Fixture {
  protected:
   [[nodiscard]] std::filesystem::path path() const { return directory_->path(); }
   [[nodiscard]] elgen::ProcessResult run(const std::vector<std::string>& command) const {
-    return elgen::run(command, 60);
+    return elgen::run_process(command, 60);
   }
 
  private:
@@ -57,7 +57,7 @@ class Fixture {
 
 TEST_CASE_METHOD(Fixture, "output of both streams and the status are returned") {
   const auto result = run({"sh", "-c", "echo out; echo err >&2; exit 7"});
-  CHECK(result.ending == Ending::exited);
+  CHECK(result.ending == ProcessEnding::exited);
   CHECK_FALSE(result.succeeded());
   CHECK(result.status == 7);
   CHECK(result.output == "out\nerr\n");
@@ -72,21 +72,22 @@ TEST_CASE("stdin contains the given text, however long") {
 }
 
 TEST_CASE("numbers of an answer are read exactly, beyond the range of double as infinity or 0") {
-  CHECK(elgen::numbers_in("[[0.1, -2e-3],\t[5, 1e-310]]") ==
+  CHECK(elgen::parse_numbers("[[0.1, -2e-3],\t[5, 1e-310]]") ==
         std::vector<double>{0.1, -2e-3, 5, 1e-310});
-  CHECK(elgen::numbers_in("1e400 -1e400 1e-400") == std::vector<double>{HUGE_VAL, -HUGE_VAL, 0});
-  CHECK(elgen::numbers_in("")->empty());
-  CHECK_FALSE(elgen::numbers_in("[1, two]"));
-  CHECK_FALSE(elgen::numbers_in("[1.2.3]"));
-  CHECK_FALSE(elgen::numbers_in(std::string("1 \0 2", 5)));
+  CHECK(elgen::parse_numbers("1e400 -1e400 1e-400") == std::vector<double>{HUGE_VAL, -HUGE_VAL, 0});
+  CHECK(elgen::parse_numbers("")->empty());
+  CHECK_FALSE(elgen::parse_numbers("[1, two]"));
+  CHECK_FALSE(elgen::parse_numbers("[1.2.3]"));
+  CHECK_FALSE(elgen::parse_numbers(std::string("1 \0 2", 5)));
 }
 
 TEST_CASE("the end of a process is described by its status or its signal") {
-  CHECK(elgen::ending_text(Ending::exited, 3) == "exits 3");
-  CHECK(elgen::ending_text(Ending::signalled, 128 + SIGABRT) == "was ended by signal 6 (Aborted)");
-  CHECK(elgen::ending_text(Ending::signalled, 128 + SIGXFSZ) ==
+  CHECK(elgen::ending_text(ProcessEnding::exited, 3) == "exits 3");
+  CHECK(elgen::ending_text(ProcessEnding::signalled, 128 + SIGABRT) ==
+        "was ended by signal 6 (Aborted)");
+  CHECK(elgen::ending_text(ProcessEnding::signalled, 128 + SIGXFSZ) ==
         "was ended by signal 25 (File size limit exceeded)");
-  CHECK(elgen::ending_text(Ending::signalled, 128 + 40) ==
+  CHECK(elgen::ending_text(ProcessEnding::signalled, 128 + 40) ==
         "was ended by signal 40 (Real-time signal 6)");
   CHECK(elgen::words_of_command(" python3  mine.py ") ==
         std::vector<std::string>{"python3", "mine.py"});
@@ -111,17 +112,17 @@ TEST_CASE_METHOD(Fixture, "a program has temporary files of its own and our envi
   const ScopedVariable temporary("TMPDIR", "/elsewhere");
   const std::vector<std::string> command{"sh", "-c", "echo $ELGEN_TEST $TMPDIR"};
   CHECK(run(command).output == "here /elsewhere\n");
-  CHECK(elgen::run(command, 60, "/tmp/x y").output == "here /tmp/x y\n");
+  CHECK(elgen::run_process(command, 60, "/tmp/x y").output == "here /tmp/x y\n");
 }
 
 TEST_CASE_METHOD(Fixture, "a missing program does not start") {
-  CHECK(run({"/nonexistent/program"}).ending == Ending::not_started);
-  CHECK(run({}).ending == Ending::not_started);
+  CHECK(run({"/nonexistent/program"}).ending == ProcessEnding::not_started);
+  CHECK(run({}).ending == ProcessEnding::not_started);
 }
 
 TEST_CASE_METHOD(Fixture, "a signal is reported as 128 + its number") {
   const auto result = run({"sh", "-c", "kill -9 $$"});
-  CHECK(result.ending == Ending::signalled);
+  CHECK(result.ending == ProcessEnding::signalled);
   CHECK(result.status == 137);
 }
 
@@ -143,8 +144,8 @@ TEST_CASE_METHOD(Fixture, "a program that takes too long is ended with its child
   const std::string script =
       "(sleep 100 & echo $! > '" + started.string() + "'; wait) & wait; sleep 100";
   const auto begin = std::chrono::steady_clock::now();
-  const auto result = elgen::run({"sh", "-c", script}, 1);
-  CHECK(result.ending == Ending::out_of_time);
+  const auto result = elgen::run_process({"sh", "-c", script}, 1);
+  CHECK(result.ending == ProcessEnding::out_of_time);
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
   pid_t inner = 0;
   std::ifstream(started) >> inner;
@@ -162,22 +163,22 @@ TEST_CASE_METHOD(Fixture, "children that a program leaves running are ended") {
 
 TEST_CASE("a program with endless output is ended at the time limit") {
   const auto begin = std::chrono::steady_clock::now();
-  CHECK(elgen::run_with_input({"yes"}, 1, 100).ending == Ending::out_of_time);
+  CHECK(elgen::run_with_input({"yes"}, 1, 100).ending == ProcessEnding::out_of_time);
   CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(20));
 }
 
 TEST_CASE("numbers beyond the range of double are read as infinity or 0") {
-  const auto numbers = elgen::numbers_in("[1e400, -1e400, [1e-400, -1e310], 1e308, 1e-310]");
+  const auto numbers = elgen::parse_numbers("[1e400, -1e400, [1e-400, -1e310], 1e308, 1e-310]");
   const double infinite = std::numeric_limits<double>::infinity();
   REQUIRE(numbers);
   CHECK(*numbers == std::vector<double>{infinite, -infinite, 0, -infinite, 1e308, 1e-310});
-  CHECK_FALSE(elgen::numbers_in("[1e400, ready]"));
+  CHECK_FALSE(elgen::parse_numbers("[1e400, ready]"));
 }
 
 TEST_CASE("output of other programs is shown in indented lines") {
-  CHECK(elgen::quoted_lines("elgen: ok\n::error::x\n") == ":\n    elgen: ok\n    ::error::x");
-  CHECK(elgen::quoted_lines("a") == ":\n    a");
-  CHECK(elgen::quoted_lines("").empty());
+  CHECK(elgen::indent_output("elgen: ok\n::error::x\n") == ":\n    elgen: ok\n    ::error::x");
+  CHECK(elgen::indent_output("a") == ":\n    a");
+  CHECK(elgen::indent_output("").empty());
 }
 
 TEST_CASE_METHOD(Fixture, "an interrupt ends the program and is then delivered") {
@@ -185,7 +186,7 @@ TEST_CASE_METHOD(Fixture, "an interrupt ends the program and is then delivered")
   const auto before = std::signal(SIGTERM, count_interrupt);
   const std::string parent = std::to_string(getpid());
   const auto result = run({"sh", "-c", "kill -TERM " + parent + "; sleep 100"});
-  CHECK(result.ending == Ending::interrupted);
+  CHECK(result.ending == ProcessEnding::interrupted);
   CHECK(interrupts == 1);
   std::signal(SIGTERM, before);
 }
@@ -197,18 +198,18 @@ TEST_CASE_METHOD(Fixture, "the status is returned even if SIGCHLD is ignored") {
 }
 
 TEST_CASE("escape sequences and control characters are removed") {
-  CHECK(plain_text("a\x1b[01;31mb\x1b[K\tc\r\nd\a") == "abc\nd");
-  CHECK(plain_text("a\x1b]8;;file://x\ab\x1b]0;title\x1b\\c") == "abc");
-  CHECK(plain_text("a\x1b"
-                   "7b\x1b") == "ab");
-  CHECK(plain_text("a\x1b[31\nb") == "a\nb");
-  CHECK(plain_text("a\u202eb\u200bc") == "abc");
-  CHECK(plain_text("‘é’\n") == "‘é’\n");
+  CHECK(sanitize_output("a\x1b[01;31mb\x1b[K\tc\r\nd\a") == "abc\nd");
+  CHECK(sanitize_output("a\x1b]8;;file://x\ab\x1b]0;title\x1b\\c") == "abc");
+  CHECK(sanitize_output("a\x1b"
+                        "7b\x1b") == "ab");
+  CHECK(sanitize_output("a\x1b[31\nb") == "a\nb");
+  CHECK(sanitize_output("a\u202eb\u200bc") == "abc");
+  CHECK(sanitize_output("‘é’\n") == "‘é’\n");
 }
 
 TEST_CASE("long texts and binary data are cut off") {
-  const std::string cut = plain_text(std::string(100'000, 'x'));
+  const std::string cut = sanitize_output(std::string(100'000, 'x'));
   CHECK(cut.size() < 4100);
   CHECK(mentions(cut, "…\n"));
-  CHECK(plain_text("a\xff\xfe") == "a…\n");
+  CHECK(sanitize_output("a\xff\xfe") == "a…\n");
 }

@@ -10,12 +10,12 @@
 
 #include "toolchain/environment.hpp"
 
+using elgen::CompilerSession;
 using elgen::TemporaryDirectory;
-using elgen::Workshop;
 
 namespace {
 
-const elgen::Source answer_source{"driver.cpp", "#include \"a/a.hpp\"\n"};
+const elgen::SourceFile answer_source{"driver.cpp", "#include \"a/a.hpp\"\n"};
 
 elgen::EmittedFiles answer_files() {
   return {{{"a/a.hpp", "extern \"C\" int answer(); extern \"C\" int answer() { return 42; }\n"}}};
@@ -27,22 +27,22 @@ TEST_CASE("a built library stays loaded after its files are removed") {
   const auto scratch = elgen::TemporaryDirectory::create();
   REQUIRE(scratch);
   const ScopedVariable variable("TMPDIR", scratch->path().string());
-  auto library = [] {
-    const auto workshop = Workshop::open(answer_files(), {answer_source}, {});
+  auto library_dictionary = [] {
+    const auto workshop = CompilerSession::open(answer_files(), {answer_source}, {});
     REQUIRE(workshop);
-    return workshop->build(answer_source, elgen::Build::user_flags);
+    return workshop->build(answer_source, elgen::BuildFlags::user_flags);
   }();
-  REQUIRE(library);
+  REQUIRE(library_dictionary);
   CHECK(std::filesystem::is_empty(scratch->path()));
-  const auto answer = library->find<int (*)()>("answer");
+  const auto answer = library_dictionary->find<int (*)()>("answer");
   REQUIRE(answer != nullptr);
   CHECK(answer() == 42);
-  CHECK(library->find<int (*)()>("question") == nullptr);
+  CHECK(library_dictionary->find<int (*)()>("question") == nullptr);
 }
 
 TEST_CASE("without disk space the error is E706, without a compiler E704") {
   const auto code_of = [] {
-    const auto workshop = Workshop::open(answer_files(), {answer_source}, {});
+    const auto workshop = CompilerSession::open(answer_files(), {answer_source}, {});
     REQUIRE_FALSE(workshop);
     CHECK(elgen::exit_code(workshop.diagnostics) == elgen::ExitCode::inaccessible);
     return workshop.diagnostics.front().code;
@@ -60,10 +60,10 @@ TEST_CASE("a library that does not compile is not reported as an error of the em
   REQUIRE(scratch);
   std::ofstream(scratch->path() / "elgen_broken.hpp") << "#error \"broken\"\n";
   const ScopedVariable variable("CPATH", scratch->path().string());
-  const elgen::Source broken{"broken.cpp", "#include <elgen_broken.hpp>\n", "elgen_broken.hpp"};
-  const auto workshop = Workshop::open(answer_files(), {broken}, {});
+  const elgen::SourceFile broken{"broken.cpp", "#include <elgen_broken.hpp>\n", "elgen_broken.hpp"};
+  const auto workshop = CompilerSession::open(answer_files(), {broken}, {});
   REQUIRE(workshop);
-  const auto library = workshop->build(broken, elgen::Build::as_written);
+  const auto library = workshop->build(broken, elgen::BuildFlags::as_written);
   REQUIRE_FALSE(library);
   CHECK(library.diagnostics.front().code == elgen::Code::E709);
 }
@@ -77,10 +77,10 @@ TEST_CASE(
                         << "exec c++ \"$@\"\n";
   std::filesystem::permissions(script, std::filesystem::perms::owner_all);
   const ScopedVariable variable("CXX", script.string());
-  const auto workshop = Workshop::open(answer_files(), {answer_source}, {});
+  const auto workshop = CompilerSession::open(answer_files(), {answer_source}, {});
   REQUIRE(workshop);
-  CHECK(workshop->takes(elgen::Build::as_written, answer_source));
-  CHECK_FALSE(workshop->takes(elgen::Build::native, answer_source));
+  CHECK(workshop->accepts_flags(elgen::BuildFlags::as_written, answer_source));
+  CHECK_FALSE(workshop->accepts_flags(elgen::BuildFlags::native, answer_source));
 }
 
 TEST_CASE("a temporary directory is removed with its contents") {

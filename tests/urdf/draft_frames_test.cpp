@@ -73,9 +73,10 @@ TEST_CASE("a rounded axis is named in a comment with its digits") {
 
 TEST_CASE("constant rotations by 0 are omitted") {
   const urdf::FileNumber zero;
-  CHECK(urdf::steps_of(urdf::rotation_of({zero, zero, zero}, urdf::AngleDigits::rounded)).empty());
-  CHECK(urdf::frame_comments("j", urdf::rotation_of({zero, zero, zero}, urdf::AngleDigits::rounded),
-                             {})
+  CHECK(urdf::turn_texts(urdf::round_rotation({zero, zero, zero}, urdf::AngleRounding::round))
+            .empty());
+  CHECK(urdf::frame_comments(
+            "j", urdf::round_rotation({zero, zero, zero}, urdf::AngleRounding::round), {})
             .size() == 1);
 }
 

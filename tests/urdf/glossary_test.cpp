@@ -24,11 +24,11 @@ urdf::Robot same_names() {
 TEST_CASE("a joint keeps its name before a link, and the root link is the world") {
   const urdf::Robot robot = same_names();
   const urdf::Glossary glossary(robot, tree_of(robot));
-  CHECK(glossary.joint(0) == "knee");
-  CHECK(glossary.joint(1) == "foot_1");
-  CHECK(glossary.frame(0) == "world");
-  CHECK(glossary.frame(1) == "link_knee");
-  CHECK(glossary.frame(2) == "foot_1");
+  CHECK(glossary.joint_name(0) == "knee");
+  CHECK(glossary.joint_name(1) == "foot_1");
+  CHECK(glossary.frame_name(0) == "world");
+  CHECK(glossary.frame_name(1) == "link_knee");
+  CHECK(glossary.frame_name(2) == "foot_1");
   CHECK(glossary.name_changes() ==
         std::vector<std::string>{"`foot-1` is called foot_1", "`knee` is called link_knee"});
 }
@@ -37,9 +37,9 @@ TEST_CASE("a number is a parameter of the current group, a zero is none") {
   const urdf::Robot robot = same_names();
   urdf::Glossary glossary(robot, tree_of(robot));
   glossary.open_group("knee", {});
-  CHECK(glossary.parameter("m", urdf::decimal_of(0), "kg") == "0");
-  CHECK(glossary.parameter("g", urdf::decimal_of(2), "kg") == "parameter_g");
-  CHECK(glossary.parameter("m", urdf::decimal_of(-2), "kg", "assume") == "m");
+  CHECK(glossary.add_parameter("m", urdf::make_file_number(0), "kg") == "0");
+  CHECK(glossary.add_parameter("g", urdf::make_file_number(2), "kg") == "parameter_g");
+  CHECK(glossary.add_parameter("m", urdf::make_file_number(-2), "kg", "assume") == "m");
   const auto& groups = glossary.groups();
   REQUIRE(groups.size() == 1);
   using Rows = std::vector<std::vector<std::string>>;
@@ -58,8 +58,8 @@ TEST_CASE(
   robot.joints[1].rank = 1;
   const urdf::LinkTree tree = tree_of(robot);
   urdf::Glossary glossary(robot, tree);
-  CHECK(glossary.symbol(0) == "q_2");
-  CHECK(glossary.symbol(1) == "q_1");
+  CHECK(glossary.joint_symbol(0) == "q_2");
+  CHECK(glossary.joint_symbol(1) == "q_1");
   glossary.open_group("b", tree.branches[0]);
   const std::vector<std::pair<std::string, std::string>> rows{
       {"m_b", "m_2"},
@@ -68,16 +68,16 @@ TEST_CASE(
       {"damping_ab", "\\mathrm{damping}_2"},
       {"ab_stiction_rate", "\\mathrm{stiction}_2"}};
   for (const auto& [name, symbol] : rows) {
-    glossary.parameter(name, urdf::decimal_of(-1), "1", "assume = \"positive\"");
+    glossary.add_parameter(name, urdf::make_file_number(-1), "1", "assume = \"positive\"");
     CHECK(glossary.groups()[0].rows.back().back() == "latex = '" + symbol + "' }");
   }
-  glossary.parameter("ratio_bc", urdf::decimal_of(1), "1");
+  glossary.add_parameter("ratio_bc", urdf::make_file_number(1), "1");
   CHECK(glossary.groups()[0].rows.back().back() == "unit = \"1\" }");
 }
 
 TEST_CASE("joints with short names have no other symbols") {
   const urdf::Robot robot = robot_of(arm_on("revolute", ""));
-  CHECK(urdf::Glossary(robot, tree_of(robot)).symbol(0).empty());
+  CHECK(urdf::Glossary(robot, tree_of(robot)).joint_symbol(0).empty());
 }
 
 TEST_CASE("a name consists of letters, digits and single underscores") {
@@ -91,7 +91,7 @@ TEST_CASE("a name consists of letters, digits and single underscores") {
 }
 
 TEST_CASE("a name is used once, and is no keyword of C++ or of the model language") {
-  urdf::Names names;
+  urdf::NameRegistry names;
   CHECK(names.claim("arm", "link") == "arm");
   CHECK(names.claim("arm", "link") == "link_arm");
   CHECK(names.claim("arm", "link") == "link_arm_2");

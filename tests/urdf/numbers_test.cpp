@@ -42,11 +42,11 @@ TEST_CASE("the value of a number is exact") {
 }
 
 TEST_CASE("a sign negates digits and value") {
-  const urdf::FileNumber one = urdf::decimal_of(1);
+  const urdf::FileNumber one = urdf::make_file_number(1);
   CHECK(urdf::negate_number(one).text == "-1");
   CHECK(urdf::negate_number(one).value == -1);
   CHECK(urdf::negate_number(urdf::negate_number(one)).text == "1");
-  CHECK(urdf::negate_number(urdf::decimal_of(0)).text == "0");
+  CHECK(urdf::negate_number(urdf::make_file_number(0)).text == "0");
 }
 
 TEST_CASE("anything but a finite decimal is refused") {
@@ -66,7 +66,7 @@ TEST_CASE("anything but a finite decimal is refused") {
 
 TEST_CASE("words are separated by blanks") {
   const SourcePointer source = make_source("r.urdf", " 1 \t-2\n3 ");
-  const auto words = urdf::words_of({source.get(), 0, 9});
+  const auto words = urdf::word_spans({source.get(), 0, 9});
   REQUIRE(words.size() == 3);
   CHECK(covered_text(words[0]) == "1");
   CHECK(covered_text(words[1]) == "-2");
@@ -91,29 +91,29 @@ TEST_CASE("a product omits 1 and puts sums in brackets") {
 }
 
 TEST_CASE("a quotient omits 1 and puts sums in brackets") {
-  CHECK(urdf::quotient("0", "l") == "0");
-  CHECK(urdf::quotient("q + b", "1") == "q + b");
-  CHECK(urdf::quotient("-0.7*q", "l") == "-0.7*q/l");
-  CHECK(urdf::quotient("q + b", "l") == "(q + b)/l");
-  CHECK(urdf::quotient("-q + b", "l") == "(-q + b)/l");
-  CHECK(urdf::quotient("0.7*(q + b)", "l") == "0.7*(q + b)/l");
+  CHECK(urdf::quotient_text("0", "l") == "0");
+  CHECK(urdf::quotient_text("q + b", "1") == "q + b");
+  CHECK(urdf::quotient_text("-0.7*q", "l") == "-0.7*q/l");
+  CHECK(urdf::quotient_text("q + b", "l") == "(q + b)/l");
+  CHECK(urdf::quotient_text("-q + b", "l") == "(-q + b)/l");
+  CHECK(urdf::quotient_text("0.7*(q + b)", "l") == "0.7*(q + b)/l");
 }
 
 TEST_CASE("a sign negates the operand after it") {
-  CHECK(urdf::negated("q") == "-q");
-  CHECK(urdf::negated("-q") == "q");
-  CHECK(urdf::negated("a*q + b") == "-(a*q + b)");
-  CHECK(urdf::negated("-q + b") == "-(-q + b)");
-  CHECK(urdf::negated("0") == "0");
+  CHECK(urdf::negated_text("q") == "-q");
+  CHECK(urdf::negated_text("-q") == "q");
+  CHECK(urdf::negated_text("a*q + b") == "-(a*q + b)");
+  CHECK(urdf::negated_text("-q + b") == "-(-q + b)");
+  CHECK(urdf::negated_text("0") == "0");
 }
 
 TEST_CASE("a coupling is a position and a rate") {
   const urdf::Coupling coupling{"q", "ratio", "offset"};
-  CHECK(coupling.position() == "ratio*q + offset");
-  CHECK(coupling.rate() == "ratio*dot(q)");
-  CHECK(urdf::Coupling{"q"}.position() == "q");
-  CHECK(urdf::Coupling{"q", "-1", "b"}.position() == "-q + b");
-  CHECK(urdf::Coupling{"q", "0", "b"}.position() == "b");
+  CHECK(coupling.position_text() == "ratio*q + offset");
+  CHECK(coupling.rate_text() == "ratio*dot(q)");
+  CHECK(urdf::Coupling{"q"}.position_text() == "q");
+  CHECK(urdf::Coupling{"q", "-1", "b"}.position_text() == "-q + b");
+  CHECK(urdf::Coupling{"q", "0", "b"}.position_text() == "b");
 }
 
 }  // namespace elgen::test

@@ -20,18 +20,18 @@ urdf::Vector vector(const std::string& x, const std::string& y, const std::strin
 }
 
 std::string angle(const std::string& text) {
-  return urdf::angle_of(decimal(text), urdf::AngleDigits::rounded).text;
+  return urdf::round_angle(decimal(text), urdf::AngleRounding::round).text;
 }
 
 urdf::RollPitchYaw rotation(const urdf::Vector& rpy) {
-  return urdf::rotation_of(rpy, urdf::AngleDigits::rounded);
+  return urdf::round_rotation(rpy, urdf::AngleRounding::round);
 }
 
 /// The direction of an axis: "x", "-z", "y rounded" or "oblique".
 std::string axis(const std::string& x, const std::string& y, const std::string& z) {
-  const urdf::Axis result = urdf::axis_of(vector(x, y, z), urdf::AngleDigits::rounded);
-  if (!result.along) return "oblique";
-  return (result.is_reversed ? "-" : "") + std::string(1, "xyz"[*result.along]) +
+  const urdf::Axis result = urdf::round_axis(vector(x, y, z), urdf::AngleRounding::round);
+  if (!result.index) return "oblique";
+  return (result.is_reversed ? "-" : "") + std::string(1, "xyz"[*result.index]) +
          (result.is_rounded ? " rounded" : "");
 }
 
@@ -40,7 +40,7 @@ std::string rotated_digits(const std::string& roll, const std::string& pitch,
                            const std::string& yaw) {
   const std::array<urdf::FileNumber, 6> inertia{decimal("1"), decimal("2"), decimal("3"),
                                                 decimal("4"), decimal("5"), decimal("6")};
-  const auto result = urdf::rotated(rotation(vector(roll, pitch, yaw)), inertia);
+  const auto result = urdf::rotate_inertia(rotation(vector(roll, pitch, yaw)), inertia);
   if (!result) return "oblique";
   std::string text;
   for (const urdf::FileNumber& entry : *result) text += entry.text;
@@ -103,21 +103,22 @@ TEST_CASE("a rotation states whether it is the identity, and whether its digits 
 
 TEST_CASE("the change of an angle is known more precisely than the rounding of double") {
   const auto change = [](const std::string& text) {
-    return urdf::angle_of(decimal(text), urdf::AngleDigits::rounded).change;
+    return urdf::round_angle(decimal(text), urdf::AngleRounding::round).change;
   };
   CHECK(change("1.5707963267948966") == Approx(1.9231e-17).epsilon(1e-4));
   CHECK(change("-3.14159") == Approx(2.65359e-6).epsilon(1e-5));
   CHECK(change("0") == 0.0);
-  CHECK(urdf::axis_of(vector("0", "1", "1e-6"), urdf::AngleDigits::rounded).change == Approx(1e-6));
+  CHECK(urdf::round_axis(vector("0", "1", "1e-6"), urdf::AngleRounding::round).change ==
+        Approx(1e-6));
 }
 
 TEST_CASE("exact angles and axes keep their digits") {
-  const urdf::AngleDigits kept = urdf::AngleDigits::kept;
-  CHECK(urdf::angle_of(decimal("1.57079632679"), kept).text == "1.57079632679");
-  CHECK_FALSE(urdf::angle_of(decimal("1e-9"), kept).is_rounded);
-  CHECK(urdf::angle_of(decimal("0"), kept).quarter_turns == 0);
-  CHECK_FALSE(urdf::axis_of(vector("0", "1", "6.1e-17"), kept).along);
-  CHECK(urdf::axis_of(vector("0", "-2", "0"), kept).along == 1U);
+  const urdf::AngleRounding kept = urdf::AngleRounding::exact;
+  CHECK(urdf::round_angle(decimal("1.57079632679"), kept).text == "1.57079632679");
+  CHECK_FALSE(urdf::round_angle(decimal("1e-9"), kept).is_rounded);
+  CHECK(urdf::round_angle(decimal("0"), kept).quarter_turns == 0);
+  CHECK_FALSE(urdf::round_axis(vector("0", "1", "6.1e-17"), kept).index);
+  CHECK(urdf::round_axis(vector("0", "-2", "0"), kept).index == 1U);
 }
 
 TEST_CASE("one note states the number of angles and the largest change of a pose") {

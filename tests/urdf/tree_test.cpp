@@ -42,7 +42,7 @@ TEST_CASE("parents come first, children in the order of the file") {
   std::string order;
   for (const urdf::Branch& branch : tree.branches) {
     order += robot.joints[branch.joint].name.text + std::to_string(branch.depth) +
-             (branch.moves ? "m " : " ");
+             (branch.is_moving ? "m " : " ");
   }
   CHECK(order == "ac0 cd1m ab0m be1m ");
 }
@@ -50,7 +50,7 @@ TEST_CASE("parents come first, children in the order of the file") {
 TEST_CASE("a fixed joint moves if a joint before it moves") {
   const urdf::Robot robot =
       robot_of(links("abc") + joint("ab") + joint("bc", "fixed") + "</robot>");
-  CHECK(tree_of(robot).branches[1].moves);
+  CHECK(tree_of(robot).branches[1].is_moving);
 }
 
 TEST_CASE("errors for equal names") {
@@ -91,7 +91,7 @@ TEST_CASE("errors for mimic joints") {
   const auto mimic = [](const std::string& name) { return "<mimic joint=\"" + name + "\"/>"; };
   const urdf::Robot robot =
       robot_of(start + joint("ac", "revolute", mimic("ab")) + joint("ad") + "</robot>");
-  CHECK(tree_of(robot).mimicked[1] == 0U);
+  CHECK(tree_of(robot).mimicked_joints[1] == 0U);
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("bc")) + joint("ad")) ==
         "E812 4:83 the robot has no joint `bc` | did you mean `ac`?\n");
   CHECK(tree_messages(start + joint("ac", "revolute", mimic("ad")) +

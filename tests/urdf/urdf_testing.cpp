@@ -64,7 +64,7 @@ urdf::Element xml_of(const std::string& text) {
 urdf::Robot robot_of(const std::string& text) {
   Diagnostics found;
   const Limits limits;
-  urdf::RobotReading reading{limits, found};
+  urdf::RobotReadState reading{limits, found};
   const urdf::Element root = xml_of(text);
   urdf::Robot robot = urdf::read_robot(root, reading);
   if (has_errors(found)) throw std::runtime_error(format(found));
@@ -80,7 +80,7 @@ urdf::LinkTree tree_of(const urdf::Robot& robot) {
 std::string reading_messages(const std::string& text) {
   Diagnostics found;
   const Limits limits;
-  urdf::RobotReading reading{limits, found};
+  urdf::RobotReadState reading{limits, found};
   const urdf::Element root = xml_of(text);
   (void)urdf::read_robot(root, reading);
   sort_by_position(found);

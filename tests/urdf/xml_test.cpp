@@ -32,10 +32,10 @@ std::string reader_messages(const std::string& text, const Read& read) {
   const urdf::Element element = xml_of(text);
   Diagnostics found;
   const Limits limits;
-  urdf::RobotReading reading{limits, found};
+  urdf::RobotReadState reading{limits, found};
   urdf::ElementReader reader(element, reading);
   read(reader);
-  reader.note_unread();
+  reader.report_unread();
   return messages(found);
 }
 
@@ -95,36 +95,37 @@ TEST_CASE("nesting is limited") {
 }
 
 TEST_CASE("a missing required attribute or element is an error at the element") {
-  CHECK(reader_messages("<e/>", [](auto& reader) { (void)reader.required_text("name"); }) ==
+  CHECK(reader_messages("<e/>", [](auto& reader) { (void)reader.require_text("name"); }) ==
         "E803 1:2 `<e>` has no attribute `name`\n");
-  CHECK(reader_messages("<e name=''/>", [](auto& reader) { (void)reader.required_text("name"); }) ==
+  CHECK(reader_messages("<e name=''/>", [](auto& reader) { (void)reader.require_text("name"); }) ==
         "E803 1:2 `<e>` has no attribute `name`\n");
-  CHECK(reader_messages("<e/>", [](auto& reader) { (void)reader.required_number("m"); }) ==
+  CHECK(reader_messages("<e/>", [](auto& reader) { (void)reader.require_number("m"); }) ==
         "E803 1:2 `<e>` has no attribute `m`\n");
-  CHECK(reader_messages("<e/>", [](auto& reader) { reader.required_child("f", [](auto&) {}); }) ==
+  CHECK(reader_messages("<e/>", [](auto& reader) { reader.require_child("f", [](auto&) {}); }) ==
         "E803 1:2 `<e>` has no element `f`\n");
 }
 
 TEST_CASE("numbers are counted, and refused at their position") {
-  CHECK(reader_messages("<e m='1 2'/>", [](auto& reader) { CHECK_FALSE(reader.number("m")); }) ==
-        "E805 1:7 2 numbers, but `m` is one number\n");
+  CHECK(reader_messages("<e m='1 2'/>", [](auto& reader) {
+          CHECK_FALSE(reader.read_number("m"));
+        }) == "E805 1:7 2 numbers, but `m` is one number\n");
   urdf::Vector vector;
   CHECK(reader_messages("<e v='1'/>", [&](auto& reader) {
-          CHECK_FALSE(reader.vector("v", vector));
+          CHECK_FALSE(reader.read_vector("v", vector));
         }) == "E805 1:7 1 number, but `v` has 3\n");
   CHECK(reader_messages("<e v='1 a b'/>", [&](auto& reader) {
-          CHECK_FALSE(reader.vector("v", vector));
+          CHECK_FALSE(reader.read_vector("v", vector));
         }) == "E804 1:9 `a` is not a decimal number\nE804 1:11 `b` is not a decimal number\n");
   CHECK(reader_messages("<e/>", [&](auto& reader) {
-          CHECK_FALSE(reader.vector("v", vector));
+          CHECK_FALSE(reader.read_vector("v", vector));
         }).empty());
 }
 
 TEST_CASE("the outermost unread element gives a note, ignored ones give none") {
   CHECK(reader_messages("<e a='1' b='2' xmlns:c='d'><f/><g><h/></g><f/></e>",
                         [](auto& reader) {
-                          (void)reader.text("a");
-                          reader.child("f", [](auto&) {});
+                          (void)reader.read_text("a");
+                          reader.read_child("f", [](auto&) {});
                         }) ==
         "E815 1:10 attribute `b` of `<e>` is not imported\n"
         "E815 1:33 `<g>` in `<e>` is not imported\n"
@@ -133,7 +134,7 @@ TEST_CASE("the outermost unread element gives a note, ignored ones give none") {
           reader.ignore({"a", "f"});
         }).empty());
   CHECK(reader_messages("<e><f/><f/></e>", [](auto& reader) {
-          CHECK(reader.children("f").size() == 2);
+          CHECK(reader.take_children("f").size() == 2);
         }).empty());
 }
 
@@ -141,7 +142,7 @@ TEST_CASE("an origin defaults to zero") {
   const urdf::Element element = xml_of("<e><origin rpy='0 0 1'/></e>");
   Diagnostics found;
   const Limits limits;
-  urdf::RobotReading reading{limits, found};
+  urdf::RobotReadState reading{limits, found};
   urdf::ElementReader reader(element, reading);
   const urdf::Pose pose = urdf::read_origin(reader);
   CHECK(pose.xyz[2].is_zero());

@@ -35,7 +35,7 @@ const CertificateRow& row_of(const std::vector<CertificateRow>& rows, const std:
 template <class Scalar>
 void check_all_hold(const System& system) {
   for (const CertificateRow& row : rows_of<Scalar>(system)) {
-    INFO(row.subject << ": " << row.worst << " at " << row.where);
+    INFO(row.subject << ": " << row.worst_value << " at " << row.worst_state);
     CHECK(row.verdict == Verdict::holds);
   }
 }
@@ -64,11 +64,12 @@ const char* cancelling =
 
 /// The row of cart_pole's code, with `change` applied to the first entry of its bias.
 template <class Scalar>
-CertificateRow row_with(const std::function<double(double)>& change, const Sampling& sampling) {
+CertificateRow row_with(const std::function<double(double)>& change,
+                        const SamplingOptions& sampling) {
   const System system = cart_pole_system();
   const Changed code(system.program, "bias", change);
   AccuracyOptions options;
-  options.visit.as_users = &code;
+  options.check_options.user_code = &code;
   const auto states = sample_states<Scalar>(system.subject(), sampling);
   for (CertificateRow& row : check_accuracy(system.subject(), states, options)) {
     if (row.check == "as users compile") return std::move(row);
@@ -114,7 +115,7 @@ CertificateRow wide_row(const std::function<double(double)>& change, bool extrem
   system.scene.numerics.inner = InnerScalar::long_double;
   const InLongDouble code(system.program, change);
   AccuracyOptions options;
-  options.visit.wide = &code;
+  options.check_options.wide_code = &code;
   const auto states = sample_states<double>(system.subject(), {8, 1, extremes});
   for (CertificateRow& row : check_accuracy(system.subject(), states, options)) {
     if (row.check == "in long double") return std::move(row);
@@ -136,18 +137,18 @@ TEST_CASE("the result of an iteration is correct and has no loss of digits") {
   const auto samples = sample_states<double>(system.subject(), {16, 1, true});
   std::size_t looked_at = 0;
   for (const CertificateRow& row : check_accuracy(
-           system.subject(), samples, {{Comparison::entries, LossStates::everywhere}, {}})) {
+           system.subject(), samples, {{ComparisonMode::entries, LossStates::everywhere}, {}})) {
     if (row.check != "digits lost") continue;
     ++looked_at;
-    CHECK_FALSE(mentions(row.worst, "residual"));
+    CHECK_FALSE(mentions(row.worst_value, "residual"));
   }
   CHECK(looked_at == 1);
 }
 
 TEST_CASE("the result of an iteration is compared by its running error, in a row of its own") {
   const auto rows = rows_of<double>(stepped_spring());
-  CHECK(mentions(row_of(rows, "step.residual (double)").worst, " u E"));
-  CHECK(mentions(row_of(rows, "step.rates (double)").worst, " ulp"));
+  CHECK(mentions(row_of(rows, "step.residual (double)").worst_value, " u E"));
+  CHECK(mentions(row_of(rows, "step.rates (double)").worst_value, " ulp"));
 }
 
 TEST_CASE("each output and field has a row, dynamics too") {
@@ -166,8 +167,8 @@ TEST_CASE("a wrong program fails, with both values and the state") {
     const auto rows = rows_of<double>(with_mistake(function, from, to), 2, false);
     const auto& row = row_of(rows, std::string(function) + " (double)");
     CHECK(row.verdict == Verdict::fails);
-    CHECK(mentions(row.worst, "the oracle says"));
-    CHECK(row.where.find("q = (") == 0);
+    CHECK(mentions(row.worst_value, "the oracle says"));
+    CHECK(row.worst_state.find("q = (") == 0);
   }
 }
 
@@ -181,8 +182,8 @@ TEST_CASE("a program that is undefined where the oracle has a value fails") {
     const auto rows = rows_of<double>(with_mistake(function, from, to), 4, false);
     const auto& row = row_of(rows, std::string(field) + " (double)");
     CHECK(row.verdict == Verdict::fails);
-    CHECK(mentions(row.worst, " is undefined, the oracle says "));
-    CHECK(row.where.find("q = (") == 0);
+    CHECK(mentions(row.worst_value, " is undefined, the oracle says "));
+    CHECK(row.worst_state.find("q = (") == 0);
   }
 }
 
@@ -203,7 +204,7 @@ TEST_CASE("overflows are reported, and are no failures") {
   const auto& row = row_of(rows, "kinetic_energy (double)");
   CHECK(row.verdict == Verdict::holds);
   REQUIRE_FALSE(row.skipped.empty());
-  CHECK(row.skipped.front().obstacle == Obstacle::overflow);
+  CHECK(row.skipped.front().reason == SkipReason::overflow);
 }
 
 TEST_CASE("states outside the domain are counted, and a row without states does not pass") {
@@ -211,7 +212,7 @@ TEST_CASE("states outside the domain are counted, and a row without states does 
   const System system = system_of(model, cancelling);
   const auto rows = rows_of<double>(system, 4, false);
   CHECK(rows.front().verdict == Verdict::skipped);
-  CHECK(rows.front().skipped == std::vector<SkippedStates>{{Obstacle::undefined, 4}});
+  CHECK(rows.front().skipped == std::vector<SkippedStates>{{SkipReason::undefined, 4}});
 }
 
 TEST_CASE("the build with users' flags has one row for all outputs") {
@@ -220,20 +221,20 @@ TEST_CASE("the build with users' flags has one row for all outputs") {
   CHECK(row.verdict == Verdict::holds);
   CHECK(row.subject == "all outputs (double)");
   CHECK(row.samples == 4);
-  CHECK(row.worst.find("21 outputs within 0 u E") == 0);
+  CHECK(row.worst_value.find("21 outputs within 0 u E") == 0);
   CHECK(row_with<float>(same, {4, 1, true}).subject == "all outputs (float)");
 }
 
 TEST_CASE("different rounding passes, an error that rounding does not explain fails and is named") {
-  const Sampling ordinary{4, 1, false};
+  const SamplingOptions ordinary{4, 1, false};
   const auto last_bit = [](double x) { return std::nextafter(x, 1e9); };
   CHECK(row_with<double>(last_bit, ordinary).verdict == Verdict::holds);
   const auto wrong = [](double x) { return x * (1 + 1e-12); };
   const CertificateRow row = row_with<double>(wrong, ordinary);
   CHECK(row.verdict == Verdict::fails);
-  CHECK(row.worst.find("bias (double): entry 1 is ") == 0);
-  CHECK(mentions(row.worst, " u E"));
-  CHECK(row.where.find("q = (") == 0);
+  CHECK(row.worst_value.find("bias (double): entry 1 is ") == 0);
+  CHECK(mentions(row.worst_value, " u E"));
+  CHECK(row.worst_state.find("q = (") == 0);
 }
 
 TEST_CASE("code that returns no entries fails") {
@@ -241,25 +242,25 @@ TEST_CASE("code that returns no entries fails") {
   const Program nothing;
   const Changed empty(nothing, "", [](double x) { return x; });
   AccuracyOptions options;
-  options.visit.as_users = &empty;
+  options.check_options.user_code = &empty;
   const auto states = sample_states<double>(system.subject(), {1, 1, false});
   const CertificateRow row = check_accuracy(system.subject(), states, options).back();
   CHECK(row.verdict == Verdict::fails);
-  CHECK(mentions(row.worst, "entry 1 is nan instead of "));
+  CHECK(mentions(row.worst_value, "entry 1 is nan instead of "));
 }
 
 TEST_CASE("code in a wider scalar may differ by one rounding from the exact values") {
   const auto same = [](double x) { return x; };
   const CertificateRow row = wide_row(same, true);
-  INFO(row.worst << " at " << row.where);
+  INFO(row.worst_value << " at " << row.worst_state);
   CHECK(row.verdict == Verdict::holds);
   CHECK(row.subject == "all outputs (double)");
-  CHECK(row.worst.find("21 outputs within ") == 0);
+  CHECK(row.worst_value.find("21 outputs within ") == 0);
   const auto next = [](double x) { return std::nextafter(std::nextafter(x, 1e9), 1e9); };
   const CertificateRow wrong = wide_row(next, false);
   CHECK(wrong.verdict == Verdict::fails);
-  CHECK(wrong.worst.find("bias (double): entry 1 is ") == 0);
-  CHECK(mentions(wrong.worst, " of the tolerance"));
+  CHECK(wrong.worst_value.find("bias (double): entry 1 is ") == 0);
+  CHECK(mentions(wrong.worst_value, " of the tolerance"));
 }
 
 TEST_CASE("the square of a difference of 0 may round to the square of its error") {
@@ -276,7 +277,7 @@ TEST_CASE("the square of a difference of 0 may round to the square of its error"
   const auto verdict_of = [&](double error) {
     const Changed code(system.program, "potential_energy", [error](double x) { return x + error; });
     AccuracyOptions options;
-    options.visit.as_users = &code;
+    options.check_options.user_code = &code;
     return check_accuracy(system.subject(), states, options).back().verdict;
   };
   CHECK(verdict_of(7e-34) == Verdict::holds);
@@ -288,8 +289,8 @@ TEST_CASE("NaN fails where exact arithmetic has a number") {
     const auto no_number = [value](double) { return value; };
     const CertificateRow row = row_with<double>(no_number, {4, 1, false});
     CHECK(row.verdict == Verdict::fails);
-    CHECK(row.worst.find("bias (double): ") == 0);
-    CHECK(row.where.find("q = (") == 0);
+    CHECK(row.worst_value.find("bias (double): ") == 0);
+    CHECK(row.worst_state.find("q = (") == 0);
   }
 }
 
@@ -297,7 +298,7 @@ TEST_CASE("a program with large rounding errors passes, and its lost digits are 
   const System system = badly_rounded();
   const auto samples = sample_states<double>(system.subject(), {4, 1, false});
   const auto rows = check_accuracy(system.subject(), samples,
-                                   {{Comparison::entries, LossStates::inside_ranges}, {}});
+                                   {{ComparisonMode::entries, LossStates::inside_ranges}, {}});
   CHECK(row_of(rows, "potential_energy (double)").verdict == Verdict::holds);
   CHECK(rows.back().check == "digits lost");
   CHECK(rows.back().loss.value_or(0) > 1e3);
@@ -306,5 +307,5 @@ TEST_CASE("a program with large rounding errors passes, and its lost digits are 
 TEST_CASE("without states no loss is reported") {
   const CertificateRow row = row_with<double>([](double x) { return x; }, {0, 1, false});
   CHECK(row.verdict == Verdict::skipped);
-  CHECK(row.worst == "no state to compare");
+  CHECK(row.worst_value == "no state to compare");
 }

@@ -24,30 +24,30 @@ CertificateRow row_of(const std::string& check, const std::string& output, Verdi
 Certificate sample() {
   CertificateRow proved = row_of("[[expect]]", "[[expect]] gravity", Verdict::holds);
   proved.subject = "gravity[1]";
-  proved.worst = "equal";
+  proved.worst_value = "equal";
   proved.evidence = Evidence::proof;
   CertificateRow mass = row_of("program vs oracle", "mass_matrix", Verdict::holds);
   mass.subject = "mass_matrix (double)";
   mass.formula = "x = x*";
   mass.samples = 276;
-  mass.skipped = {{Obstacle::overflow, 2}, {Obstacle::undefined, 1}};
+  mass.skipped = {{SkipReason::overflow, 2}, {SkipReason::undefined, 1}};
   mass.loss = 2.5;
-  mass.worst = "equal";
-  mass.where = "q = (1, 2)";
+  mass.worst_value = "equal";
+  mass.worst_state = "q = (1, 2)";
   mass.tolerance = "50 digits";
   CertificateRow bias = row_of("program vs oracle", "bias", Verdict::fails);
   bias.subject = "bias (double)";
   bias.formula = mass.formula;
   bias.samples = 276;
-  bias.worst = "entry 1 is inf";
-  bias.where = "q = (3, 4)";
+  bias.worst_value = "entry 1 is inf";
+  bias.worst_state = "q = (3, 4)";
   CertificateRow zeros = row_of("zeros that are not proved", "mass_matrix", Verdict::holds);
   zeros.evidence = Evidence::zeros;
   zeros.samples = 64;
-  zeros.worst = "in entry 1";
+  zeros.worst_value = "in entry 1";
   CertificateRow pivots = row_of("mass matrix positive definite", "mass_matrix", Verdict::skipped);
-  pivots.skipped = {{Obstacle::singular, 32}};
-  pivots.worst = "no regular state";
+  pivots.skipped = {{SkipReason::singular, 32}};
+  pivots.worst_value = "no regular state";
   return {"cart_pole", "full", 7, {proved, mass, bias, zeros, pivots}};
 }
 
@@ -88,14 +88,14 @@ TEST_CASE("a loss states the number of its states, the fewest of its rows") {
 
 TEST_CASE("the line of an output counts skipped states inside the ranges") {
   Certificate certificate = sample();
-  certificate.rows[1].skipped_inside = 2;
+  certificate.rows[1].skipped_in_ranges = 2;
   CHECK(mentions(to_text(certificate),
                  "3 checks, at 276 states, 2 inside the ranges skipped, at most 0.4 digits"));
 }
 
 TEST_CASE("an output that was not compared is skipped with the reason") {
   CertificateRow row = row_of("compiled code vs program", "compiled code", Verdict::skipped);
-  row.worst = "<Eigen/Core> is not installed";
+  row.worst_value = "<Eigen/Core> is not installed";
   const std::string text = to_text({"arm", "full", 1, {row}});
   CHECK(mentions(text, "           because    <Eigen/Core> is not installed\n"));
 }
@@ -150,8 +150,8 @@ TEST_CASE("a certificate holds when no row fails") {
 TEST_CASE("notes are counted, and printed with their states") {
   Certificate certificate = sample();
   CertificateRow row = row_of("digits lost", "gravity", Verdict::noted);
-  row.worst = "loss 1e+03, 3.0 digits of entry 1";
-  row.where = "q = (1, 2)";
+  row.worst_value = "loss 1e+03, 3.0 digits of entry 1";
+  row.worst_state = "q = (1, 2)";
   certificate.rows = {row};
   CHECK(verdict_line(certificate) == "cart_pole: 0 checks hold, 0 fail, 0 skipped, 1 noted\n");
   CHECK(mentions(to_text(certificate),

@@ -32,8 +32,8 @@ class Changed final : public CompiledModel {
   std::vector<Scalar> changed(std::string_view name, const Arguments<Scalar>& arguments) const {
     for (const Function& function : program_.functions) {
       if (function.name != name) continue;
-      const Sines<Scalar> sines(Scene{}, SineArithmetic::numbers);
-      std::vector<Scalar> values = evaluate_code(program_, function, arguments, sines);
+      const SineEvaluator<Scalar> sines(Scene{}, SineArithmetic::numbers);
+      std::vector<Scalar> values = evaluate_as_emitted(program_, function, arguments, sines);
       if (name == function_) values[0] = static_cast<Scalar>(change_(values[0]));
       return values;
     }

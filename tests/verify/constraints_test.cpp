@@ -31,7 +31,7 @@ System constrained(const std::string& model, const std::string& outputs = all_ou
   SceneOptions options;
   options.outputs = {make_source("--outputs", outputs)};
   const CheckedModel checked = checked_model(model, options);
-  const Result<WholeLagrangian> lagrangian = formulate(checked.model);
+  const Result<UnreducedLagrangian> lagrangian = formulate(checked.model);
   const auto equations = derive(*lagrangian, checked.scene.outputs, {});
   System system{checked.model, checked.scene, *lower(*equations, checked.scene.outputs, {})};
   for (Function& function : system.program.functions) {
@@ -147,7 +147,7 @@ coincide = ["P", "Q"]
 
 /// The certificate with extreme states. If `quick`, one projection of a field replaces its entries.
 Certificate certificate_of(const System& system, std::size_t samples, bool quick = true) {
-  const VerifyOptions options{.samples = samples, .quick = quick};
+  const VerifyOptions options{.samples = samples, .is_quick = quick};
   return verify(system.model, system.scene, system.program, {}, options).certificate;
 }
 
@@ -163,8 +163,8 @@ const CertificateRow& checked_row(const Certificate& certificate, const std::str
 /// Checks that no row fails, and that the most important rows have states.
 void check_holds_under_constraints(const Certificate& certificate) {
   for (const CertificateRow& row : certificate.rows) {
-    INFO(certificate.model << ", " << row.check << " of " << row.subject << ": " << row.worst
-                           << " at " << row.where);
+    INFO(certificate.model << ", " << row.check << " of " << row.subject << ": " << row.worst_value
+                           << " at " << row.worst_state);
     CHECK(row.verdict != Verdict::fails);
   }
   for (const char* field :
@@ -267,14 +267,14 @@ TEST_CASE("formulas with terms of constraints state them") {
 TEST_CASE("a field is found by its name if other fields of the output are absent") {
   const System system = constrained(rolling());
   const auto places = field_places(system.subject());
-  const auto residual = std::ranges::find_if(places, [](const FieldPlace& place) {
+  const auto residual = std::ranges::find_if(places, [](const ComparedField& place) {
     return place.function->kind == OutputKind::constraint_residual;
   });
   REQUIRE(residual != places.end());
   CHECK(residual->field().name == "rate");
-  CHECK(residual->index == 0);
-  CHECK(residual->request_field == 1);
-  CHECK(residual->first_oracle == 0);
+  CHECK(residual->field_index == 0);
+  CHECK(residual->request_field_index == 1);
+  CHECK(residual->first_oracle_entry == 0);
 }
 
 TEST_CASE("conserved quantities of constrained models are sampled on the constraints") {
@@ -284,7 +284,7 @@ TEST_CASE("conserved quantities of constrained models are sampled on the constra
     return check_expectations(system.subject(), nullptr, 1).rows.at(0);
   };
   const CertificateRow energy = row_of_conserved("m*(dot(x)^2 + dot(y)^2)/2 + m*g*y");
-  INFO(energy.worst);
+  INFO(energy.worst_value);
   CHECK(energy.verdict == Verdict::holds);
   CHECK(energy.samples > 0);
   CHECK(row_of_conserved("x^2 + y^2").verdict == Verdict::holds);

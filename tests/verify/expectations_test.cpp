@@ -38,7 +38,7 @@ void check_holds(const System& system) {
   CHECK(report.diagnostics.empty());
   CHECK_FALSE(report.rows.empty());
   for (const CertificateRow& row : report.rows) {
-    INFO(row.subject << ": " << row.worst);
+    INFO(row.subject << ": " << row.worst_value);
     CHECK(row.verdict == Verdict::holds);
     CHECK(row.samples == 64);
     CHECK(mentions(row.tolerance, "sampled, no proof"));
@@ -73,13 +73,13 @@ vector = ["0", "-g"]
   }
 
   [[nodiscard]] Evidence evidence(bool has_forms = true) {
-    const Subject subject{checked.model, checked.scene, program};
+    const SystemUnderTest subject{checked.model, checked.scene, program};
     return check_expectations(subject, has_forms ? &forms : nullptr, 1).rows.front().evidence;
   }
 
   /// The hint for the first wrong entry, "" if there is none.
   [[nodiscard]] std::string hint() {
-    const Subject subject{checked.model, checked.scene, program};
+    const SystemUnderTest subject{checked.model, checked.scene, program};
     const Diagnostics found = check_expectations(subject, &forms, 1).diagnostics;
     return found.empty() ? "" : found.front().hint;
   }
@@ -168,7 +168,7 @@ TEST_CASE("in a rotating field E - w p of the angle is conserved, and neither E 
 TEST_CASE("a form that is undefined everywhere fails") {
   const auto report = report_of(expecting(pendulum(), "mass_matrix", 1, {"sqrt(-1 - th^2)"}));
   CHECK(report.rows.front().verdict == Verdict::fails);
-  CHECK(report.rows.front().skipped == std::vector<SkippedStates>{{Obstacle::undefined, 64}});
+  CHECK(report.rows.front().skipped == std::vector<SkippedStates>{{SkipReason::undefined, 64}});
   REQUIRE(report.diagnostics.size() == 1);
   CHECK(report.diagnostics.front().code == Code::E510);
   CHECK(report.diagnostics.front().message ==

@@ -51,18 +51,19 @@ State at(double angle) {
 
 /// The loss of the first field, whose first entry differs by `errors` from its exact value.
 Loss loss_of(const System& system, const State& state, const std::vector<Real>& errors) {
-  const Subject subject = system.subject();
-  const FieldPlace place = field_places(subject).front();
-  const ExactRun run = exact_run(system.program, *place.function, state, rounding<double>());
+  const SystemUnderTest subject = system.subject();
+  const ComparedField place = field_places(subject).front();
+  const ExactRun run =
+      run_exactly(system.program, *place.function, state, rounding_constants<double>());
   OracleCache oracle(subject, state);
-  Losses losses(subject, oracle, rounding<double>());
+  LossMeter losses(subject, oracle, rounding_constants<double>());
   std::vector<Real> exact = values_of(run.entries);
-  return losses.of_field(place, run, errors, exact);
+  return losses.field_loss(place, run, errors, exact);
 }
 
 /// The loss of a value that differs from the exact one by `error` times u.
 Loss loss_of(const System& system, const State& state, double error) {
-  return loss_of(system, state, {Real(exact_value(error)) * rounding<double>().roundoff});
+  return loss_of(system, state, {Real(exact_value(error)) * rounding_constants<double>().roundoff});
 }
 
 /// True if doubles in compiled code lose no more than the tolerated number of digits.
@@ -71,17 +72,17 @@ bool keeps(const std::string& text, double angle) {
   const Function& function = system.program.functions.front();
   const State state = at(angle);
   const double x = evaluate(system.program, function, arguments_at<double>(state)).front();
-  const ExactRun run = exact_run(system.program, function, state, rounding<double>());
+  const ExactRun run = run_exactly(system.program, function, state, rounding_constants<double>());
   const Real error = abs(Real(exact_value(x)) - run.entries[0].value);
-  return loss_of(system, state, {error}).of_entry.figure <= tolerated_loss;
+  return loss_of(system, state, {error}).relative_to_entry.loss <= tolerated_loss;
 }
 
 template <class Scalar = double>
 CertificateRow row_of(const System& system, LossStates losing) {
-  const Subject subject = system.subject();
+  const SystemUnderTest subject = system.subject();
   const auto samples = sample_states<Scalar>(subject, {16, 1, true});
   for (const CertificateRow& row :
-       check_accuracy(subject, samples, {{Comparison::entries, losing}, {}})) {
+       check_accuracy(subject, samples, {{ComparisonMode::entries, losing}, {}})) {
     if (row.check == "digits lost") return row;
   }
   FAIL("no row");
@@ -100,7 +101,7 @@ CertificateRow row_of_anchor(const std::string& body,
           body);
   const auto states = states_near_zeros<double>(system.subject(), {16, 1, true});
   for (const CertificateRow& row :
-       check_accuracy(system.subject(), states, {{Comparison::entries, losing}, {}})) {
+       check_accuracy(system.subject(), states, {{ComparisonMode::entries, losing}, {}})) {
     if (row.check == "digits lost") return row;
   }
   FAIL("no row");
@@ -128,14 +129,14 @@ TEST_CASE("an angle of 1e15 rad excuses any loss") { CHECK(keeps(cosine, 1e15));
 
 TEST_CASE("an angle with an uncertainty above 1/1000 rad gives no figure") {
   const System system = written_as(cosine);
-  const Subject subject = system.subject();
+  const SystemUnderTest subject = system.subject();
   const State far = at(1e14);
   const State near = at(1e10);
   OracleCache far_oracle(subject, far);
   OracleCache near_oracle(subject, near);
-  CHECK_FALSE(Losses(subject, far_oracle, rounding<double>()).knows_angles());
-  CHECK(Losses(subject, near_oracle, rounding<double>()).knows_angles());
-  CHECK_FALSE(Losses(subject, near_oracle, rounding<float>()).knows_angles());
+  CHECK_FALSE(LossMeter(subject, far_oracle, rounding_constants<double>()).has_accurate_angles());
+  CHECK(LossMeter(subject, near_oracle, rounding_constants<double>()).has_accurate_angles());
+  CHECK_FALSE(LossMeter(subject, near_oracle, rounding_constants<float>()).has_accurate_angles());
 }
 
 TEST_CASE("losses are relative to the effect of the inputs' rounding") {
@@ -143,10 +144,10 @@ TEST_CASE("losses are relative to the effect of the inputs' rounding") {
   // x = 9.81 (1 - cos 1). Each of m, l, g and th adds its share.
   const double x = 9.81 * (1 - std::cos(1.0));
   const double reference = 4 * x + 9.81 * std::sin(1.0);
-  CHECK(loss_of(system, at(1), 100 * x).of_entry.figure == Approx(100 * x / reference));
+  CHECK(loss_of(system, at(1), 100 * x).relative_to_entry.loss == Approx(100 * x / reference));
   // Up to an error of 2 u |x| the loss is computed with R = |x|, without K.
-  CHECK(loss_of(system, at(1), 2 * x).of_entry.figure == Approx(2));
-  CHECK(loss_of(system, at(1), 100 * x).of_field.figure == Approx(100));
+  CHECK(loss_of(system, at(1), 2 * x).relative_to_entry.loss == Approx(2));
+  CHECK(loss_of(system, at(1), 100 * x).relative_to_field.loss == Approx(100));
 }
 
 TEST_CASE("literals and pi excuse no cancellation") {
@@ -155,7 +156,7 @@ TEST_CASE("literals and pi excuse no cancellation") {
   const System system = written_as(arctangent);
   const double x = 9.81 * 1e-8;
   // Each of m, l, g and th adds x.
-  CHECK(loss_of(system, at(1e8), 100 * x).of_entry.figure == Approx(100 / 5.0));
+  CHECK(loss_of(system, at(1e8), 100 * x).relative_to_entry.loss == Approx(100 / 5.0));
 }
 
 TEST_CASE("a fixed parameter excuses as much as an argument, a literal in the text does not") {
@@ -166,7 +167,9 @@ TEST_CASE("a fixed parameter excuses as much as an argument, a literal in the te
   System system = written_as(text);
   const double x = 0.3 * (1 - std::cos(1.0));
   const double of_angle = 0.3 * std::sin(1.0);
-  const auto reference = [&] { return 100 * x / loss_of(system, at(1), 100 * x).of_entry.figure; };
+  const auto reference = [&] {
+    return 100 * x / loss_of(system, at(1), 100 * x).relative_to_entry.loss;
+  };
   CHECK(reference() == Approx(x + of_angle));
   system.scene.specialisation.fixed[1] = {exact("3/10")};
   CHECK(reference() == Approx(2 * x + of_angle));
@@ -180,11 +183,12 @@ TEST_CASE("if R is exactly 0, the entry has no figure and is counted") {
       "  2 = add 0 1\n  3 = subtract 2 0\n  4 = subtract 3 1\n  result 2 1 = 2 4\n");
   State state = at(1);
   state.parameters = {1, 2};
-  const Loss loss = loss_of(system, state, {Real(), Real(300) * rounding<double>().roundoff});
-  CHECK(loss.of_entry.figure == 0);
-  CHECK(loss.without_reference == 1);
-  CHECK(loss.of_field.figure == Approx(100));
-  CHECK(loss.of_field.entry == 1);
+  const Loss loss =
+      loss_of(system, state, {Real(), Real(300) * rounding_constants<double>().roundoff});
+  CHECK(loss.relative_to_entry.loss == 0);
+  CHECK(loss.entries_without_reference == 1);
+  CHECK(loss.relative_to_field.loss == Approx(100));
+  CHECK(loss.relative_to_field.entry == 1);
 }
 
 TEST_CASE("the loss is at most the digits of a scalar") {
@@ -206,22 +210,23 @@ TEST_CASE("the loss is at most the digits of a scalar") {
   const CertificateRow in_double =
       row_of(lossy("/3", "/13", {"16", "/39"}), LossStates::everywhere);
   CHECK(in_double.loss.value_or(0) == Approx(1e16));
-  CHECK(mentions(in_double.worst, "16.0 digits of potential_energy (of the largest entry 16.0)"));
+  CHECK(mentions(in_double.worst_value,
+                 "16.0 digits of potential_energy (of the largest entry 16.0)"));
   CHECK(mentions(in_double.tolerance,
                  "noted if the largest entry of a field loses more than 8.0 of the 16 digits"));
   const CertificateRow in_float =
       row_of<float>(lossy("/7", "/11", {"18", "/77"}), LossStates::everywhere);
   CHECK(in_float.loss.value_or(0) == Approx(1e7));
-  CHECK(mentions(in_float.worst, "7.0 digits of potential_energy"));
+  CHECK(mentions(in_float.worst_value, "7.0 digits of potential_energy"));
 }
 
 TEST_CASE("if K has no value, no loss is reported") {
   // For large th tanh is 1 in all digits. Exponentials beyond 2^29 have no value in 60 digits.
   const System system = written_as(friction);
-  CHECK(loss_of(system, at(1e8), 1e6).of_entry.figure > 1e4);
-  CHECK(loss_of(system, at(1e9), 1e6).of_entry.figure > 1e4);
+  CHECK(loss_of(system, at(1e8), 1e6).relative_to_entry.loss > 1e4);
+  CHECK(loss_of(system, at(1e9), 1e6).relative_to_entry.loss > 1e4);
   const std::string decay = form_head + "  6 = exp 3\n  7 = multiply 5 6\n  result 1 1 = 7\n";
-  CHECK(loss_of(written_as(decay), at(-1e9), 1e6).of_entry.figure == 0);
+  CHECK(loss_of(written_as(decay), at(-1e9), 1e6).relative_to_entry.loss == 0);
 }
 
 TEST_CASE("1 - cos(th) loses little inside the ranges and everything at the extremes") {
@@ -239,9 +244,9 @@ TEST_CASE("1 - cos(th) loses little inside the ranges and everything at the extr
 TEST_CASE("a loss of half of the digits inside the ranges is noted, with a state in 17 digits") {
   const CertificateRow row = row_of(near_zero("1e-6"), LossStates::inside_ranges);
   CHECK(row.verdict == Verdict::noted);
-  CHECK(mentions(row.worst, "digits of potential_energy (of the largest entry "));
-  CHECK(mentions(row.where, "q = ("));
-  CHECK(row.where.size() > 60);
+  CHECK(mentions(row.worst_value, "digits of potential_energy (of the largest entry "));
+  CHECK(mentions(row.worst_state, "q = ("));
+  CHECK(row.worst_state.size() > 60);
   CHECK(row_of(near_zero("1e-1"), LossStates::inside_ranges).verdict == Verdict::holds);
 }
 
@@ -288,7 +293,7 @@ TEST_CASE("states are counted once, however many fields an output has") {
   const auto samples = sample_states<double>(system.subject(), {8, 1, false});
   std::size_t with_fields = 0;
   for (const CertificateRow& row : check_accuracy(
-           system.subject(), samples, {{Comparison::entries, LossStates::everywhere}, {}})) {
+           system.subject(), samples, {{ComparisonMode::entries, LossStates::everywhere}, {}})) {
     if (row.check != "digits lost") continue;
     if (row.output == "dynamics") ++with_fields;
     CHECK(row.samples <= samples.size());

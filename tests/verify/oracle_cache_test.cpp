@@ -16,7 +16,7 @@ Real power(int exponent) { return Real(power_of_ten(exponent)); }
 
 TEST_CASE("values are the oracle's, and each output is computed once") {
   const System system = cart_pole_system();
-  const Subject subject = system.subject();
+  const SystemUnderTest subject = system.subject();
   OracleCache cache(subject, random_state(system.model, 1));
   const OutputRequest mass{.kind = OutputKind::mass_matrix};
   const OracleValues& first = cache.values(mass);
@@ -27,13 +27,13 @@ TEST_CASE("values are the oracle's, and each output is computed once") {
 
 TEST_CASE("the energy is an absolute value, and 0 if there is none") {
   const System system = cart_pole_system();
-  const Subject subject = system.subject();
+  const SystemUnderTest subject = system.subject();
   State state = nominal_state(system.model, system.scene);
   state.q[1] = 3;  // below the pivot V < 0
-  CHECK(OracleCache(subject, state).energy() > 0);
+  CHECK(OracleCache(subject, state).energy_magnitude() > 0);
   const System undefined = system_of(pendulum().V("sqrt(-1 - th^2)").model, "");
-  const Subject other = undefined.subject();
-  CHECK(OracleCache(other, nominal_state(undefined.model, {})).energy() == 0);
+  const SystemUnderTest other = undefined.subject();
+  CHECK(OracleCache(other, nominal_state(undefined.model, {})).energy_magnitude() == 0);
 }
 
 TEST_CASE("the energy of balanced weights is not 0") {
@@ -42,11 +42,11 @@ TEST_CASE("the energy of balanced weights is not 0") {
   seesaw.point("right", {"l*cos(th)", "l*sin(th)"}, "m");
   seesaw.point("left", {"-l*cos(th)", "-l*sin(th)"}, "m").gravity({"0", "-g"});
   const System system = system_of(seesaw.model, "parameters m l g\ncoordinates th\n");
-  const Subject subject = system.subject();
+  const SystemUnderTest subject = system.subject();
   State state = nominal_state(subject.model, subject.scene);
   state.q = {cln::cl_R(1)};
   state.v = {cln::cl_R(0)};
-  CHECK(OracleCache(subject, state).energy() > 1000);  // 2 m g l sin(1)
+  CHECK(OracleCache(subject, state).energy_magnitude() > 1000);  // 2 m g l sin(1)
 }
 
 TEST_CASE(
@@ -74,7 +74,7 @@ TEST_CASE(
   System system = system_of(builder.model,
                             "parameters M m l g c\ncoordinates x th\ninputs u\n"
                             "function rest = drift\n  0 = constant 0\n  result 2 1 = 0 0\n");
-  const Subject subject = system.subject();
+  const SystemUnderTest subject = system.subject();
   State state = random_state(system.model, 1);
   state.v[1] = power_of_ten(20);  // C v is 1e40
   state.q[1] = 1;

@@ -13,13 +13,13 @@ namespace {
 
 /// The first field that differs.
 std::string compare(const System& system, OutputKind kind) {
-  const Subject subject = system.subject();
+  const SystemUnderTest subject = system.subject();
   OracleCache oracle(subject, random_state(system.model, 2));
   Sampler draw(1);
-  for (const FieldPlace& place : field_places(subject)) {
+  for (const ComparedField& place : field_places(subject)) {
     if (place.function->kind != kind) continue;
     const ExactRun run =
-        exact_run(system.program, *place.function, oracle.state(), rounding<double>());
+        run_exactly(system.program, *place.function, oracle.state(), rounding_constants<double>());
     REQUIRE(run.regime == Regime::regular);
     const std::string differs = compare_projection(subject, place, run, oracle, draw).text;
     if (!differs.empty()) return differs;

@@ -116,7 +116,7 @@ TEST_CASE("a model without a value at any state does not pass") {
   CHECK(result.failure.find("`bias` has no value at any of 256 states, nor has `") == 0);
   CHECK(result.has_undefined_output);
   CHECK(result.states == 0);
-  CHECK(result.outside == 256);
+  CHECK(result.undefined_states == 256);
 }
 
 TEST_CASE("an output without a value is found beside outputs that have one") {
@@ -141,22 +141,22 @@ TEST_CASE("states in a narrow domain are searched for, and states outside it are
   const SelfCheck result = check(system);
   CHECK(result.failure.empty());
   CHECK(result.states >= 1);
-  CHECK(result.outside >= 1);
+  CHECK(result.undefined_states >= 1);
 }
 
 TEST_CASE("the receipt and the certificate report zeros that are not proved") {
   CHECK(check(cart_pole_system()).sampled_zeros == 0);
   const System system = with_sampled_zeros();
-  const std::string text = receipt(check(system));
+  const std::string text = self_check_text(check(system));
   CHECK(mentions(text, "; 2 entries rely on zeros sampled at 64 points, not proved"));
-  CHECK(mentions(receipt({2, 1.0, "", 1}), "; 1 entry relies on zeros"));
+  CHECK(mentions(self_check_text({2, 1.0, "", 1}), "; 1 entry relies on zeros"));
   std::vector<CertificateRow> rows =
       verify(system.model, system.scene, system.program, {}, {1, true, 1}).certificate.rows;
   std::erase_if(rows, [](const CertificateRow& row) { return row.evidence != Evidence::zeros; });
   REQUIRE(rows.size() == 2);
   CHECK(rows[0].subject == "mass_matrix");
   CHECK(rows[0].samples == 64);
-  CHECK(rows[0].worst == "in entries 1, 2");
+  CHECK(rows[0].worst_value == "in entries 1, 2");
 }
 
 /// V = exp(factor th), th in [-1, 1].
@@ -174,16 +174,16 @@ TEST_CASE("states inside the ranges whose values overflow are counted and report
   const SelfCheck overflows = check(exponential("1000"));
   INFO(overflows.failure);
   CHECK(overflows.failure.empty());
-  CHECK(overflows.infinite > 0);
-  CHECK(overflows.infinite < overflows.inside);
-  CHECK(mentions(receipt(overflows),
+  CHECK(overflows.overflowing_states > 0);
+  CHECK(overflows.overflowing_states < overflows.states_in_ranges);
+  CHECK(mentions(self_check_text(overflows),
                  fmt::format("; not finite in double at {} of {} states inside the "
                              "ranges",
-                             overflows.infinite, overflows.inside)));
+                             overflows.overflowing_states, overflows.states_in_ranges)));
   const SelfCheck finite = check(exponential("100"));
-  CHECK(finite.inside > 0);
-  CHECK(finite.infinite == 0);
-  CHECK_FALSE(mentions(receipt(finite), "finite"));
+  CHECK(finite.states_in_ranges > 0);
+  CHECK(finite.overflowing_states == 0);
+  CHECK_FALSE(mentions(self_check_text(finite), "finite"));
 }
 
 TEST_CASE("the certificate counts skipped states inside the ranges") {
@@ -200,16 +200,17 @@ TEST_CASE("a program without functions passes") {
 }
 
 TEST_CASE("the receipt states what was checked and what was found") {
-  CHECK(receipt({32, 0.42, "", 0}) ==
+  CHECK(self_check_text({32, 0.42, "", 0}) ==
         "compared with 60-digit arithmetic at 32 states; at most 0.4 digits lost");
-  CHECK(receipt({1, 0.04, "", 0}) == "compared with 60-digit arithmetic at 1 state; no digit lost");
-  CHECK(receipt({2, {}, "", 0}) == "compared with 60-digit arithmetic at 2 states");
-  CHECK(receipt({30, 0.42, "", 0, 4}) ==
+  CHECK(self_check_text({1, 0.04, "", 0}) ==
+        "compared with 60-digit arithmetic at 1 state; no digit lost");
+  CHECK(self_check_text({2, {}, "", 0}) == "compared with 60-digit arithmetic at 2 states");
+  CHECK(self_check_text({30, 0.42, "", 0, 4}) ==
         "compared with 60-digit arithmetic at 30 states; at most 0.4 digits lost; 4 outside the "
         "domain");
-  CHECK(receipt({.states = 32, .inside = 20, .infinite = 2}) ==
+  CHECK(self_check_text({.states = 32, .states_in_ranges = 20, .overflowing_states = 2}) ==
         "compared with 60-digit arithmetic at 32 states");
-  CHECK(receipt({.states = 32, .inside = 20, .infinite = 3}) ==
+  CHECK(self_check_text({.states = 32, .states_in_ranges = 20, .overflowing_states = 3}) ==
         "compared with 60-digit arithmetic at 32 states; not finite in double at 3 of 20 states "
         "inside the ranges");
 }

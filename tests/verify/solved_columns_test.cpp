@@ -85,17 +85,17 @@ System held_pair(const std::optional<std::pair<std::string, std::string>>& gains
 
 /// The columns of one field of forward_dynamics.
 std::vector<SolvedColumn> columns_at(const System& system, double c, std::size_t field = 0) {
-  const Subject subject = system.subject();
+  const SystemUnderTest subject = system.subject();
   OracleCache oracle(subject, exact_state(subject, state_with(system, c).values));
-  return solved_columns(field_places(subject, 2)[field], oracle);
+  return solved_columns(compared_fields(subject, 2)[field], oracle);
 }
 
 Finding finding_at(const System& system, double c, std::size_t field = 0) {
-  const Subject subject = system.subject();
+  const SystemUnderTest subject = system.subject();
   const SampledState<double> sample = state_with(system, c);
-  Visit<double> visit(subject, sample, {Comparison::entries, LossStates::everywhere});
+  StateCheck<double> visit(subject, sample, {ComparisonMode::entries, LossStates::everywhere});
   Sampler draw(1);
-  return visit.look_at(field_places(subject, 2)[field], draw);
+  return visit.check_field(compared_fields(subject, 2)[field], draw);
 }
 
 /// x^2 / (x - y), then its square root.
@@ -109,7 +109,7 @@ ExactRun run_at(double x, double y) {
   const Program program = read_program(text);
   State state;
   state.q = {exact_value(x), exact_value(y)};
-  return exact_run(program, program.functions.front(), state, rounding<Scalar>());
+  return run_exactly(program, program.functions.front(), state, rounding_constants<Scalar>());
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ TEST_CASE("a small acceleration beside a large one has no digits of its own") {
   const Finding finding = finding_at(system, 0x1p-60);
   CHECK(finding.mistake.empty());
   REQUIRE(finding.loss);
-  CHECK(finding.loss->of_entry.figure < 2);
+  CHECK(finding.loss->relative_to_entry.loss < 2);
 }
 
 TEST_CASE("near a singular M a solution is accepted, and K excuses its lost digits") {
@@ -143,7 +143,7 @@ TEST_CASE("near a singular M a solution is accepted, and K excuses its lost digi
     const Finding finding = finding_at(system, c);
     CHECK(finding.mistake.empty());
     REQUIRE(finding.loss);
-    CHECK(finding.loss->of_entry.figure < 64);
+    CHECK(finding.loss->relative_to_entry.loss < 64);
   }
   CHECK(finding_at(system, 1 - 1e-15).regime == Regime::ill_conditioned);
 }
@@ -160,7 +160,7 @@ TEST_CASE("an elimination that loses digits is reported") {
   const Finding finding = finding_at(system, 0.3);
   CHECK(finding.mistake.empty());
   REQUIRE(finding.loss);
-  CHECK(finding.loss->of_entry.figure > 1e3);
+  CHECK(finding.loss->relative_to_entry.loss > 1e3);
 }
 
 TEST_CASE("multipliers are weighted by the rows of A D^-1/2") {
@@ -177,7 +177,7 @@ TEST_CASE(
   const Finding finding = finding_at(system, 1 - 1e-9);
   CHECK(finding.mistake.empty());
   REQUIRE(finding.loss);
-  CHECK(finding.loss->of_entry.figure > 1e3);
+  CHECK(finding.loss->relative_to_entry.loss > 1e3);
 }
 
 TEST_CASE("each regime is recognised") {
@@ -194,8 +194,9 @@ TEST_CASE("each regime is recognised") {
       "  2 = square_root 0\n  3 = subtract 2 1\n  4 = divide 0 3\n  result 1 1 = 4\n");
   State state;
   state.q = {exact_value(2), exact_value(std::sqrt(2.0))};
-  CHECK(exact_run(program, program.functions.front(), state, rounding<double>()).regime ==
-        Regime::ill_conditioned);
+  CHECK(
+      run_exactly(program, program.functions.front(), state, rounding_constants<double>()).regime ==
+      Regime::ill_conditioned);
 }
 
 TEST_CASE("a value beyond every exponent is an overflow too") {
@@ -203,8 +204,9 @@ TEST_CASE("a value beyond every exponent is an overflow too") {
       "coordinates x\nfunction bias\n  0 = coordinate x\n  1 = exp 0\n  result 1 1 = 1\n");
   State state;
   state.q = {exact_value(1e300)};
-  CHECK(exact_run(program, program.functions.front(), state, rounding<double>()).regime ==
-        Regime::overflow);
+  CHECK(
+      run_exactly(program, program.functions.front(), state, rounding_constants<double>()).regime ==
+      Regime::overflow);
 }
 
 TEST_CASE("entries are exact to 64 digits") {
@@ -213,8 +215,8 @@ TEST_CASE("entries are exact to 64 digits") {
 
 TEST_CASE("errors are in units of roundoff, minus the effect of underflow") {
   const auto in_double = [](double x, const Real& exact, std::size_t operations) {
-    return in_roundoffs(excess_error(x, exact, operations, rounding<double>()), exact,
-                        rounding<double>());
+    return error_in_roundoffs(excess_error(x, exact, operations, rounding_constants<double>()),
+                              exact, rounding_constants<double>());
   };
   const double next = std::nextafter(1.0, 2.0);
   CHECK(in_double(1.0, Real(1), 5) == 0);
@@ -223,6 +225,7 @@ TEST_CASE("errors are in units of roundoff, minus the effect of underflow") {
   CHECK(std::isinf(in_double(std::nan(""), Real(1), 1)));
   CHECK(std::isinf(in_double(HUGE_VAL, Real(1), 1)));
   CHECK(std::isinf(in_double(1e-100, Real(), 1)));
-  CHECK(in_roundoffs(excess_error(std::nextafter(1.0F, 2.0F), Real(1), 5, rounding<float>()),
-                     Real(1), rounding<float>()) == Approx(2));
+  CHECK(error_in_roundoffs(
+            excess_error(std::nextafter(1.0F, 2.0F), Real(1), 5, rounding_constants<float>()),
+            Real(1), rounding_constants<float>()) == Approx(2));
 }

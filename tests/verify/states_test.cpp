@@ -39,8 +39,8 @@ template <class Scalar = double>
 std::vector<SampledState<Scalar>> states_below(const System& system, double most) {
   auto states = states_near_zeros<Scalar>(system.subject(), {16, 1, true});
   std::erase_if(states, [&](const SampledState<Scalar>& state) {
-    const auto value = oracle_expression(system.model, *system.model.energies.V,
-                                         exact_state(system.subject(), state.values));
+    const auto value = oracle_expression_value(system.model, *system.model.energies.V,
+                                               exact_state(system.subject(), state.values));
     return !value || std::abs(to_double(*value)) > most;
   });
   return states;
@@ -86,28 +86,28 @@ TEST_CASE("a sum that does not vanish inside the ranges gives no state") {
 }
 
 TEST_CASE("a model without kinks has no unseen ones") {
-  CHECK(Kinks(cart_pole().model).all_are_seen());
+  CHECK(KinkCoverage(cart_pole().model).is_complete());
 }
 
 TEST_CASE("a kink is seen when states lie on both sides of it") {
   ModelBuilder builder = cart_pole();
   builder.force_on(0, "max(x - 2, 0) + abs(x)");
-  Kinks kinks(builder.model);
-  CHECK(kinks.add(at(builder.model, "1")));
-  CHECK_FALSE(kinks.add(at(builder.model, "3/2")));
-  CHECK_FALSE(kinks.all_are_seen());
-  CHECK(kinks.add(at(builder.model, "3")));
-  CHECK_FALSE(kinks.unseen().empty());
-  CHECK(kinks.add(at(builder.model, "-1")));
-  CHECK(kinks.all_are_seen());
-  CHECK(kinks.unseen().empty());
+  KinkCoverage kinks(builder.model);
+  CHECK(kinks.add_state(at(builder.model, "1")));
+  CHECK_FALSE(kinks.add_state(at(builder.model, "3/2")));
+  CHECK_FALSE(kinks.is_complete());
+  CHECK(kinks.add_state(at(builder.model, "3")));
+  CHECK_FALSE(kinks.one_sided_kinks_text().empty());
+  CHECK(kinks.add_state(at(builder.model, "-1")));
+  CHECK(kinks.is_complete());
+  CHECK(kinks.one_sided_kinks_text().empty());
 }
 
 TEST_CASE("a state on the kink itself is on neither side") {
   ModelBuilder builder = cart_pole();
   builder.force_on(0, "sign(x - 2)");
-  Kinks kinks(builder.model);
-  CHECK_FALSE(kinks.add(at(builder.model, "2")));
+  KinkCoverage kinks(builder.model);
+  CHECK_FALSE(kinks.add_state(at(builder.model, "2")));
 }
 
 TEST_CASE("the worst figure keeps its state") {
@@ -118,7 +118,7 @@ TEST_CASE("the worst figure keeps its state") {
   tally.add(2, at(system, 3));
   CHECK(tally.samples() == 3);
   CHECK(tally.worst() == 3);
-  CHECK(tally.where(system.subject()).find("q = (2, 0)") == 0);
+  CHECK(tally.worst_state_text(system.subject()).find("q = (2, 0)") == 0);
   CHECK(tally.verdict(3) == Verdict::holds);
   CHECK(tally.verdict(2.9) == Verdict::fails);
 }
@@ -134,10 +134,10 @@ TEST_CASE("NaN fails, whatever comes before or after it") {
 
 TEST_CASE("a row without states is skipped and does not pass") {
   Tally tally;
-  tally.skip();
+  tally.count_skipped();
   CHECK(tally.verdict(8) == Verdict::skipped);
   CertificateRow row;
-  tally.write_result(row, cart_pole_system().subject(), 8, Obstacle::singular);
+  tally.write_result(row, cart_pole_system().subject(), 8, SkipReason::singular);
   CHECK(row.verdict == Verdict::skipped);
-  CHECK(row.skipped == std::vector<SkippedStates>{{Obstacle::singular, 1}});
+  CHECK(row.skipped == std::vector<SkippedStates>{{SkipReason::singular, 1}});
 }

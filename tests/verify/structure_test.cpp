@@ -63,7 +63,7 @@ TEST_CASE("all identities hold for a correct program") {
   const auto rows = rows_of(cart_pole_system());
   CHECK(rows.size() == mutations.size());
   for (const CertificateRow& row : rows) {
-    INFO(row.check << ": " << row.worst);
+    INFO(row.check << ": " << row.worst_value);
     CHECK(row.verdict == Verdict::holds);
     CHECK(row.samples == 4);
   }
@@ -155,7 +155,7 @@ System framed_system(const std::string& outputs) {
   SceneOptions options;
   options.outputs = {make_source("--outputs", outputs)};
   const CheckedModel checked = checked_model(framed_text(), options);
-  const Result<WholeLagrangian> lagrangian = formulate(checked.model);
+  const Result<UnreducedLagrangian> lagrangian = formulate(checked.model);
   const auto equations = derive(*lagrangian, checked.scene.outputs, {});
   return {checked.model, checked.scene, *lower(*equations, checked.scene.outputs, {})};
 }
@@ -172,7 +172,7 @@ System alone(const System& whole, const Function& function) {
 void shift(Program& program, Function& function, std::uint32_t& entry) {
   const auto shift = static_cast<std::uint32_t>(function.instructions.size());
   const std::uint32_t constant =
-      position_of(rational_constant(cln::cl_RA(1) / 1000), program.constants);
+      intern_constant(rational_constant(cln::cl_RA(1) / 1000), program.constants);
   function.instructions.push_back({.opcode = Opcode::constant, .a = constant});
   function.instructions.push_back({.opcode = Opcode::add, .a = entry, .b = shift});
   function.names.resize(function.instructions.size());
@@ -191,7 +191,7 @@ TEST_CASE("a frame's Jacobian and bias agree with its twist, entry by entry") {
     const System right = alone(framed, function);
     const std::vector<CertificateRow> rows = rows_of(right);
     REQUIRE(rows.size() == 1);
-    INFO(rows.front().worst);
+    INFO(rows.front().worst_value);
     CHECK(rows.front().verdict == Verdict::holds);
     for (std::size_t i = 0; i < function.fields.front().entries.size(); ++i) {
       INFO("entry " << i);
@@ -209,7 +209,7 @@ TEST_CASE("Hamilton's functions agree with the energies and the motion, entry by
   const std::vector<CertificateRow> rows = rows_of(right);
   REQUIRE(rows.size() == 3);
   for (const CertificateRow& row : rows) {
-    INFO(row.check << ": " << row.worst);
+    INFO(row.check << ": " << row.worst_value);
     CHECK(row.verdict == Verdict::holds);
     const auto is_subject = [&](const Function& f) { return f.name == row.output; };
     System wrong = right;
@@ -242,7 +242,7 @@ TEST_CASE("a chart that is singular everywhere is skipped with a reason and does
   });
   REQUIRE(row != rows.end());
   CHECK(row->verdict == Verdict::skipped);
-  CHECK(row->skipped == std::vector<SkippedStates>{{Obstacle::singular, 4}});
+  CHECK(row->skipped == std::vector<SkippedStates>{{SkipReason::singular, 4}});
 }
 
 TEST_CASE("the power balance includes explicit time") {

@@ -16,7 +16,7 @@ struct System {
   Scene scene = {};
   Program program = {};
 
-  [[nodiscard]] Subject subject() const { return {model, scene, program}; }
+  [[nodiscard]] SystemUnderTest subject() const { return {model, scene, program}; }
 };
 
 /// The system with the program `text`. Every function becomes a requested output.
@@ -44,7 +44,7 @@ inline Model cart_pole_model() {
   ModelBuilder builder = cart_pole();
   builder.parameter("c", "0.3").D("c*x_d^2/2").output({"x + l*sin(th)", "l*cos(th)"});
   builder.model.outputs.front().name = "tip";
-  builder.model.outputs.front().jacobian = true;
+  builder.model.outputs.front().has_jacobian = true;
   return builder.model;
 }
 

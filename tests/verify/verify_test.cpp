@@ -61,7 +61,7 @@ TEST_CASE("for a long program few states are visited, ordinary and extreme ones"
   mass.instructions.resize(20'000, mass.instructions.front());
   mass.names.resize(mass.instructions.size());
   std::vector<std::string> steps;
-  VerifyOptions options{.quick = true};
+  VerifyOptions options{.is_quick = true};
   options.on_step = [&steps](const std::string& step) { steps.push_back(step); };
   const Verification result = verify(system.model, system.scene, system.program, {}, options);
   CHECK(holds(result.certificate));
@@ -82,6 +82,6 @@ TEST_CASE("a kink that the states see only from one side is noted") {
   builder.force_on(0, "-max(x^2 + 1, 0)");
   const Certificate certificate = quick(system_of(builder.model, "")).certificate;
   CHECK(has_check(certificate, "both sides of kinks"));
-  CHECK(count(certificate, Verdict::noted) == 1);
+  CHECK(count_rows(certificate, Verdict::noted) == 1);
   CHECK(holds(certificate));
 }

@@ -24,12 +24,12 @@ SampledState<double> state_of(const System& system, Region region = Region::nomi
 }
 
 /// The finding of a visit of the program's first field.
-Finding first_finding(const System& system, Comparison comparison,
+Finding first_finding(const System& system, ComparisonMode comparison,
                       const SampledState<double>& state) {
-  const Subject subject = system.subject();
-  Visit<double> visit(subject, state, {comparison});
+  const SystemUnderTest subject = system.subject();
+  StateCheck<double> visit(subject, state, {comparison});
   Sampler draw(1);
-  return visit.look_at(field_places(subject).front(), draw);
+  return visit.check_field(field_places(subject).front(), draw);
 }
 
 System alone(const std::string& body, const std::string& results) {
@@ -37,9 +37,9 @@ System alone(const std::string& body, const std::string& results) {
                                           function_text("bias", body, results));
 }
 
-const FieldPlace& place_of(const std::vector<FieldPlace>& places, const std::string& function,
-                           const std::string& field) {
-  for (const FieldPlace& place : places) {
+const ComparedField& place_of(const std::vector<ComparedField>& places, const std::string& function,
+                              const std::string& field) {
+  for (const ComparedField& place : places) {
     if (place.function->name == function && place.field().name == field) return place;
   }
   FAIL("no field " << function << "." << field);
@@ -108,7 +108,7 @@ double unchanged(double x) { return x; }
 
 /// All rows of a system, with `change` applied to its bias in the build with users' flags.
 std::string rows_by(std::size_t jobs, const System& system, const Change& change = unchanged,
-                    Comparison comparison = Comparison::entries) {
+                    ComparisonMode comparison = ComparisonMode::entries) {
   const Changed code(system.program, "bias", change);
   const AccuracyOptions options{{comparison, LossStates::everywhere, 0, &code}, {}, jobs};
   const auto states = sample_states<double>(system.subject(), {4, 1, true});
@@ -131,7 +131,7 @@ volatile std::sig_atomic_t late_signals = 0;
 
 TEST_CASE("a correct field has no error, and its roundings are counted") {
   const System system = alone(instructions::rates, "  result 2 1 = 23 22\n");
-  for (const Comparison comparison : {Comparison::entries, Comparison::projections}) {
+  for (const ComparisonMode comparison : {ComparisonMode::entries, ComparisonMode::projections}) {
     const Finding finding = first_finding(system, comparison, state_of(system));
     CHECK(finding.regime == Regime::regular);
     CHECK(finding.mistake.empty());
@@ -142,14 +142,15 @@ TEST_CASE("a correct field has no error, and its roundings are counted") {
 TEST_CASE("a wrong field is found by both comparisons") {
   const System system = alone(instructions::rates, "  result 2 1 = 23 21\n");
   const SampledState<double> state = state_of(system);
-  CHECK(first_finding(system, Comparison::entries, state).mistake.find("entry 2 is ") == 0);
-  CHECK(first_finding(system, Comparison::projections, state).mistake.find("w.x is ") == 0);
+  CHECK(first_finding(system, ComparisonMode::entries, state).mistake.find("entry 2 is ") == 0);
+  CHECK(first_finding(system, ComparisonMode::projections, state).mistake.find("w.x is ") == 0);
 }
 
 TEST_CASE("where 1 - cos(x) needs more digits, program and oracle get them") {
   for (const System& system : {half_angles(), tangent_less_sine()}) {
     for (const double x : {1e-12, 1e-30, 1e-60, 1e-150}) {
-      for (const Comparison comparison : {Comparison::entries, Comparison::projections}) {
+      for (const ComparisonMode comparison :
+           {ComparisonMode::entries, ComparisonMode::projections}) {
         const Finding finding = first_finding(system, comparison, state_at(system, x));
         INFO(x << ": " << finding.mistake);
         CHECK(finding.mistake.empty());
@@ -163,7 +164,7 @@ TEST_CASE(
     "a solution after cancellation of large forces is compared with as many digits as it needs") {
   const System right = crane();
   for (const double l : {1.0, -1e-10, -1e-150}) {
-    for (const Comparison comparison : {Comparison::entries, Comparison::projections}) {
+    for (const ComparisonMode comparison : {ComparisonMode::entries, ComparisonMode::projections}) {
       const Finding finding = first_finding(right, comparison, state_at_length(right, l));
       INFO(l << ": " << finding.mistake);
       CHECK(finding.is_compared);
@@ -174,7 +175,7 @@ TEST_CASE(
   for (const double l : {1.0, -1e-10}) {
     INFO(l);
     CHECK_FALSE(
-        first_finding(wrong, Comparison::entries, state_at_length(wrong, l)).mistake.empty());
+        first_finding(wrong, ComparisonMode::entries, state_at_length(wrong, l)).mistake.empty());
   }
 }
 
@@ -187,18 +188,18 @@ TEST_CASE("a mistake is found with any number of digits, near a zero too") {
   for (const double x : {1.0, 1e-3, 1e-12, 1e-30}) {
     INFO(x);
     const SampledState<double> state = state_at(system, x);
-    CHECK_FALSE(first_finding(system, Comparison::entries, state).mistake.empty());
-    CHECK_FALSE(first_finding(system, Comparison::projections, state).mistake.empty());
+    CHECK_FALSE(first_finding(system, ComparisonMode::entries, state).mistake.empty());
+    CHECK_FALSE(first_finding(system, ComparisonMode::projections, state).mistake.empty());
   }
 }
 
 TEST_CASE("a value must be defined where the oracle's is only at ordinary states") {
   const System system =
       alone(instructions::rates + "  24 = divide 22 17\n", "  result 2 1 = 23 24\n");
-  const Finding ordinary = first_finding(system, Comparison::entries, state_of(system));
+  const Finding ordinary = first_finding(system, ComparisonMode::entries, state_of(system));
   CHECK(mentions(ordinary.mistake, "is undefined, the oracle says "));
   const Finding extreme =
-      first_finding(system, Comparison::entries, state_of(system, Region::extreme));
+      first_finding(system, ComparisonMode::entries, state_of(system, Region::extreme));
   CHECK(extreme.mistake.empty());
   CHECK(extreme.regime == Regime::undefined);
 }
@@ -206,30 +207,30 @@ TEST_CASE("a value must be defined where the oracle's is only at ordinary states
 TEST_CASE("the fields of an output are adjacent, in the oracle as in the program") {
   const System system = cart_pole_system();
   const auto places = field_places(system.subject());
-  const FieldPlace& pivots = place_of(places, "forward_dynamics", "relative_pivots");
-  CHECK(pivots.index == 1);
-  CHECK(pivots.first == 2);
-  CHECK(pivots.first_oracle == 2);
+  const ComparedField& pivots = place_of(places, "forward_dynamics", "relative_pivots");
+  CHECK(pivots.field_index == 1);
+  CHECK(pivots.first_entry == 2);
+  CHECK(pivots.first_oracle_entry == 2);
   CHECK(pivots.request.kind == OutputKind::forward_dynamics);
-  CHECK(pivots.request_field == 1);
+  CHECK(pivots.request_field_index == 1);
 }
 
 TEST_CASE("a field of `dynamics` is the output of the same name") {
   const System system = cart_pole_system();
   const auto places = field_places(system.subject());
-  const FieldPlace& bias = place_of(places, "dynamics", "bias");
-  CHECK(bias.index == 1);
-  CHECK(bias.first == 4);
-  CHECK(bias.first_oracle == 0);
+  const ComparedField& bias = place_of(places, "dynamics", "bias");
+  CHECK(bias.field_index == 1);
+  CHECK(bias.first_entry == 4);
+  CHECK(bias.first_oracle_entry == 0);
   CHECK(bias.request.kind == OutputKind::bias);
-  CHECK(bias.request_field == 0);
+  CHECK(bias.request_field_index == 0);
 }
 
 TEST_CASE("several processes find the same as one, mistakes and infinite errors too") {
   const auto infinite = [](double) { return HUGE_VAL; };
   const System right = cart_pole_system();
   const System wrong = with_mistake("gravity", "= 16 15", "= 16 14");
-  for (const Comparison comparison : {Comparison::entries, Comparison::projections}) {
+  for (const ComparisonMode comparison : {ComparisonMode::entries, ComparisonMode::projections}) {
     CHECK(rows_by(3, right, unchanged, comparison) == rows_by(1, right, unchanged, comparison));
     CHECK(rows_by(3, wrong, unchanged, comparison) == rows_by(1, wrong, unchanged, comparison));
   }
@@ -265,17 +266,18 @@ TEST_CASE("the time limit of one process is the limit of all") {
 
 TEST_CASE("every state is taken once, in order, and progress is reported") {
   const System system = cart_pole_system();
-  const Subject subject = system.subject();
+  const SystemUnderTest subject = system.subject();
   const auto states = sample_states<float>(subject, {8, 1, false});
   for (const std::size_t jobs : {1U, 3U}) {
     std::vector<std::size_t> taken;
     std::vector<std::string> steps;
     const AccuracyOptions options{
         {}, [&steps](const std::string& step) { steps.push_back(step); }, jobs};
-    visit_all(subject, states, options, [&taken, &subject](std::size_t at, const Findings& found) {
-      taken.push_back(at);
-      CHECK(found.size() == field_places(subject).size());
-    });
+    check_states(subject, states, options,
+                 [&taken, &subject](std::size_t at, const Findings& found) {
+                   taken.push_back(at);
+                   CHECK(found.size() == field_places(subject).size());
+                 });
     CHECK(taken == std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7});
     REQUIRE_FALSE(steps.empty());
     CHECK(steps.front().find("accuracy in float, state ") == 0);

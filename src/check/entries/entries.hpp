@@ -31,7 +31,7 @@ void read_force(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
 /// Adds the forces of an input that declares a wrench or a point force (wrench_input.hpp).
 void read_wrench_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t first);
 /// Replaces each entry in Model::constraints by its equations, in the order of the file.
-void read_constraints(Context& context, const std::vector<Instance>& instances);
+void read_constraints(Context& context, const std::vector<EntryInstance>& instances);
 void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
 /// Reads an [[equilibrium]]: E201, E517, E612. The units of all coordinates and inputs must have

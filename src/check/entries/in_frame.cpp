@@ -8,9 +8,9 @@ namespace elgen {
 namespace {
 
 /// I_com = I_origin - m (c.c 1 - c c^T); entries xx yy zz xy xz yz; in a plane only zz.
-std::vector<ExpressionId> about_com(NodeBuilder& nodes, const BodyInFrame& body,
-                                    ExpressionId mass) {
-  const Vector3& c = body.com.at;
+std::vector<ExpressionId> inertia_about_com(NodeBuilder& nodes, const LocalBody& body,
+                                            ExpressionId mass) {
+  const Vector3& c = body.com.position;
   const auto moment_about_com = [&](ExpressionId inertia, std::size_t i, std::size_t j) {
     ExpressionId moment = no_expression;
     if (i == j) {
@@ -34,17 +34,18 @@ std::vector<ExpressionId> about_com(NodeBuilder& nodes, const BodyInFrame& body,
 
 }  // namespace
 
-Vector3 world_position(NodeBuilder& nodes, const PlaceInFrame& place) {
-  const Matrix3 rotation = rotation_of(nodes, place.frame);
-  const Vector3 offset = nodes.apply(rotation, place.at);
-  const Vector3 origin = vector_of(nodes, place.frame, frame_origin);
+Vector3 world_position(NodeBuilder& nodes, const PointInFrame& place) {
+  const Matrix3 rotation = frame_rotation_matrix(nodes, place.frame);
+  const Vector3 offset = nodes.apply(rotation, place.position);
+  const Vector3 origin = frame_vector(nodes, place.frame, frame_origin);
   return nodes.add(origin, offset);
 }
 
-void set_world_pose(Context& context, BodyInFrame local, Body& body) {
+void set_world_pose(Context& context, LocalBody local, Body& body) {
   NodeBuilder nodes(context, body.span);
   body.com = world_position(nodes, local.com);
-  if (local.about_origin && body.mass) body.inertia = about_com(nodes, local, *body.mass);
+  if (local.is_about_origin && body.mass)
+    body.inertia = inertia_about_com(nodes, local, *body.mass);
   const bool is_planar = body.dimension == 2;
   const Vector3& spin = context.model.frames[local.com.frame].spin;
   body.spin = is_planar ? std::vector{spin[2]} : std::vector(spin.begin(), spin.end());
@@ -52,11 +53,11 @@ void set_world_pose(Context& context, BodyInFrame local, Body& body) {
   body.local = std::move(local);
 }
 
-void write_frame_output(Context& context, UserOutput& output) {
+void set_frame_output(Context& context, UserOutput& output) {
   const std::uint32_t frame = *output.frame;
   NodeBuilder nodes(context, output.span);
-  const Matrix3 rotation = rotation_of(nodes, frame);
-  const Vector3 origin = vector_of(nodes, frame, frame_origin);
+  const Matrix3 rotation = frame_rotation_matrix(nodes, frame);
+  const Vector3 origin = frame_vector(nodes, frame, frame_origin);
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
       output.values.push_back(rotation[3 * row + column]);
@@ -66,7 +67,7 @@ void write_frame_output(Context& context, UserOutput& output) {
   Vector3 angular = context.model.frames[frame].spin;
   Vector3 linear{};
   for (std::size_t k = 0; k < 3; ++k) linear[k] = nodes.rate(origin[k]);
-  if (output.in_world) {
+  if (output.is_in_world) {
     angular = nodes.apply(rotation, angular);
   } else {
     linear = nodes.apply_transposed(rotation, linear);

@@ -8,17 +8,17 @@
 namespace elgen {
 
 /// R x + origin of the frame.
-[[nodiscard]] Vector3 world_position(NodeBuilder& nodes, const PlaceInFrame& place);
+[[nodiscard]] Vector3 world_position(NodeBuilder& nodes, const PointInFrame& place);
 
 /// Sets com, spin and the inertia about the com of `body`. The com and inertia of `local` are in
 /// the axes of its frame; the body also keeps `local`.
-void set_world_pose(Context& context, BodyInFrame local, Body& body);
+void set_world_pose(Context& context, LocalBody local, Body& body);
 
 /// The given components (one to three), padded with zeros to three.
 [[nodiscard]] Vector3 pad_to_three(const std::vector<ExpressionId>& components);
 
 /// Sets the pose [R p] (row-major) and the twist (angular velocity, velocity of the origin) of a
 /// frame's output.
-void write_frame_output(Context& context, UserOutput& output);
+void set_frame_output(Context& context, UserOutput& output);
 
 }  // namespace elgen

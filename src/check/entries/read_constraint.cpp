@@ -18,9 +18,9 @@
 namespace elgen {
 namespace {
 
-constexpr Place position_equation{place::position_equation, place::of_configuration};
-constexpr Place velocity_equation{place::velocity_equation, place::of_state};
-constexpr Place gain{"a gain", place::parameters_only};
+constexpr ExpressionRole position_equation{place::position_equation, place::configuration_terms};
+constexpr ExpressionRole velocity_equation{place::velocity_equation, place::state_terms};
+constexpr ExpressionRole gain{"a gain", place::parameters_only};
 
 /// "link[3]" -> "link_x[3]"
 std::string with_suffix(const std::string& name, std::string_view suffix) {
@@ -41,8 +41,8 @@ class ConstraintReader {
     if (const KeySyntax* gains = entry_.find("stabilise")) {
       row_template_.omega = values_.root(gains->value, "omega", {gain, find_unit("Hz")});
       row_template_.zeta = values_.root(gains->value, "zeta", {gain, Unit{}});
-      refuse_negative(*row_template_.omega, *gains->value.find("omega"));
-      if (row_template_.zeta) refuse_negative(*row_template_.zeta, *gains->value.find("zeta"));
+      check_nonnegative(*row_template_.omega, *gains->value.find("omega"));
+      if (row_template_.zeta) check_nonnegative(*row_template_.zeta, *gains->value.find("zeta"));
       if (!row_template_.zeta)
         row_template_.zeta = NodeBuilder(context_, gains->value.span).number(1);
     }
@@ -55,23 +55,23 @@ class ConstraintReader {
     } else if (first->key == "equation") {
       read_equations(first->value);
     } else {
-      read_points(first->value);
+      read_coincidence(first->value);
     }
   }
 
  private:
   void read_equations(const ValueSyntax& list) {
-    const Place& place = row_template_.is_position ? position_equation : velocity_equation;
+    const ExpressionRole& place = row_template_.is_position ? position_equation : velocity_equation;
     for (std::size_t i = 0; i < list.items.size(); ++i) {
       const ValueSyntax& item = list.items[i];
-      const std::optional<ExpressionSyntax> value = residual(item);
+      const std::optional<ExpressionSyntax> value = residual_syntax(item);
       if (!value) continue;
       const std::string suffix = list.items.size() == 1 ? "" : std::to_string(i + 1);
-      add(suffix, values_.root(*value, {place}), item.span);
+      add_equation(suffix, values_.read_root(*value, {place}), item.span);
     }
   }
 
-  void refuse_negative(ExpressionId value, const KeySyntax& key) {
+  void check_nonnegative(ExpressionId value, const KeySyntax& key) {
     const auto number = context_.constants[value];
     if (!number || !cln::minusp(*number)) return;
     context_.report.add(
@@ -81,7 +81,7 @@ class ConstraintReader {
 
   /// Adds a row for each component that both points have. An unknown point counts as a point of the
   /// model's dimension, since too few equations would cause a second error.
-  void read_points(const ValueSyntax& list) {
+  void read_coincidence(const ValueSyntax& list) {
     if (list.items.size() != 2) {
       context_.report.add(Reason::wrong_list_length, list.span,
                           count_text(list.items.size(), "point") + ", but `coincide` takes two");
@@ -91,22 +91,22 @@ class ConstraintReader {
       context_.report.add(Reason::velocity_of_coincidence, entry_.find("coincide")->key_span,
                           "`coincide` is a constraint on positions");
     }
-    const auto p = values_.reference(list.items[0], SymbolKind::point);
-    const auto q = values_.reference(list.items[1], SymbolKind::point);
+    const auto p = values_.resolve_reference(list.items[0], SymbolKind::point);
+    const auto q = values_.resolve_reference(list.items[1], SymbolKind::point);
     const auto& points = context_.model.points;
     const auto components = [&](const std::optional<std::uint32_t>& point) {
       return point ? points[*point].dimension : context_.dimension == 2 ? 2U : 3U;
     };
     NodeBuilder nodes(context_, list.span);
     const auto component = [&](const std::optional<std::uint32_t>& point, std::uint32_t axis) {
-      const bool is_zero = !point || points[*point].at[axis] == no_expression;
-      return is_zero ? no_expression : nodes.named(NamedKind::point, *point, axis);
+      const bool is_zero = !point || points[*point].position[axis] == no_expression;
+      return is_zero ? no_expression : nodes.name_node(NamedKind::point, *point, axis);
     };
     const std::uint32_t dimension = std::min(components(p), components(q));
     for (std::uint32_t axis = 0; axis < dimension; ++axis) {
       const ExpressionId value = nodes.subtract(component(p, axis), component(q, axis));
       const std::string name(1, "xyz"[axis]);
-      add(name, value, list.span);
+      add_equation(name, value, list.span);
       Constraint& row = context_.model.constraints.back();
       row.equality =
           fmt::format("{0}({1}) = {0}({2})", name, list.items[0].text, list.items[1].text);
@@ -114,7 +114,7 @@ class ConstraintReader {
     }
   }
 
-  void add(const std::string& suffix, ExpressionId value, const Span& span) {
+  void add_equation(const std::string& suffix, ExpressionId value, const Span& span) {
     Constraint row = row_template_;
     row.value = value;
     row.equation_span = span;
@@ -123,9 +123,9 @@ class ConstraintReader {
     const DeclaredName* other = context_.symbols.find("lambda_" + row.name);
     if (other != nullptr) {
       context_.report.add({Code::E203, row.span,
-                           in_backticks("lambda_" + row.name) +
+                           quote_text("lambda_" + row.name) +
                                " is the multiplier of this constraint, but also " +
-                               with_article(noun(other->kind)),
+                               with_article(symbol_noun(other->kind)),
                            "", other->span, "declared here"});
     }
     std::vector<Constraint>& rows = context_.model.constraints;
@@ -133,7 +133,7 @@ class ConstraintReader {
     // Two entries with the same name are already reported.
     if (same != rows.end() && covered_text(same->span) != covered_text(row.span)) {
       context_.report.add({Code::E203, row.span,
-                           in_backticks(row.name) + " is already the name of an equation", "",
+                           quote_text(row.name) + " is already the name of an equation", "",
                            same->span, "of this constraint"});
     }
     rows.push_back(std::move(row));
@@ -157,11 +157,11 @@ bool may_turn(const Context& context, std::optional<std::uint32_t> frame) {
 }
 
 /// The point P if the whole expression is the rate dot(x(P)).
-std::optional<std::uint32_t> point_of_rate(const Model& model, ExpressionId value) {
+std::optional<std::uint32_t> find_rate_point(const Model& model, ExpressionId value) {
   const Expression& node = model.expressions[value];
   if (node.kind != ExpressionKind::time_derivative) return std::nullopt;
   const Expression& inner = model.expressions[node.operands[0]];
-  if (!is_name(inner, NamedKind::point)) return std::nullopt;
+  if (!refers_to_entry(inner, NamedKind::point)) return std::nullopt;
   return inner.index;
 }
 
@@ -170,7 +170,7 @@ std::optional<std::uint32_t> point_of_rate(const Model& model, ExpressionId valu
 void warn_of_material_points(Context& context) {
   std::vector<std::uint32_t> held;
   for (const Constraint& row : context.model.constraints) {
-    const auto point = point_of_rate(context.model, row.value);
+    const auto point = find_rate_point(context.model, row.value);
     if (row.is_position || !point) continue;
     held.push_back(*point);
     const Point& at = context.model.points[*point];
@@ -178,8 +178,8 @@ void warn_of_material_points(Context& context) {
     const std::uint32_t frame = at.local->frame;
     if (!may_turn(context, frame)) continue;
     context.report.add(Code::E541, row.equation_span,
-                       in_backticks(at.name) + " turns with " +
-                           in_backticks(context.model.frames[frame].name) +
+                       quote_text(at.name) + " turns with " +
+                           quote_text(context.model.frames[frame].name) +
                            ", so the equation fixes one material point, as in a pivot",
                        "for a rolling contact, write the velocity of the centre: `dot(x) = "
                        "r*wy(F)`");
@@ -188,7 +188,7 @@ void warn_of_material_points(Context& context) {
 
 }  // namespace
 
-void read_constraints(Context& context, const std::vector<Instance>& instances) {
+void read_constraints(Context& context, const std::vector<EntryInstance>& instances) {
   const std::vector<Constraint> row_templates = std::exchange(context.model.constraints, {});
   for (const auto& [entry, scope, target] : instances) {
     if (entry->name != "constraint") continue;

@@ -76,7 +76,7 @@ Matrix3 quaternion_matrix(NodeBuilder& nodes, const std::array<ExpressionId, 4>&
 }
 
 /// [w]x = R^T dR/dt: w_x = sum_k R_kz dR_ky/dt, and cyclic permutations.
-Vector3 spin(NodeBuilder& nodes, const Matrix3& rotation) {
+Vector3 spin_of_matrix(NodeBuilder& nodes, const Matrix3& rotation) {
   const auto column = [&](std::size_t j) {
     return Vector3{rotation[j], rotation[3 + j], rotation[6 + j]};
   };
@@ -92,7 +92,8 @@ Vector3 spin(NodeBuilder& nodes, const Matrix3& rotation) {
 /// Angular velocity of the axes after the transform relative to the axes before it, in the axes
 /// after it. Turn: n dangle/dt. Quaternion (w, e): 2 (w de/dt - dw/dt e - e x de/dt)/|q|^2.
 /// Rotation: its velocities.
-Vector3 turning_of(NodeBuilder& nodes, const Model& model, const ElementaryTransform& transform) {
+Vector3 transform_spin(NodeBuilder& nodes, const Model& model,
+                       const ElementaryTransform& transform) {
   Vector3 result{};
   if (transform.rotation) {
     const std::uint32_t first = model.rotations[*transform.rotation].first_velocity;
@@ -131,13 +132,13 @@ Vector3 turning_of(NodeBuilder& nodes, const Model& model, const ElementaryTrans
 ///     before    parent world, translate (l, 0, 0), turn by q about z
 ///     after     R = [cos(q), -sin(q), 0; sin(q), cos(q), 0; 0, 0, 1], origin (l, 0, 0),
 ///               angular velocity (0, 0, dot(q))
-void derive_motion(Context& context, Frame& frame) {
+void derive_kinematics(Context& context, Frame& frame) {
   NodeBuilder nodes(context, frame.span);
   // The parent's motion is referred to by name, not copied.
-  Matrix3 rotation = frame.parent ? rotation_of(nodes, *frame.parent) : nodes.identity();
-  Vector3 origin = frame.parent ? vector_of(nodes, *frame.parent, frame_origin) : Vector3{};
+  Matrix3 rotation = frame.parent ? frame_rotation_matrix(nodes, *frame.parent) : nodes.identity();
+  Vector3 origin = frame.parent ? frame_vector(nodes, *frame.parent, frame_origin) : Vector3{};
   Vector3 turning =
-      frame.parent ? vector_of(nodes, *frame.parent, frame_recursive_spin) : Vector3{};
+      frame.parent ? frame_vector(nodes, *frame.parent, frame_recursive_spin) : Vector3{};
   for (const ElementaryTransform& transform : frame.transforms) {
     if (transform.kind == TransformKind::translation) {
       const Vector3 offset = nodes.apply(rotation, transform.vector);
@@ -149,26 +150,26 @@ void derive_motion(Context& context, Frame& frame) {
               : quaternion_matrix(nodes, transform.quaternion, !transform.rotation);
       rotation = nodes.multiply(rotation, turn);
       const Vector3 carried = nodes.apply_transposed(turn, turning);
-      turning = nodes.add(carried, turning_of(nodes, context.model, transform));
+      turning = nodes.add(carried, transform_spin(nodes, context.model, transform));
     }
   }
   frame.rotation = rotation;
   frame.origin = origin;
-  frame.spin = spin(nodes, rotation);
-  frame.turning = turning;
+  frame.spin = spin_of_matrix(nodes, rotation);
+  frame.recursive_spin = turning;
   const auto index = static_cast<std::uint32_t>(&frame - context.model.frames.data());
-  const Matrix3 named_rotation = rotation_of(nodes, index);
-  const Vector3 named_turning = vector_of(nodes, index, frame_recursive_spin);
+  const Matrix3 named_rotation = frame_rotation_matrix(nodes, index);
+  const Vector3 named_turning = frame_vector(nodes, index, frame_recursive_spin);
   frame.angular_velocity = nodes.apply(named_rotation, named_turning);
 }
 
-const RootRequest angle_request{{"an angle", place::of_configuration}, find_unit("rad")};
-const RootRequest length_request{{place::position, place::of_configuration}, find_unit("m")};
+const RootRequest angle_request{{"an angle", place::configuration_terms}, find_unit("rad")};
+const RootRequest length_request{{place::position, place::configuration_terms}, find_unit("m")};
 constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "quaternion",
                                                        "rotation"};
 
 /// The key that gives the orientation; null if the entry has none, and after E112 if it has two.
-const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
+const KeySyntax* find_orientation_key(const EntrySyntax& entry, Report& report) {
   const auto [first, second] = first_two_keys(entry, orientations);
   if (second == nullptr) return first;
   report.add(Reason::two_orientations, second->key_span,
@@ -177,8 +178,8 @@ const KeySyntax* orientation_of(const EntrySyntax& entry, Report& report) {
 }
 
 /// True if the list has `count` items; false after E104.
-bool has_count(const ValueSyntax& value, std::size_t count, const std::string& noun,
-               Report& report) {
+bool check_count(const ValueSyntax& value, std::size_t count, const std::string& noun,
+                 Report& report) {
   if (value.items.size() == count) return true;
   report.add(Reason::wrong_component_count, value.span,
              count_text(value.items.size(), "component") + ", but " + noun + " has " +
@@ -188,14 +189,15 @@ bool has_count(const ValueSyntax& value, std::size_t count, const std::string& n
 
 /// The unit vector along the axis, exactly: irrational components are expressions. None after an
 /// error.
-std::optional<Vector3> unit_axis(ValueReader& values, const ValueSyntax& axis) {
+std::optional<Vector3> read_unit_axis(ValueReader& values, const ValueSyntax& axis) {
   Context& context = values.context();
   NodeBuilder nodes(context, axis.span);
   Vector3 given{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::optional<FixedValue> value = values.constant_with_form(axis.items[i]);
+    const std::optional<FixedValue> value = values.read_exact_constant(axis.items[i]);
     if (!value) return std::nullopt;
-    given[i] = value->form ? *value->form : nodes.number(cln::rational(value->number));
+    given[i] = value->exact_expression ? *value->exact_expression
+                                       : nodes.number(cln::rational(value->number));
   }
   const ExpressionId squared = nodes.dot(given, given);
   if (context.constants[squared] == 0) {
@@ -222,17 +224,17 @@ class FrameReader {
                   free_name_hint(world, frame_.span));
     }
     if (const KeySyntax* parent = entry_.find("parent")) {
-      frame_.parent = values_.frame_or_world(parent->value);
+      frame_.parent = values_.resolve_frame_or_world(parent->value);
     }
     if (const KeySyntax* translate = entry_.find("translate")) read_translation(translate->value);
-    if (const KeySyntax* turned = orientation_of(entry_, report_)) read_orientation(*turned);
-    derive_motion(context_, frame_);
+    if (const KeySyntax* turned = find_orientation_key(entry_, report_)) read_orientation(*turned);
+    derive_kinematics(context_, frame_);
   }
 
  private:
   void read_translation(const ValueSyntax& value) {
-    if (!values_.is_vector(value)) return;
-    const Vector3 offset = pad_to_three(values_.roots(value, length_request));
+    if (!values_.check_vector(value)) return;
+    const Vector3 offset = pad_to_three(values_.read_roots(value, length_request));
     frame_.transforms.push_back({TransformKind::translation, offset});
   }
 
@@ -253,35 +255,35 @@ class FrameReader {
   }
 
   /// A number above one turn (2 pi < 7) is probably in degrees.
-  void note_degrees(const ValueSyntax& value, ExpressionId angle) {
+  void report_angle_in_degrees(const ValueSyntax& value, ExpressionId angle) {
     const Expression& e = context_.model.expressions[angle];
     if (e.kind != ExpressionKind::number || cln::abs(e.number) <= 7) return;
-    elgen::note_degrees(report_, value.span, e.number);
+    elgen::report_degrees(report_, value.span, e.number);
   }
 
   void read_turns(const ValueSyntax& turns) {
     for (const ValueSyntax& turn : turns.items) {
       const ValueSyntax& axis = turn.items[0];
       const ExpressionId angle = values_.root(turn.items[1], angle_request);
-      note_degrees(turn.items[1], angle);
+      report_angle_in_degrees(turn.items[1], angle);
       if (axis.kind == ValueKind::list) {
-        const std::optional<Vector3> direction = unit_axis(values_, axis);
+        const std::optional<Vector3> direction = read_unit_axis(values_, axis);
         if (direction) frame_.transforms.push_back({TransformKind::turn, *direction, angle});
       } else if (axis.text == "x" || axis.text == "y" || axis.text == "z") {
         add_turn(static_cast<std::size_t>(axis.text.front() - 'x'), angle);
       } else {
         report_.add(
             Reason::unknown_axis, axis.span,
-            in_backticks(axis.text) + " is no axis: an axis is `x`, `y`, `z` or three constants");
+            quote_text(axis.text) + " is no axis: an axis is `x`, `y`, `z` or three constants");
       }
     }
   }
 
   void read_rpy(const ValueSyntax& value) {
-    if (!has_count(value, 3, "`rpy`", report_)) return;
-    const std::vector<ExpressionId> angles = values_.roots(value, angle_request);
+    if (!check_count(value, 3, "`rpy`", report_)) return;
+    const std::vector<ExpressionId> angles = values_.read_roots(value, angle_request);
     for (const std::size_t axis : {2U, 1U, 0U}) {
-      if (value.kind == ValueKind::list) note_degrees(value.items[axis], angles[axis]);
+      if (value.kind == ValueKind::list) report_angle_in_degrees(value.items[axis], angles[axis]);
       add_turn(axis, angles[axis]);
     }
   }
@@ -301,8 +303,8 @@ class FrameReader {
     const auto alpha = values_.root(table, "alpha", angle_request);
     const auto d = values_.root(table, "d", length_request);
     const auto theta = values_.root(table, "theta", angle_request);
-    if (alpha) note_degrees(table.find("alpha")->value, *alpha);
-    if (theta) note_degrees(table.find("theta")->value, *theta);
+    if (alpha) report_angle_in_degrees(table.find("alpha")->value, *alpha);
+    if (theta) report_angle_in_degrees(table.find("theta")->value, *theta);
     const bool is_modified = text_value(table, "convention") == "modified";
     if (is_modified) add_screw(0, alpha, a);
     add_screw(2, theta, d);
@@ -310,9 +312,9 @@ class FrameReader {
   }
 
   void read_quaternion(const ValueSyntax& value) {
-    if (!has_count(value, 4, "a quaternion", report_)) return;
-    const Place place{"a quaternion", place::of_configuration};
-    const std::vector<ExpressionId> components = values_.roots(value, {place});
+    if (!check_count(value, 4, "a quaternion", report_)) return;
+    const ExpressionRole place{"a quaternion", place::configuration_terms};
+    const std::vector<ExpressionId> components = values_.read_roots(value, {place});
     ElementaryTransform transform{TransformKind::quaternion};
     std::copy(components.begin(), components.end(), transform.quaternion.begin());
     const auto is_zero = [&](ExpressionId id) { return context_.constants[id] == 0; };
@@ -324,7 +326,7 @@ class FrameReader {
   }
 
   void read_rotation(const ValueSyntax& value) {
-    const std::optional<std::uint32_t> rotation = values_.rotation(value);
+    const std::optional<std::uint32_t> rotation = values_.resolve_rotation_name(value);
     if (!rotation) return;
     NodeBuilder nodes(context_, frame_.span);
     ElementaryTransform transform{TransformKind::quaternion};
@@ -380,7 +382,7 @@ void check_transform(Context& context, const ElementaryTransform& transform) {
 
 void check_plane(Context& context) {
   // In a planar model, vectors of three components are already errors.
-  if (context.dimension != 2 || context.report.errors() > 0) return;
+  if (context.dimension != 2 || context.report.error_count() > 0) return;
   for (const Frame& frame : context.model.frames) {
     for (const ElementaryTransform& transform : frame.transforms)
       check_transform(context, transform);

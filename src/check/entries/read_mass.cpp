@@ -28,7 +28,7 @@ class BodyReader {
     }
     read_inertia();
     const bool about_origin = text_value(entry_, "inertia_about") == "origin";
-    if (about_origin && frame == nullptr) refuse_origin();
+    if (about_origin && frame == nullptr) report_missing_origin();
     check_completeness();
     if (frame_) {
       set_world_pose(values_.context(), {{*frame_, body_.com}, body_.inertia, about_origin}, body_);
@@ -40,7 +40,7 @@ class BodyReader {
     if (const KeySyntax* spin = entry_.find("spin")) {
       report_.add(Reason::frame_and_spin, spin->key_span, "a body has `frame` or `spin`, not both");
     }
-    frame_ = values_.frame_or_world(frame);
+    frame_ = values_.resolve_frame_or_world(frame);
     // If no vector has set the dimension yet, a single moment of inertia means a planar body.
     const KeySyntax* inertia = entry_.find("inertia");
     const std::uint32_t known = values_.context().dimension;
@@ -53,19 +53,20 @@ class BodyReader {
 
   void read_com() {
     const KeySyntax* com = entry_.find("com");
-    if (com == nullptr || !values_.is_vector(com->value)) return;
+    if (com == nullptr || !values_.check_vector(com->value)) return;
     const bool in_frame = entry_.find("frame") != nullptr;
-    const Place place = in_frame ? Place{"a centre of mass", place::parameters_only, Code::E506}
-                                 : Place{place::position, place::of_configuration};
-    body_.com = pad_to_three(values_.roots(com->value, {place, find_unit("m")}));
+    const ExpressionRole place =
+        in_frame ? ExpressionRole{"a centre of mass", place::parameters_only, Code::E506}
+                 : ExpressionRole{place::position, place::configuration_terms};
+    body_.com = pad_to_three(values_.read_roots(com->value, {place, find_unit("m")}));
     body_.dimension = static_cast<std::uint32_t>(com->value.items.size());
   }
 
   void read_spin() {
     const KeySyntax* spin = entry_.find("spin");
     if (spin == nullptr) return;
-    const Place place{"a spin", place::of_state};
-    body_.spin = values_.roots(spin->value, {place, find_unit("Hz")});
+    const ExpressionRole place{"a spin", place::state_terms};
+    body_.spin = values_.read_roots(spin->value, {place, find_unit("Hz")});
     const std::size_t count = body_.spin.size();
     const bool has_com = entry_.find("com") != nullptr;
     if (count != 1 && count != 3) {
@@ -83,9 +84,9 @@ class BodyReader {
   void read_inertia() {
     const KeySyntax* inertia = entry_.find("inertia");
     if (inertia == nullptr) return;
-    const Place place{"an inertia", place::parameters_only, Code::E506};
+    const ExpressionRole place{"an inertia", place::parameters_only, Code::E506};
     const Unit unit = *find_unit("kg") * power(*find_unit("m"), {2, 1});
-    body_.inertia = values_.roots(inertia->value, {place, unit});
+    body_.inertia = values_.read_roots(inertia->value, {place, unit});
     const std::size_t count = body_.inertia.size();
     const bool fits = body_.spin.size() == 1 ? count == 1 : count == 3 || count == 6;
     if (!body_.spin.empty() && !fits) {
@@ -98,7 +99,7 @@ class BodyReader {
   }
 
   /// Reports E112: `spin` gives a body an angular velocity, but only `frame` gives it an origin.
-  void refuse_origin() {
+  void report_missing_origin() {
     report_.add(Reason::inertia_without_origin, entry_.find("inertia_about")->key_span,
                 "a body without `frame` has no origin, so its inertia cannot be about the origin",
                 "give the inertia about the centre of mass, or give the body a frame; if the body "
@@ -107,15 +108,16 @@ class BodyReader {
 
   void check_completeness() {
     if (body_.mass && entry_.find("com") == nullptr && entry_.find("frame") == nullptr) {
-      report_missing("com", "mass");
+      report_missing_key("com", "mass");
     }
-    if (!body_.inertia.empty() && body_.spin.empty()) report_missing("spin", "inertia");
-    if (entry_.find("spin") != nullptr && body_.inertia.empty()) report_missing("inertia", "spin");
+    if (!body_.inertia.empty() && body_.spin.empty()) report_missing_key("spin", "inertia");
+    if (entry_.find("spin") != nullptr && body_.inertia.empty())
+      report_missing_key("inertia", "spin");
   }
 
-  void report_missing(const std::string& key, const std::string& other) {
+  void report_missing_key(const std::string& key, const std::string& other) {
     report_.add(Code::E105, entry_.span,
-                in_backticks(body_.name) + " has `" + other + "` but no `" + key + "`");
+                quote_text(body_.name) + " has `" + other + "` but no `" + key + "`");
   }
 
   ValueReader& values_;
@@ -126,17 +128,17 @@ class BodyReader {
 };
 
 /// Reads the lines that a page draws from a point to other places.
-void read_joints(ValueReader& values, const EntrySyntax& entry, Point& point) {
+void read_joined_places(ValueReader& values, const EntrySyntax& entry, Point& point) {
   const KeySyntax* const joined_to = entry.find("joined_to");
   if (joined_to == nullptr) {
     if (const KeySyntax* const as = entry.find("as")) {
       values.context().report.add(Code::E105, as->key_span,
-                                  in_backticks(point.name) + " has `as` but no `joined_to`");
+                                  quote_text(point.name) + " has `as` but no `joined_to`");
     }
     return;
   }
   const auto add = [&](const ValueSyntax& value) {
-    if (const auto place = values.joined_place(value)) point.joined_to.push_back(*place);
+    if (const auto place = values.resolve_joined_place(value)) point.line_ends.push_back(*place);
   };
   if (joined_to->value.kind == ValueKind::list) {
     std::ranges::for_each(joined_to->value.items, add);
@@ -152,19 +154,19 @@ void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t tar
   Context& context = values.context();
   Point& point = context.model.points[target];
   const KeySyntax* at = entry.find("at");
-  if (at != nullptr && values.is_vector(at->value)) {
-    const Place place{place::position, place::of_configuration};
-    point.at = pad_to_three(values.roots(at->value, {place, find_unit("m")}));
+  if (at != nullptr && values.check_vector(at->value)) {
+    const ExpressionRole place{place::position, place::configuration_terms};
+    point.position = pad_to_three(values.read_roots(at->value, {place, find_unit("m")}));
     if (const KeySyntax* frame = entry.find("frame")) {
-      if (const auto index = values.frame_or_world(frame->value)) {
-        point.local = PlaceInFrame{*index, point.at};
+      if (const auto index = values.resolve_frame_or_world(frame->value)) {
+        point.local = PointInFrame{*index, point.position};
         NodeBuilder nodes(context, point.span);
-        point.at = world_position(nodes, *point.local);
+        point.position = world_position(nodes, *point.local);
       }
     }
   }
   point.mass = values.root(entry, "mass", mass_request);
-  read_joints(values, entry, point);
+  read_joined_places(values, entry, point);
 }
 
 void read_body(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {

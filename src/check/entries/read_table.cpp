@@ -29,7 +29,7 @@ void read_header(Context& context, const EntrySyntax& entry) {
   if (!is_model_name(model.name)) {
     context.report.add(
         Code::E205, name->value.span,
-        in_backticks(model.name) + " is not lower-case letters, digits and underscores");
+        quote_text(model.name) + " is not lower-case letters, digits and underscores");
   } else {
     (void)check_name(model.name, name->value.span, context.report);
   }
@@ -37,7 +37,7 @@ void read_header(Context& context, const EntrySyntax& entry) {
 
 void read_definitions(ValueReader& values, const EntrySyntax& entry) {
   Context& context = values.context();
-  constexpr Place place{"a definition", place::of_force};
+  constexpr ExpressionRole place{"a definition", place::force_terms};
   for (const KeySyntax& key : entry.keys) {
     const DeclaredName* symbol = context.symbols.find(key.key);
     if (symbol == nullptr || symbol->kind != SymbolKind::definition) continue;
@@ -50,22 +50,23 @@ void read_gravity(ValueReader& values, const EntrySyntax& entry) {
   const KeySyntax* vector = entry.find("vector");
   if (vector == nullptr) return;
   const Unit acceleration = *find_unit("m") / power(*find_unit("s"), {2, 1});
-  const Place place{"gravity", place::of_time};
-  values.context().model.gravity = pad_to_three(values.roots(vector->value, {place, acceleration}));
-  (void)values.is_vector(vector->value);
+  const ExpressionRole place{"gravity", place::time_terms};
+  values.context().model.gravity =
+      pad_to_three(values.read_roots(vector->value, {place, acceleration}));
+  (void)values.check_vector(vector->value);
 }
 
 struct EnergyKey {
   std::string_view key;
   std::optional<ExpressionId> Energies::*member;
   std::string_view unit;
-  Ingredients allowed = place::of_energy;
+  Ingredients allowed = place::energy_terms;
 };
 
 constexpr std::array<EnergyKey, 4> energy_keys{{
     {"T", &Energies::T, "J"},
     {"V", &Energies::V, "J"},
-    {"D", &Energies::D, "W", place::of_dissipation},
+    {"D", &Energies::D, "W", place::dissipation_terms},
     {"L", &Energies::L, "J"},
 }};
 
@@ -73,7 +74,7 @@ void read_energies(ValueReader& values, const EntrySyntax& entry) {
   Context& context = values.context();
   if (const KeySyntax* lagrangian = entry.find("L")) context.lagrangian_span = lagrangian->key_span;
   for (const auto& [key, member, unit, allowed] : energy_keys) {
-    const Place place{key, allowed};
+    const ExpressionRole place{key, allowed};
     context.model.energies.*member = values.root(entry, key, {place, find_unit(unit)});
   }
 }
@@ -81,7 +82,7 @@ void read_energies(ValueReader& values, const EntrySyntax& entry) {
 void read_outputs(Model& model, const EntrySyntax& entry) {
   const KeySyntax* dynamics = entry.find("forward_dynamics");
   const KeySyntax* pivots = dynamics == nullptr ? nullptr : dynamics->value.find("pivots");
-  model.without_pivots = pivots != nullptr && !pivots->value.boolean;
+  model.omits_pivots = pivots != nullptr && !pivots->value.boolean;
 }
 
 }  // namespace

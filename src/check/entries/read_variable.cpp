@@ -18,7 +18,7 @@ namespace {
 
 /// The declared unit; none without a declaration, or if the model's units are all 1 and thus not
 /// checked.
-std::optional<Unit> unit_of(const EntrySyntax& entry, Context& context) {
+std::optional<Unit> read_declared_unit(const EntrySyntax& entry, Context& context) {
   const KeySyntax* key = entry.find("unit");
   if (key == nullptr) return std::nullopt;
   const std::optional<Unit> unit = read_unit(key->value, context.report);
@@ -26,33 +26,33 @@ std::optional<Unit> unit_of(const EntrySyntax& entry, Context& context) {
 }
 
 /// The start of a plain coordinate. E104 for a list, which only a rotation may have.
-cln::cl_R start_constant(ValueReader& values, const ValueSyntax& value) {
+cln::cl_R read_start_constant(ValueReader& values, const ValueSyntax& value) {
   if (value.kind == ValueKind::list) {
     values.context().report.add(Reason::list_for_number, value.span,
                                 "a list, but the coordinate is one number");
     return 0;
   }
-  return values.constant(value).value_or(0);
+  return values.read_constant(value).value_or(0);
 }
 
 void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coordinate) {
   if (const KeySyntax* value = table.find("value")) {
-    coordinate.start_value = start_constant(values, value->value);
+    coordinate.start_value = read_start_constant(values, value->value);
     note_degrees(values.context().report, value->value.span, coordinate, coordinate.start_value);
   }
   if (const KeySyntax* rate = table.find("rate")) {
     values.context().model.velocities[coordinate.velocity].start_rate =
-        start_constant(values, rate->value);
+        read_start_constant(values, rate->value);
   }
 }
 
 void check_wrap(Context& context, const EntrySyntax& entry, const Coordinate& coordinate) {
   // The unit of rad is 1; without units in the model, the coordinate has none.
   const bool is_angle = coordinate.unit.value_or(*find_unit("rad")) == *find_unit("rad");
-  if (!coordinate.wrap || is_angle) return;
+  if (!coordinate.wraps || is_angle) return;
   context.report.add(
       Code::E528, entry.find("wrap")->key_span,
-      in_backticks(coordinate.name) + " is in " + coordinate.unit_text + ", but only angles wrap");
+      quote_text(coordinate.name) + " is in " + coordinate.unit_text + ", but only angles wrap");
 }
 
 bool is_outside(const cln::cl_R& value, const std::optional<Interval>& range) {
@@ -75,7 +75,7 @@ void check_start(Context& context, const ValueSyntax& table, const Coordinate& c
 
 void read_rate(ValueReader& values, const EntrySyntax& entry, const Coordinate& coordinate) {
   Velocity& velocity = values.context().model.velocities[coordinate.velocity];
-  velocity.rate_range = values.interval(entry, "rate_range");
+  velocity.rate_range = values.read_interval(entry, "rate_range");
   if (coordinate.unit) velocity.unit = *coordinate.unit / *find_unit("s");
 }
 
@@ -87,13 +87,12 @@ std::optional<Unit> armature_unit(const Coordinate& coordinate) {
 }
 
 void check_input_unit(Context& context, const Input& input, const ValueSyntax& unit) {
-  const Velocity& velocity = context.model.velocities[*input.on];
+  const Velocity& velocity = context.model.velocities[*input.velocity];
   const std::optional<Unit> expected = force_unit(velocity);
   if (input.unit && expected && *input.unit != *expected) {
     context.report.add(Code::E403, unit.span,
-                       in_backticks(input.name) + " is in " + input.unit_text +
-                           ", but a force on " + in_backticks(velocity.name) + " is in " +
-                           force_unit_text(*expected));
+                       quote_text(input.name) + " is in " + input.unit_text + ", but a force on " +
+                           quote_text(velocity.name) + " is in " + force_unit_text(*expected));
   }
 }
 
@@ -107,41 +106,42 @@ void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_
   if (is_rotation(entry)) return read_rotation(values, entry, target);
   Context& context = values.context();
   Coordinate& coordinate = context.model.coordinates[target];
-  coordinate.unit = unit_of(entry, context);
-  coordinate.range = values.interval(entry, "range");
+  coordinate.unit = read_declared_unit(entry, context);
+  coordinate.range = values.read_interval(entry, "range");
   if (coordinate.range) {
     const std::vector<ValueSyntax>& ends = entry.find("range")->value.items;
     note_degrees(context.report, ends[0].span, coordinate, coordinate.range->low);
     note_degrees(context.report, ends[1].span, coordinate, coordinate.range->high);
   }
-  coordinate.wrap = is_set(entry.find("wrap"));
+  coordinate.wraps = is_flag_set(entry.find("wrap"));
   check_wrap(context, entry, coordinate);
   read_rate(values, entry, coordinate);
   if (const KeySyntax* start = entry.find("start")) {
     read_start(values, start->value, coordinate);
     check_start(context, start->value, coordinate);
   }
-  const Place armature{"an armature", place::parameters_only, Code::E506};
+  const ExpressionRole armature{"an armature", place::parameters_only, Code::E506};
   coordinate.armature = values.root(entry, "armature", {armature, armature_unit(coordinate)});
-  const Place singular{"a singular configuration", place::of_configuration};
-  coordinate.singular = values.root(entry, "singular", {singular});
+  const ExpressionRole singular{"a singular configuration", place::configuration_terms};
+  coordinate.singular_condition = values.root(entry, "singular", {singular});
 }
 
 void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
   if (is_wrench_input(entry)) {
-    const WrenchComponents count = wrench_components(context, entry);
-    const std::optional<Interval> limits = values.interval(entry, "limits");
+    const WrenchComponentCounts count = count_wrench_components(context, entry);
+    const std::optional<Interval> limits = values.read_interval(entry, "limits");
     for (std::uint32_t i = 0; i < count.torque + count.force; ++i) {
       context.model.inputs[target + i].limits = limits;
     }
     return;
   }
   Input& input = context.model.inputs[target];
-  input.unit = unit_of(entry, context);
-  input.limits = values.interval(entry, "limits");
-  if (const KeySyntax* on = entry.find("on")) input.on = values.velocity(on->value);
-  if (const KeySyntax* unit = entry.find("unit"); unit != nullptr && input.on) {
+  input.unit = read_declared_unit(entry, context);
+  input.limits = values.read_interval(entry, "limits");
+  if (const KeySyntax* on = entry.find("on"))
+    input.velocity = values.resolve_velocity_name(on->value);
+  if (const KeySyntax* unit = entry.find("unit"); unit != nullptr && input.velocity) {
     check_input_unit(context, input, unit->value);
   }
 }
@@ -151,26 +151,26 @@ void read_arguments(ValueReader& values, const EntrySyntax& entry, std::uint32_t
   if (of == nullptr) return;
   Context& context = values.context();
   const std::size_t count = of->value.items.size();
-  if (count == 0 || count > most_arguments) {
+  if (count == 0 || count > max_open_arguments) {
     context.report.add(Reason::wrong_list_length, of->value.span,
                        count_text(count, "argument") + ", but a function has 1 to " +
-                           std::to_string(most_arguments));
+                           std::to_string(max_open_arguments));
   }
-  const Place place{"an argument of a function", place::of_state};
-  std::vector<ExpressionId> arguments = values.roots(of->value, {place});
+  const ExpressionRole place{"an argument of a function", place::state_terms};
+  std::vector<ExpressionId> arguments = values.read_roots(of->value, {place});
   if (std::ranges::count(arguments, no_expression) == 0) {
     context.function_expressions[function_name(entry)].arguments = arguments;
   }
-  if (closure_of(context, entry) != nullptr || arguments.empty()) return;
+  if (find_function_replacement(context, entry) != nullptr || arguments.empty()) return;
   context.model.functions[target].arguments = std::move(arguments);
 }
 
 void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
-  const std::optional<Unit> unit = unit_of(entry, context);
-  const RootRequest request{{"the expression of a function", place::of_state}, unit};
+  const std::optional<Unit> unit = read_declared_unit(entry, context);
+  const RootRequest request{{"the expression of a function", place::state_terms}, unit};
   ExpressionId& value = context.function_expressions[function_name(entry)].value;
-  const Closure* closure = closure_of(context, entry);
+  const FunctionReplacement* closure = find_function_replacement(context, entry);
   if (closure == nullptr) {
     OpenFunction& function = context.model.functions[target];
     function.unit = unit;
@@ -178,18 +178,18 @@ void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
     return;
   }
   NamedExpression& definition = context.model.definitions[target];
-  definition.value = closure->is_of_scene ? values.scene_value(*closure->value, request)
+  definition.value = closure->is_of_scene ? values.read_scene_value(*closure->value, request)
                                           : values.root(*closure->value, request);
   value = definition.value;
 }
 
 void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   Context& context = values.context();
-  const std::optional<Unit> unit = unit_of(entry, context);
+  const std::optional<Unit> unit = read_declared_unit(entry, context);
   context.prescribed_units.resize(context.model.prescribed.size());
   context.prescribed_units[target] = unit;
   NamedExpression& prescribed = context.model.prescribed[target];
-  const Place place{"a prescribed function", place::of_time};
+  const ExpressionRole place{"a prescribed function", place::time_terms};
   prescribed.value = values.root(entry, "value", {place, unit}).value_or(no_expression);
 }
 

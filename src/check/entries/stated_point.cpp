@@ -14,20 +14,20 @@ namespace elgen {
 namespace {
 
 /// True if `name` denotes the variable `full_name`: both "q" and "q[2]" denote q[2].
-bool is_named(const std::string& full_name, std::string_view name) {
+bool denotes_variable(const std::string& full_name, std::string_view name) {
   return full_name == name || full_name.substr(0, full_name.find('[')) == name;
 }
 
 template <class Entries>
-std::vector<std::uint32_t> entries_named(const Entries& entries, std::string_view name) {
+std::vector<std::uint32_t> find_indices_by_name(const Entries& entries, std::string_view name) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < entries.size(); ++i) {
-    if (is_named(entries[i].name, name)) found.push_back(i);
+    if (denotes_variable(entries[i].name, name)) found.push_back(i);
   }
   return found;
 }
 
-bool is_of_rotation(const Context& context, const std::string& name) {
+bool names_rotation(const Context& context, const std::string& name) {
   const DeclaredName* symbol = context.symbols.find(name.substr(0, name.find('[')));
   return symbol != nullptr &&
          (symbol->kind == SymbolKind::rotation || symbol->kind == SymbolKind::quaternion_component);
@@ -40,9 +40,9 @@ void report_unknown_variable(Context& context, const PointTable& table, const st
   if (table.takes_inputs) kinds.push_back(SymbolKind::input);
   std::string nouns;
   for (const SymbolKind kind : kinds) {
-    nouns += (nouns.empty() ? "" : " or ") + std::string(noun(kind));
+    nouns += (nouns.empty() ? "" : " or ") + std::string(symbol_noun(kind));
   }
-  context.report.add(table.error_code, span, in_backticks(name) + " is no " + nouns,
+  context.report.add(table.error_code, span, quote_text(name) + " is no " + nouns,
                      context.symbols.suggest(name, context.symbols.names(kinds)));
 }
 
@@ -50,8 +50,8 @@ constexpr PointTable coordinate_table{
     {"a value of `at`", place::parameters_only}, true, false, Code::E612};
 constexpr PointTable input_table{
     {"a value of `inputs`", place::parameters_only}, false, true, Reason::unknown_input};
-constexpr Place condition_place{"a condition", place::parameters_only};
-constexpr Place frequency_place{"a squared frequency", place::parameters_only};
+constexpr ExpressionRole condition_place{"a condition", place::parameters_only};
+constexpr ExpressionRole frequency_place{"a squared frequency", place::parameters_only};
 
 /// Reads { left, sign, right } of the parser; the condition is `excess` > 0 or >= 0.
 Condition read_condition(ValueReader& values, const ValueSyntax& value) {
@@ -60,18 +60,18 @@ Condition read_condition(ValueReader& values, const ValueSyntax& value) {
   const std::string& sign = value.find("sign")->value.text;
   const bool is_left_larger = sign.front() == '>';
   Condition condition;
-  condition.excess = values.root(is_left_larger ? subtraction_syntax(left, right, value.span)
-                                                : subtraction_syntax(right, left, value.span),
-                                 {condition_place});
+  condition.excess = values.read_root(is_left_larger ? difference_syntax(left, right, value.span)
+                                                     : difference_syntax(right, left, value.span),
+                                      {condition_place});
   condition.is_strict = sign.size() == 1;
-  condition.text = one_line(value.text);
+  condition.text = collapse_blanks(value.text);
   return condition;
 }
 
 void read_frequencies(ValueReader& values, const ValueSyntax& list, Equilibrium& equilibrium) {
   Context& context = values.context();
   const Unit unit = power(*find_unit("s"), {-2, 1});
-  equilibrium.frequencies_squared = values.roots(list, {frequency_place, unit});
+  equilibrium.frequencies_squared = values.read_roots(list, {frequency_place, unit});
   const std::size_t count = context.model.velocities.size();
   if (list.items.size() == count) return;
   context.report.add(Code::E517, list.span,
@@ -81,30 +81,31 @@ void read_frequencies(ValueReader& values, const ValueSyntax& list, Equilibrium&
 
 }  // namespace
 
-Variables find_variables(Context& context, const PointTable& table, const std::string& name,
-                         const Span& span) {
-  if (is_of_rotation(context, name)) {
+NamedVariables find_variables(Context& context, const PointTable& table, const std::string& name,
+                              const Span& span) {
+  if (names_rotation(context, name)) {
     context.report.add(table.error_code, span,
-                       in_backticks(name) + " belongs to a rotation, which has no value here",
+                       quote_text(name) + " belongs to a rotation, which has no value here",
                        "omit it: the rotation keeps its orientation");
     return {};
   }
-  Variables found;
-  if (table.takes_coordinates) found.coordinates = entries_named(context.model.coordinates, name);
-  if (table.takes_inputs) found.inputs = entries_named(context.model.inputs, name);
+  NamedVariables found;
+  if (table.takes_coordinates)
+    found.coordinates = find_indices_by_name(context.model.coordinates, name);
+  if (table.takes_inputs) found.inputs = find_indices_by_name(context.model.inputs, name);
   if (found.empty()) report_unknown_variable(context, table, name, span);
   return found;
 }
 
-Variables read_point_value(ValueReader& values, const PointTable& table, const KeySyntax& key,
-                           StatedPoint& point) {
+NamedVariables read_point_value(ValueReader& values, const PointTable& table, const KeySyntax& key,
+                                OperatingPoint& point) {
   Context& context = values.context();
-  const Variables found = find_variables(context, table, key.key, key.key_span);
+  const NamedVariables found = find_variables(context, table, key.key, key.key_span);
   if (found.empty()) return found;
   const Model& model = context.model;
-  const RootRequest request{table.place, found.coordinates.empty()
-                                             ? model.inputs[found.inputs.front()].unit
-                                             : model.coordinates[found.coordinates.front()].unit};
+  const RootRequest request{table.role, found.coordinates.empty()
+                                            ? model.inputs[found.inputs.front()].unit
+                                            : model.coordinates[found.coordinates.front()].unit};
   const ExpressionId value = values.root(key.value, request);
   for (const std::uint32_t i : found.coordinates) {
     point.coordinates[i] = value;

@@ -13,14 +13,14 @@ namespace elgen {
 
 /// A table of values at a point: the names that the table accepts, and the error for other names.
 struct PointTable {
-  Place place = {};  ///< the place of each value
+  ExpressionRole role = {};  ///< the place of each value
   bool takes_coordinates = true;
   bool takes_inputs = true;
   Code error_code = Code::E612;
 };
 
 /// Indices in the Model of the variables that a name denotes: "q": all q[i]; "q[2]": only q[2].
-struct Variables {
+struct NamedVariables {
   std::vector<std::uint32_t> coordinates = {};
   std::vector<std::uint32_t> inputs = {};
 
@@ -29,12 +29,12 @@ struct Variables {
 
 /// The variables that `name` denotes. Empty after an error: the name is unknown, or belongs to a
 /// rotation.
-[[nodiscard]] Variables find_variables(Context& context, const PointTable& table,
-                                       const std::string& name, const Span& span);
+[[nodiscard]] NamedVariables find_variables(Context& context, const PointTable& table,
+                                            const std::string& name, const Span& span);
 
 /// Reads one key of the table into the point, whose lists have the sizes of the model's lists.
 /// Returns the variables that get the value.
-Variables read_point_value(ValueReader& values, const PointTable& table, const KeySyntax& key,
-                           StatedPoint& point);
+NamedVariables read_point_value(ValueReader& values, const PointTable& table, const KeySyntax& key,
+                                OperatingPoint& point);
 
 }  // namespace elgen

@@ -16,16 +16,16 @@ namespace elgen {
 namespace {
 
 /// An array of tables; `add` appends the row of an entry to the Model.
-struct EntryKind {
+struct EntryDeclarationRule {
   std::string_view entry;
   SymbolKind kind;
   std::uint32_t (*add)(Model& model, const EntrySyntax& entry, const NewName& name);
 };
 
-constexpr std::array<EntryKind, 11> entry_kinds{{
+constexpr std::array<EntryDeclarationRule, 11> entry_kinds{{
     {"coordinate", SymbolKind::coordinate,
      [](Model& model, const EntrySyntax& entry, const NewName& name) {
-       return append_coordinate(model, row_of<Coordinate>(entry, name));
+       return append_coordinate(model, make_row<Coordinate>(entry, name));
      }},
     {"function", SymbolKind::open_value, nullptr},  // declare_function adds it
     {"prescribed", SymbolKind::prescribed, append_row<&Model::prescribed>},
@@ -39,39 +39,39 @@ constexpr std::array<EntryKind, 11> entry_kinds{{
     {"equilibrium", SymbolKind::equilibrium, append_row<&Model::equilibria>},
 }};
 
-const EntryKind* find_kind(std::string_view entry) {
-  const auto found = std::ranges::find(entry_kinds, entry, &EntryKind::entry);
+const EntryDeclarationRule* find_declaration_rule(std::string_view entry) {
+  const auto found = std::ranges::find(entry_kinds, entry, &EntryDeclarationRule::entry);
   return found == entry_kinds.end() ? nullptr : &*found;
 }
 
 /// The namespace in which a name of this kind must be unique.
-DeclaredNames& namespace_of(Context& context, SymbolKind kind) {
+SymbolTable& namespace_of(Context& context, SymbolKind kind) {
   if (kind == SymbolKind::frame) return context.frames;
   return kind == SymbolKind::equilibrium ? context.equilibria : context.symbols;
 }
 
 /// Sets the dimension of a point to 2 if `at` has two components, before expressions are resolved.
-void note_dimension(Model& model, const EntrySyntax& entry, std::uint32_t point) {
+void set_point_dimension(Model& model, const EntrySyntax& entry, std::uint32_t point) {
   const KeySyntax* at = entry.find("at");
   if (at != nullptr && at->value.items.size() == 2) model.points[point].dimension = 2;
 }
 
-class Expander {
+class EntryExpander {
  public:
-  explicit Expander(Context& context) : context_(context) {}
+  explicit EntryExpander(Context& context) : context_(context) {}
 
-  void expand(const EntrySyntax& entry) {
-    const EntryKind* kind = find_kind(entry.name);
+  void expand_entry(const EntrySyntax& entry) {
+    const EntryDeclarationRule* kind = find_declaration_rule(entry.name);
     if (kind == nullptr) return;
     const KeySyntax* repetition = entry.find("for");
-    Scope scope(context_.sizes);
+    IndexScope scope(context_.sizes);
     if (repetition == nullptr) {
       add_instance(entry, *kind, scope);
       return;
     }
     const std::vector<RangeSyntax> ranges = read_repetition(repetition->value);
-    const bool complete =
-        repeat(ranges, scope, context_.report, [&] { return add_instance(entry, *kind, scope); });
+    const bool complete = for_each_index_tuple(ranges, scope, context_.report,
+                                               [&] { return add_instance(entry, *kind, scope); });
     const KeySyntax* name = entry.find("name");
     if (!complete && name != nullptr) {
       context_.symbols.mark_failed(name->value.expression.text);
@@ -80,25 +80,25 @@ class Expander {
   }
 
   void declare_definition(const KeySyntax& key) {
-    if (!within_limits(SymbolKind::definition, key.key_span)) return;
+    if (!count_instance(SymbolKind::definition, key.key_span)) return;
     std::vector<NamedExpression>& definitions = context_.model.definitions;
     const auto target = static_cast<std::uint32_t>(definitions.size());
     const NewName name{key.key, {}, key.key_span};
     if (context_.symbols.declare(name, SymbolKind::definition, target, context_.report)) {
-      definitions.push_back(row_of<NamedExpression>({}, name));
+      definitions.push_back(make_row<NamedExpression>({}, name));
     }
   }
 
-  std::vector<Instance> take() { return std::move(instances_); }
+  std::vector<EntryInstance> take_instances() { return std::move(instances_); }
 
  private:
   /// Counts one instance. False after E906 or E907, if a limit is exceeded.
-  bool within_limits(SymbolKind kind, const Span& span) {
+  bool count_instance(SymbolKind kind, const Span& span) {
     const bool is_coordinate = kind == SymbolKind::coordinate;
     const std::uint64_t limit =
         is_coordinate ? context_.limits.coordinates : context_.limits.definitions;
     if (++(is_coordinate ? coordinates_ : definitions_) <= limit) return true;
-    if (!std::exchange(context_.beyond_limits, true)) {
+    if (!std::exchange(context_.is_beyond_limits, true)) {
       context_.report.add(is_coordinate ? Code::E906 : Code::E907, span,
                           "more than " + std::to_string(limit) +
                               (is_coordinate ? " coordinates" : " entries after repetition"));
@@ -107,23 +107,24 @@ class Expander {
   }
 
   /// Adds one instance of an entry. False if the expansion should stop.
-  bool add_instance(const EntrySyntax& entry, const EntryKind& kind, const Scope& scope) {
+  bool add_instance(const EntrySyntax& entry, const EntryDeclarationRule& kind,
+                    const IndexScope& scope) {
     NewName name;
     name.span = entry.span;
     const KeySyntax* key = entry.find("name");
     if (key != nullptr && !read_new_name(key->value, scope, name)) return false;
-    if (!within_limits(kind.kind, name.span)) return false;
+    if (!count_instance(kind.kind, name.span)) return false;
     if (is_rotation(entry)) {
-      return add_declared(entry, scope, declare_rotation(context_, entry, name));
+      return add_declared_instance(entry, scope, declare_rotation(context_, entry, name));
     }
     if (is_wrench_input(entry)) {
-      return add_declared(entry, scope, declare_wrench_input(context_, entry, name));
+      return add_declared_instance(entry, scope, declare_wrench_input(context_, entry, name));
     }
     if (kind.kind == SymbolKind::open_value) {
-      return add_declared(entry, scope, declare_function(context_, entry, name));
+      return add_declared_instance(entry, scope, declare_function(context_, entry, name));
     }
     const std::uint32_t target = kind.add(context_.model, entry, name);
-    if (kind.kind == SymbolKind::point) note_dimension(context_.model, entry, target);
+    if (kind.kind == SymbolKind::point) set_point_dimension(context_.model, entry, target);
     instances_.push_back({&entry, scope, target});
     return key == nullptr ||
            namespace_of(context_, kind.kind).declare(name, kind.kind, target, context_.report);
@@ -131,24 +132,24 @@ class Expander {
 
   /// Adds the instance of an entry that has declared its own names; false after a failed
   /// declaration.
-  bool add_declared(const EntrySyntax& entry, const Scope& scope,
-                    const std::optional<std::uint32_t>& target) {
+  bool add_declared_instance(const EntrySyntax& entry, const IndexScope& scope,
+                             const std::optional<std::uint32_t>& target) {
     if (target) {
       instances_.push_back({&entry, scope, *target});
     }
     return target.has_value();
   }
 
-  bool read_new_name(const ValueSyntax& value, const Scope& scope, NewName& name) {
+  bool read_new_name(const ValueSyntax& value, const IndexScope& scope, NewName& name) {
     name.base = value.expression.text;
     name.span = value.span;
     if (value.expression.operands.empty()) return true;
-    name.index = integer_value(value.expression.operands.front(), scope, context_.report);
+    name.index = evaluate_integer(value.expression.operands.front(), scope, context_.report);
     return name.index.has_value();
   }
 
   Context& context_;
-  std::vector<Instance> instances_;
+  std::vector<EntryInstance> instances_;
   std::uint64_t coordinates_ = 0;
   std::uint64_t definitions_ = 0;  ///< all instances except coordinates
 };
@@ -160,8 +161,8 @@ void check_indices(Context& context, const EntrySyntax& entry) {
   for (const RangeSyntax& range : read_repetition(repetition->value)) {
     if (const DeclaredName* symbol = context.symbols.find(range.index)) {
       context.report.add({Code::E203, range.index_span,
-                          "the running index " + in_backticks(range.index) + " is also " +
-                              with_article(noun(symbol->kind)),
+                          "the running index " + quote_text(range.index) + " is also " +
+                              with_article(symbol_noun(symbol->kind)),
                           "", symbol->span, "declared here"});
     }
   }
@@ -169,8 +170,8 @@ void check_indices(Context& context, const EntrySyntax& entry) {
 
 }  // namespace
 
-std::vector<Instance> expand_entries(Context& context, const FileSyntax& syntax) {
-  Expander expander(context);
+std::vector<EntryInstance> expand_entries(Context& context, const FileSyntax& syntax) {
+  EntryExpander expander(context);
   for (const EntrySyntax& entry : syntax.entries) {
     for (const KeySyntax& key : entry.keys) {
       if (entry.name == "parameters") {
@@ -179,11 +180,11 @@ std::vector<Instance> expand_entries(Context& context, const FileSyntax& syntax)
         expander.declare_definition(key);
       }
     }
-    expander.expand(entry);
+    expander.expand_entry(entry);
   }
   // Indices are checked last, because now all names are known.
   for (const EntrySyntax& entry : syntax.entries) check_indices(context, entry);
-  return expander.take();
+  return expander.take_instances();
 }
 
 }  // namespace elgen

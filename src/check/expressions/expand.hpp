@@ -11,9 +11,9 @@ namespace elgen {
 
 /// One entry of the file for one combination of running indices; `target` is its index in the
 /// Model.
-struct Instance {
+struct EntryInstance {
   const EntrySyntax* entry = nullptr;
-  Scope scope;
+  IndexScope scope;
   std::uint32_t target = 0;
 };
 
@@ -21,6 +21,6 @@ struct Instance {
 /// coordinate, point, … to the Model for each instance. E2xx, E906, E907.
 ///
 ///     [[point]] for = "i in 1..2", name = "p[i]"   ->   p[1] with i = 1, p[2] with i = 2
-[[nodiscard]] std::vector<Instance> expand_entries(Context& context, const FileSyntax& syntax);
+[[nodiscard]] std::vector<EntryInstance> expand_entries(Context& context, const FileSyntax& syntax);
 
 }  // namespace elgen

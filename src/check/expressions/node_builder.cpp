@@ -12,7 +12,7 @@ namespace elgen {
 ExpressionId NodeBuilder::push(Expression node) {
   node.span = span_;
   (void)context_.append_node(std::move(node));
-  return context_.last();
+  return context_.last_node();
 }
 
 bool NodeBuilder::is_number(ExpressionId id, int value) const {
@@ -29,7 +29,7 @@ ExpressionId NodeBuilder::leaf(Opcode kind, std::uint32_t index) {
   return push({.kind = ExpressionKind::leaf, .leaf = kind, .index = index});
 }
 
-ExpressionId NodeBuilder::named(NamedKind kind, std::uint32_t index, std::uint32_t component) {
+ExpressionId NodeBuilder::name_node(NamedKind kind, std::uint32_t index, std::uint32_t component) {
   return push(
       {.kind = ExpressionKind::named, .named = kind, .index = index, .component = component});
 }
@@ -152,18 +152,18 @@ Matrix3 NodeBuilder::identity() {
           no_expression, no_expression, one};
 }
 
-Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame) {
+Matrix3 frame_rotation_matrix(NodeBuilder& nodes, std::uint32_t frame) {
   Matrix3 result{};
   for (std::uint32_t k = 0; k < 9; ++k) {
-    result[k] = nodes.named(NamedKind::frame, frame, k);
+    result[k] = nodes.name_node(NamedKind::frame, frame, k);
   }
   return result;
 }
 
-Vector3 vector_of(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first) {
+Vector3 frame_vector(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first) {
   Vector3 result{};
   for (std::uint32_t k = 0; k < 3; ++k) {
-    result[k] = nodes.named(NamedKind::frame, frame, first + k);
+    result[k] = nodes.name_node(NamedKind::frame, frame, first + k);
   }
   return result;
 }
@@ -172,8 +172,8 @@ Vector3 change_axes(NodeBuilder& nodes, const Vector3& x, std::optional<std::uin
                     std::optional<std::uint32_t> to) {
   if (from == to) return x;
   Vector3 result = x;
-  if (from) result = nodes.apply(rotation_of(nodes, *from), result);
-  if (to) result = nodes.apply_transposed(rotation_of(nodes, *to), result);
+  if (from) result = nodes.apply(frame_rotation_matrix(nodes, *from), result);
+  if (to) result = nodes.apply_transposed(frame_rotation_matrix(nodes, *to), result);
   return result;
 }
 

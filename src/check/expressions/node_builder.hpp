@@ -21,7 +21,7 @@ class NodeBuilder {
 
   ExpressionId number(const cln::cl_RA& value);
   ExpressionId leaf(Opcode kind, std::uint32_t index);
-  ExpressionId named(NamedKind kind, std::uint32_t index, std::uint32_t component);
+  ExpressionId name_node(NamedKind kind, std::uint32_t index, std::uint32_t component);
   ExpressionId negate(ExpressionId a);
   ExpressionId add(const std::vector<ExpressionId>& terms);
   ExpressionId subtract(ExpressionId a, ExpressionId b);
@@ -51,8 +51,8 @@ class NodeBuilder {
 
 /// Nodes that refer by name to the entries of a frame's rotation matrix (rotation_of), or to the
 /// frame's three components from `first` on (vector_of).
-[[nodiscard]] Matrix3 rotation_of(NodeBuilder& nodes, std::uint32_t frame);
-[[nodiscard]] Vector3 vector_of(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first);
+[[nodiscard]] Matrix3 frame_rotation_matrix(NodeBuilder& nodes, std::uint32_t frame);
+[[nodiscard]] Vector3 frame_vector(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first);
 
 /// R_to^T R_from x: the vector x, converted from the axes of `from` to the axes of `to` (none:
 /// world axes).

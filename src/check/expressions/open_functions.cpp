@@ -23,7 +23,7 @@ std::vector<const EntrySyntax*> functions_of(const FileSyntax& model) {
   return functions;
 }
 
-void close_by_scene(Context& context, const FileSyntax& model, const FileSyntax& scene) {
+void replace_by_scene(Context& context, const FileSyntax& model, const FileSyntax& scene) {
   std::vector<std::string> names;
   for (const EntrySyntax* function : functions_of(model)) names.push_back(function_name(*function));
   for (const EntrySyntax& entry : scene.entries) {
@@ -31,33 +31,33 @@ void close_by_scene(Context& context, const FileSyntax& model, const FileSyntax&
     for (const KeySyntax& key : entry.keys) {
       if (std::ranges::find(names, key.key) == names.end()) {
         context.report.add(Reason::unknown_function_key, key.key_span,
-                           "unknown function " + in_backticks(key.key), suggestion(key.key, names));
+                           "unknown function " + quote_text(key.key), suggestion(key.key, names));
       } else {
-        context.closures[key.key] = {&key.value, true};
+        context.function_replacements[key.key] = {&key.value, true};
       }
     }
   }
 }
 
-void close_by_sample(Context& context, const EntrySyntax& function) {
+void replace_by_sample(Context& context, const EntrySyntax& function) {
   const std::string name = function_name(function);
-  if (name.empty() || context.closures.count(name) > 0) return;
+  if (name.empty() || context.function_replacements.count(name) > 0) return;
   const KeySyntax* sample = function.find("sample");
   if (sample == nullptr) {
     context.report.add(Code::E633, function.find("name")->value.span,
-                       in_backticks(name) + " is left open, but a run needs its values",
+                       quote_text(name) + " is left open, but a run needs its values",
                        "give it a `sample`, or an expression in `[functions]` of a scene");
     return;
   }
-  context.closures[name] = {&sample->value, false};
+  context.function_replacements[name] = {&sample->value, false};
   context.report.add(Code::E634, sample->value.span,
-                     in_backticks(name) + " is " + in_backticks(sample->value.span) +
+                     quote_text(name) + " is " + in_backticks(sample->value.span) +
                          " here, which is its `sample`");
 }
 
 /// Argument indices of the first and second derivatives of a function of n arguments, in the order
 /// of declaration.
-std::vector<std::vector<std::uint32_t>> derivatives(std::uint32_t n) {
+std::vector<std::vector<std::uint32_t>> derivative_indices(std::uint32_t n) {
   std::vector<std::vector<std::uint32_t>> all;
   for (std::uint32_t i = 0; i < n; ++i) all.push_back({i});
   for (std::uint32_t i = 0; i < n; ++i) {
@@ -77,16 +77,16 @@ std::string derivative_name(const std::string& function, const std::vector<std::
 std::uint32_t argument_count(const EntrySyntax& entry) {
   const KeySyntax* of = entry.find("of");
   const std::size_t given = of == nullptr ? 0 : of->value.items.size();
-  return static_cast<std::uint32_t>(std::min(given, most_arguments));
+  return static_cast<std::uint32_t>(std::min(given, max_open_arguments));
 }
 
-std::uint32_t append_value(Model& model, std::string name, std::uint32_t function,
-                           std::vector<std::uint32_t> by) {
+std::uint32_t append_open_value(Model& model, std::string name, std::uint32_t function,
+                                std::vector<std::uint32_t> by) {
   OpenValue value;
   value.identifier = name;
   value.name = std::move(name);
   value.function = function;
-  value.by = std::move(by);
+  value.derivative_arguments = std::move(by);
   model.open_values.push_back(std::move(value));
   return static_cast<std::uint32_t>(model.open_values.size() - 1);
 }
@@ -102,10 +102,10 @@ bool names_closed_derivative(const Context& context, const ExpressionSyntax& exp
 }
 
 /// A coordinate, a rate or the time.
-using ReadVariable = std::pair<Opcode, std::uint32_t>;
+using VariableId = std::pair<Opcode, std::uint32_t>;
 
-void add_rates(const Model& model, const Expression& differentiated, std::set<ReadVariable>& all) {
-  for (const ExpressionId id : reachable_from(model, differentiated.operands)) {
+void add_rates(const Model& model, const Expression& differentiated, std::set<VariableId>& all) {
+  for (const ExpressionId id : reachable_expressions(model, differentiated.operands)) {
     const Expression& e = model.expressions[id];
     if (!is_leaf(e, Opcode::coordinate)) continue;
     all.insert({Opcode::velocity, model.coordinates[e.index].velocity});
@@ -115,10 +115,10 @@ void add_rates(const Model& model, const Expression& differentiated, std::set<Re
 /// The variables on which an expression depends. d/dt e depends on the rates of the coordinates in
 /// e, and perhaps on these coordinates: d/dt x^2 does, d/dt x does not. The coordinates are
 /// included only if `include_rate_arguments`.
-std::set<ReadVariable> variables_read_by(const Model& model, ExpressionId root,
-                                         bool include_rate_arguments) {
+std::set<VariableId> find_dependencies(const Model& model, ExpressionId root,
+                                       bool include_rate_arguments) {
   constexpr LeafSet kinds = Opcode::coordinate | Opcode::velocity | Opcode::time;
-  std::set<ReadVariable> all;
+  std::set<VariableId> all;
   std::set<ExpressionId> seen;
   std::vector<ExpressionId> left{root};
   while (!left.empty()) {
@@ -142,27 +142,28 @@ std::string function_name(const EntrySyntax& function) {
   return name == nullptr ? "" : name->value.expression.text;
 }
 
-void read_closures(Context& context, const FileSyntax& model, const FileSyntax* scene,
-                   const SceneOptions& options) {
-  if (scene != nullptr) close_by_scene(context, model, *scene);
-  if (!options.purpose.closes_functions) return;
-  for (const EntrySyntax* function : functions_of(model)) close_by_sample(context, *function);
+void read_function_replacements(Context& context, const FileSyntax& model, const FileSyntax* scene,
+                                const SceneOptions& options) {
+  if (scene != nullptr) replace_by_scene(context, model, *scene);
+  if (!options.purpose.samples_open_functions) return;
+  for (const EntrySyntax* function : functions_of(model)) replace_by_sample(context, *function);
 }
 
-const Closure* closure_of(const Context& context, const EntrySyntax& function) {
-  const auto found = context.closures.find(function_name(function));
-  return found == context.closures.end() ? nullptr : &found->second;
+const FunctionReplacement* find_function_replacement(const Context& context,
+                                                     const EntrySyntax& function) {
+  const auto found = context.function_replacements.find(function_name(function));
+  return found == context.function_replacements.end() ? nullptr : &found->second;
 }
 
 std::optional<std::uint32_t> declare_function(Context& context, const EntrySyntax& entry,
                                               const NewName& name) {
   if (name.index) {
     context.report.add(Code::E205, name.span,
-                       in_backticks(name.text()) + " has an index, but an open function has none");
+                       quote_text(name.text()) + " has an index, but an open function has none");
     context.symbols.mark_failed(name.base);
     return std::nullopt;
   }
-  const bool is_closed = closure_of(context, entry) != nullptr;
+  const bool is_closed = find_function_replacement(context, entry) != nullptr;
   Model& model = context.model;
   const std::uint32_t target = is_closed ? append_row<&Model::definitions>(model, entry, name)
                                          : append_row<&Model::functions>(model, entry, name);
@@ -170,16 +171,16 @@ std::optional<std::uint32_t> declare_function(Context& context, const EntrySynta
   const auto declare = [&](const std::string& text, SymbolKind kind, std::uint32_t number) {
     return context.symbols.declare({text, {}, name.span}, kind, number, context.report);
   };
-  const std::uint32_t number = is_closed ? target : append_value(model, name.base, target, {});
+  const std::uint32_t number = is_closed ? target : append_open_value(model, name.base, target, {});
   bool is_declared =
       declare(name.base, is_closed ? SymbolKind::definition : SymbolKind::open_value, number);
-  for (const std::vector<std::uint32_t>& by : derivatives(argument_count(entry))) {
+  for (const std::vector<std::uint32_t>& by : derivative_indices(argument_count(entry))) {
     const std::string text = derivative_name(name.base, by);
     // A refused function is reported once; its derivatives are not reported as unknown names.
     if (!is_declared) context.symbols.mark_failed(text);
     is_declared = is_declared && (is_closed ? declare(text, SymbolKind::closed_derivative, 0)
                                             : declare(text, SymbolKind::open_derivative,
-                                                      append_value(model, text, target, by)));
+                                                      append_open_value(model, text, target, by)));
   }
   if (!is_declared) return std::nullopt;
   return target;
@@ -188,17 +189,17 @@ std::optional<std::uint32_t> declare_function(Context& context, const EntrySynta
 void check_function_expressions(Context& context) {
   const Model& model = context.model;
   for (const auto& [name, function] : context.function_expressions) {
-    std::set<ReadVariable> known;
+    std::set<VariableId> known;
     for (const ExpressionId argument : function.arguments) {
-      known.merge(variables_read_by(model, argument, true));
+      known.merge(find_dependencies(model, argument, true));
     }
     const Span& span = model.expressions[function.value].span;
-    for (const ReadVariable& read : variables_read_by(model, function.value, false)) {
+    for (const VariableId& read : find_dependencies(model, function.value, false)) {
       if (known.count(read) > 0 || function.arguments.empty()) continue;
       context.report.add(Code::E319, span,
                          in_backticks(span) + " depends on " +
-                             in_backticks(leaf_text(model, read.first, read.second)) +
-                             ", but no argument of " + in_backticks(name) + " does",
+                             quote_text(leaf_text(model, read.first, read.second)) +
+                             ", but no argument of " + quote_text(name) + " does",
                          "`of` lists every argument of the function");
     }
   }

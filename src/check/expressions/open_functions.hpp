@@ -20,11 +20,12 @@ namespace elgen {
 /// Fills Context::closures from [functions] of the scene; E201 for an unknown function. If the
 /// options require it, all other functions are replaced by their samples (note E634; E633 without a
 /// sample). `scene` may be null.
-void read_closures(Context& context, const FileSyntax& model, const FileSyntax* scene,
-                   const SceneOptions& options);
+void read_function_replacements(Context& context, const FileSyntax& model, const FileSyntax* scene,
+                                const SceneOptions& options);
 
 /// The closure of a [[function]]; null if the function stays open.
-[[nodiscard]] const Closure* closure_of(const Context& context, const EntrySyntax& function);
+[[nodiscard]] const FunctionReplacement* find_function_replacement(const Context& context,
+                                                                   const EntrySyntax& function);
 
 /// Declares the names of the function and of its derivatives. Adds an open function with its values
 /// to the Model, or a definition for a closed function. Returns the index of the open function or

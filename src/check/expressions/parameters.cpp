@@ -10,8 +10,8 @@ namespace elgen {
 namespace {
 
 void declare_size(Context& context, const KeySyntax& key) {
-  const Scope nothing(context.sizes);
-  const auto value = integer_value(key.value.expression, nothing, context.report);
+  const IndexScope nothing(context.sizes);
+  const auto value = evaluate_integer(key.value.expression, nothing, context.report);
   if (!value) return;
   (void)context.symbols.declare({key.key, {}, key.key_span}, SymbolKind::size, 0, context.report);
   context.sizes[key.key] = *value;  // also if the name is refused: indices may use it
@@ -19,7 +19,7 @@ void declare_size(Context& context, const KeySyntax& key) {
 
 void override_size(Context& context, const KeySyntax& key) {
   const Sizes nothing;
-  const auto value = integer_value(key.value.expression, Scope(nothing), context.report);
+  const auto value = evaluate_integer(key.value.expression, IndexScope(nothing), context.report);
   const auto found = context.sizes.find(key.key);
   if (found != context.sizes.end()) {
     found->second = value.value_or(found->second);
@@ -27,7 +27,7 @@ void override_size(Context& context, const KeySyntax& key) {
   }
   std::vector<std::string> names;
   for (const auto& [name, size] : context.sizes) names.push_back(name);
-  context.report.add(Code::E605, key.key_span, "unknown size " + in_backticks(key.key),
+  context.report.add(Code::E605, key.key_span, "unknown size " + quote_text(key.key),
                      suggestion(key.key, names));
 }
 
@@ -49,7 +49,7 @@ class ParameterReader {
     }
     array_.latex = text_value(value, "latex");
     array_.doc = text_value(value, "doc");
-    read_unit_of(value);
+    read_parameter_unit(value);
     const Assumption assumption = assumption_of(value);
     for (std::uint32_t i = 0; i < array_.count; ++i) element(i).assumption = assumption;
     read_range(value);
@@ -59,7 +59,7 @@ class ParameterReader {
  private:
   Parameter& element(std::uint32_t i) { return context_.model.parameters[array_.first + i]; }
 
-  void read_unit_of(const ValueSyntax& table) {
+  void read_parameter_unit(const ValueSyntax& table) {
     const KeySyntax* key = table.find("unit");
     if (key == nullptr) return;
     array_.unit_text = key->value.text;
@@ -76,7 +76,7 @@ class ParameterReader {
     const KeySyntax* low = table.find("min");
     const KeySyntax* high = table.find("max");
     const auto end = [&](const KeySyntax* key) {
-      return key == nullptr ? std::nullopt : values_.constant(key->value);
+      return key == nullptr ? std::nullopt : values_.read_constant(key->value);
     };
     const auto minimum = end(low);
     const auto maximum = end(high);
@@ -92,30 +92,30 @@ class ParameterReader {
 
   void read_values(const ValueSyntax& value) {
     if (value.kind != ValueKind::list) {
-      if (const auto number = values_.constant_with_form(value)) {
-        for (std::uint32_t i = 0; i < array_.count; ++i) set(i, *number, value.span);
+      if (const auto number = values_.read_exact_constant(value)) {
+        for (std::uint32_t i = 0; i < array_.count; ++i) set_element(i, *number, value.span);
       }
       return;
     }
     if (!array_.is_array || value.items.size() != array_.count) {
       context_.report.add(Reason::wrong_list_length, value.span,
                           count_text(value.items.size(), "value") + ", but " +
-                              in_backticks(array_.name) + " has " +
+                              quote_text(array_.name) + " has " +
                               (array_.is_array ? "size " + std::to_string(array_.count)
                                                : std::string("no `size`")));
       return;
     }
     for (std::uint32_t i = 0; i < array_.count; ++i) {
-      if (const auto number = values_.constant_with_form(value.items[i])) {
-        set(i, *number, value.items[i].span);
+      if (const auto number = values_.read_exact_constant(value.items[i])) {
+        set_element(i, *number, value.items[i].span);
       }
     }
   }
 
-  void set(std::uint32_t i, const FixedValue& value, const Span& span) {
+  void set_element(std::uint32_t i, const FixedValue& value, const Span& span) {
     element(i).value = value.number;
-    element(i).form = value.form;
-    check_value(context_, array_.first + i, value.number, span);
+    element(i).exact_expression = value.exact_expression;
+    check_parameter_value(context_, array_.first + i, value.number, span);
   }
 
   Context& context_;
@@ -125,10 +125,10 @@ class ParameterReader {
 
 }  // namespace
 
-void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& value,
-                 const Span& span) {
+void check_parameter_value(Context& context, std::uint32_t parameter, const cln::cl_R& value,
+                           const Span& span) {
   const Parameter& row = context.model.parameters[parameter];
-  const std::string name = in_backticks(context.model.parameter_arrays[row.array].name);
+  const std::string name = quote_text(context.model.parameter_arrays[row.array].name);
   const bool needs_positive = row.assumption == Assumption::positive;
   const bool needs_nonnegative = row.assumption == Assumption::nonnegative;
   if ((needs_positive && value <= 0) || (needs_nonnegative && value < 0)) {
@@ -143,7 +143,8 @@ void check_value(Context& context, std::uint32_t parameter, const cln::cl_R& val
   }
 }
 
-bool add_elements(Context& context, const NewName& array, std::int64_t count, bool is_array) {
+bool append_parameter_array(Context& context, const NewName& array, std::int64_t count,
+                            bool is_array) {
   Model& model = context.model;
   ParameterArray declared;
   declared.name = array.base;
@@ -173,9 +174,9 @@ bool add_elements(Context& context, const NewName& array, std::int64_t count, bo
 
 void read_sizes(Context& context, const FileSyntax& model, const FileSyntax* scene,
                 const SceneOptions& options) {
-  for (const KeySyntax& key : keys_of(&model, "sizes")) declare_size(context, key);
-  for (const KeySyntax& key : keys_of(scene, "sizes")) override_size(context, key);
-  for (const KeySyntax& key : keys_of(context, options.sizes, KeyType::expression)) {
+  for (const KeySyntax& key : entry_keys(&model, "sizes")) declare_size(context, key);
+  for (const KeySyntax& key : entry_keys(scene, "sizes")) override_size(context, key);
+  for (const KeySyntax& key : parse_option_keys(context, options.sizes, KeyType::expression)) {
     override_size(context, key);
   }
 }
@@ -184,7 +185,8 @@ void declare_parameter(Context& context, const KeySyntax& key) {
   const KeySyntax* size = key.value.kind == ValueKind::table ? key.value.find("size") : nullptr;
   std::int64_t count = 1;
   if (size != nullptr) {
-    const auto value = integer_value(size->value.expression, Scope(context.sizes), context.report);
+    const auto value =
+        evaluate_integer(size->value.expression, IndexScope(context.sizes), context.report);
     if (!value) {
       context.symbols.mark_failed(key.key);
       return;
@@ -197,18 +199,18 @@ void declare_parameter(Context& context, const KeySyntax& key) {
       return;
     }
     if (static_cast<std::uint64_t>(count) > context.limits.definitions) {
-      context.beyond_limits = true;
+      context.is_beyond_limits = true;
       context.report.add(Code::E907, size->value.span,
                          std::to_string(count) + " elements, but the limit is " +
                              std::to_string(context.limits.definitions));
       return;
     }
   }
-  (void)add_elements(context, {key.key, {}, key.key_span}, count, size != nullptr);
+  (void)append_parameter_array(context, {key.key, {}, key.key_span}, count, size != nullptr);
 }
 
-std::vector<std::uint32_t> named_parameters(Context& context, const std::string& name,
-                                            const Span& span, const std::string& hint) {
+std::vector<std::uint32_t> find_parameters(Context& context, const std::string& name,
+                                           const Span& span, const std::string& hint) {
   const Model& model = context.model;
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
@@ -219,7 +221,7 @@ std::vector<std::uint32_t> named_parameters(Context& context, const std::string&
   }
   if (found.empty()) {
     const std::vector<std::string> names = context.symbols.names({SymbolKind::parameter});
-    context.report.add(Code::E602, span, "unknown parameter " + in_backticks(name),
+    context.report.add(Code::E602, span, "unknown parameter " + quote_text(name),
                        hint.empty() ? context.symbols.suggest(name, names) : hint);
   }
   return found;
@@ -228,7 +230,7 @@ std::vector<std::uint32_t> named_parameters(Context& context, const std::string&
 void read_parameters(Context& context, const FileSyntax& syntax) {
   std::size_t next = 0;
   std::vector<ParameterArray>& arrays = context.model.parameter_arrays;
-  for (const KeySyntax& key : keys_of(&syntax, "parameters")) {
+  for (const KeySyntax& key : entry_keys(&syntax, "parameters")) {
     if (next < arrays.size() && arrays[next].name == key.key) {
       ParameterReader(context, arrays[next++]).read(key.value);
     }

@@ -45,15 +45,15 @@ constexpr const char* slope_in_energy =
 constexpr const char* commanded_acceleration =
     "for a commanded acceleration a, omit the coordinate and give each mass the force -m*a";
 
-Code code_of(Ingredient ingredient, const Place& place) {
+Code code_of(Ingredient ingredient, const ExpressionRole& place) {
   if (place.error_code == Code::E319 && ingredient == uses_acceleration) return Code::E502;
   if (place.error_code == Code::E319 && ingredient == uses_kink) return Code::E315;
   return place.error_code;
 }
 
 /// Whether the ingredient comes from the node itself, not from one of its operands.
-bool introduces(const Expression& node, const std::vector<Traits>& traits, ExpressionId id,
-                Ingredient ingredient) {
+bool introduces(const Expression& node, const std::vector<ExpressionTraits>& traits,
+                ExpressionId id, Ingredient ingredient) {
   if ((traits[id].ingredients & ingredient) == 0) return false;
   for (const ExpressionId operand : node.operands) {
     if ((traits[operand].ingredients & ingredient) != 0) return false;
@@ -62,7 +62,7 @@ bool introduces(const Expression& node, const std::vector<Traits>& traits, Expre
 }
 
 /// Hint: an allowed way to express the intended quantity; "" if there is none.
-std::string_view alternative_hint(const Place& place, Ingredient ingredient) {
+std::string_view alternative_hint(const ExpressionRole& place, Ingredient ingredient) {
   const bool is_constraint =
       place.noun == place::position_equation || place.noun == place::velocity_equation;
   if (ingredient == uses_kink) return smooth_stand_in;
@@ -77,19 +77,21 @@ std::string_view alternative_hint(const Place& place, Ingredient ingredient) {
   return is_position && ingredient == uses_open_function ? slope_in_energy : "";
 }
 
-void report(Context& context, const WrittenExpression& root, const Expression& node,
-            const IngredientRow& row) {
-  const bool contains = is_name(node, NamedKind::definition) || is_name(node, NamedKind::point) ||
-                        is_name(node, NamedKind::prescribed);
+void report_ingredient(Context& context, const WrittenExpression& root, const Expression& node,
+                       const IngredientRow& row) {
+  const bool contains = refers_to_entry(node, NamedKind::definition) ||
+                        refers_to_entry(node, NamedKind::point) ||
+                        refers_to_entry(node, NamedKind::prescribed);
   std::string message = in_backticks(node.span) + (contains ? " contains " : " is ");
-  message += std::string(row.noun) + ", but " + std::string(root.place.noun) + " takes none";
-  context.report.add(code_of(row.ingredient, root.place), node.span, std::move(message),
-                     std::string(alternative_hint(root.place, row.ingredient)));
+  message += std::string(row.noun) + ", but " + std::string(root.role.noun) + " takes none";
+  context.report.add(code_of(row.ingredient, root.role), node.span, std::move(message),
+                     std::string(alternative_hint(root.role, row.ingredient)));
 }
 
-void check_root(Context& context, const std::vector<Traits>& traits, WrittenExpression& root) {
+void check_root(Context& context, const std::vector<ExpressionTraits>& traits,
+                WrittenExpression& root) {
   const auto excess =
-      static_cast<Ingredients>(traits[root.value].ingredients & ~unsigned{root.place.allowed});
+      static_cast<Ingredients>(traits[root.value].ingredients & ~unsigned{root.role.allowed});
   if (excess == 0) return;
   root.has_forbidden_ingredient = true;
   for (ExpressionId id = root.first; id <= root.value; ++id) {
@@ -97,7 +99,7 @@ void check_root(Context& context, const std::vector<Traits>& traits, WrittenExpr
     for (const IngredientRow& row : ingredient_table) {
       const bool forbidden = (excess & row.ingredient) != 0;
       if (forbidden && introduces(node, traits, id, row.ingredient)) {
-        report(context, root, node, row);
+        report_ingredient(context, root, node, row);
       }
     }
   }
@@ -105,10 +107,10 @@ void check_root(Context& context, const std::vector<Traits>& traits, WrittenExpr
 
 /// E315 for a time derivative of a function with a kink. Places that forbid kinks are skipped:
 /// check_places reports them.
-void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits,
-                          WrittenExpression& root) {
+void check_kink_rates(Context& context, const std::vector<ExpressionTraits>& traits,
+                      WrittenExpression& root) {
   const unsigned kinks = traits[root.value].ingredients & uses_kink;
-  if (kinks == 0 || (root.place.allowed & uses_kink) == 0) return;
+  if (kinks == 0 || (root.role.allowed & uses_kink) == 0) return;
   for (ExpressionId id = root.first; id <= root.value; ++id) {
     const Expression& node = context.model.expressions[id];
     const bool is_rate = node.kind == ExpressionKind::time_derivative;
@@ -120,30 +122,30 @@ void check_rates_of_kinks(Context& context, const std::vector<Traits>& traits,
   }
 }
 
-struct Named {
+struct NamedSpan {
   std::string name;
   Span span;
 };
 
 template <class Row>
-Named name_and_span(const Row& row) {
+NamedSpan make_named_span(const Row& row) {
   return {row.name, row.span};
 }
 
 /// The named entry that a node refers to; none if the node is no name.
-std::optional<Named> entry_of_node(const Model& model, const Expression& node) {
+std::optional<NamedSpan> entry_of_node(const Model& model, const Expression& node) {
   if (node.kind != ExpressionKind::named) return std::nullopt;
   switch (node.named) {
     case NamedKind::definition:
-      return name_and_span(model.definitions[node.index]);
+      return make_named_span(model.definitions[node.index]);
     case NamedKind::prescribed:
-      return name_and_span(model.prescribed[node.index]);
+      return make_named_span(model.prescribed[node.index]);
     case NamedKind::point:
-      return name_and_span(model.points[node.index]);
+      return make_named_span(model.points[node.index]);
     case NamedKind::body:
-      return name_and_span(model.bodies[node.index]);
+      return make_named_span(model.bodies[node.index]);
     case NamedKind::frame:
-      return name_and_span(model.frames[node.index]);
+      return make_named_span(model.frames[node.index]);
   }
   return std::nullopt;
 }
@@ -152,25 +154,27 @@ std::optional<Named> entry_of_node(const Model& model, const Expression& node) {
 
 bool check_cycles(Context& context) {
   const Model& model = context.model;
-  std::vector<Named> cycle;
+  std::vector<NamedSpan> cycle;
   for (const ExpressionId id : find_cycle(model)) {
     if (auto name = entry_of_node(model, model.expressions[id])) cycle.push_back(*std::move(name));
   }
   if (cycle.empty()) return true;
-  const auto earlier = [](const Named& a, const Named& b) { return a.span.begin < b.span.begin; };
+  const auto earlier = [](const NamedSpan& a, const NamedSpan& b) {
+    return a.span.begin < b.span.begin;
+  };
   std::rotate(cycle.begin(), std::ranges::min_element(cycle, earlier), cycle.end());
   std::string text;
-  for (const Named& entry : cycle) text += entry.name + " -> ";
+  for (const NamedSpan& entry : cycle) text += entry.name + " -> ";
   const auto& [first, span] = cycle.front();
   context.report.add(Code::E206, span,
-                     in_backticks(first) + " is defined by itself: " + text + first);
+                     quote_text(first) + " is defined by itself: " + text + first);
   return false;
 }
 
-void check_places(Context& context, const std::vector<Traits>& traits) {
+void check_ingredients(Context& context, const std::vector<ExpressionTraits>& traits) {
   for (WrittenExpression& root : context.roots) {
     check_root(context, traits, root);
-    check_rates_of_kinks(context, traits, root);
+    check_kink_rates(context, traits, root);
   }
 }
 

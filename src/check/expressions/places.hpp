@@ -14,13 +14,13 @@ namespace place {
 
 inline constexpr Ingredients constants_only = 0;
 inline constexpr Ingredients parameters_only = uses_parameter;
-inline constexpr Ingredients of_time = uses_parameter | uses_time;
-inline constexpr Ingredients of_configuration = of_time | uses_coordinate;
-inline constexpr Ingredients of_state = of_configuration | uses_rate;
-inline constexpr Ingredients of_energy = of_state | uses_open_function;
-inline constexpr Ingredients of_dissipation = of_energy | uses_open_rate;
-inline constexpr Ingredients of_force = of_dissipation | uses_input | uses_kink;
-inline constexpr Ingredients anything = of_force | uses_acceleration | uses_open_derivative;
+inline constexpr Ingredients time_terms = uses_parameter | uses_time;
+inline constexpr Ingredients configuration_terms = time_terms | uses_coordinate;
+inline constexpr Ingredients state_terms = configuration_terms | uses_rate;
+inline constexpr Ingredients energy_terms = state_terms | uses_open_function;
+inline constexpr Ingredients dissipation_terms = energy_terms | uses_open_rate;
+inline constexpr Ingredients force_terms = dissipation_terms | uses_input | uses_kink;
+inline constexpr Ingredients all_terms = force_terms | uses_acceleration | uses_open_derivative;
 
 inline constexpr std::string_view position = "a position";
 inline constexpr std::string_view position_equation = "a constraint on positions";
@@ -33,6 +33,6 @@ inline constexpr std::string_view velocity_equation = "a constraint on velocitie
 [[nodiscard]] bool check_cycles(Context& context);
 
 /// Reports each forbidden ingredient at the node that introduces it: E315, E319, E502, E506.
-void check_places(Context& context, const std::vector<Traits>& traits);
+void check_ingredients(Context& context, const std::vector<ExpressionTraits>& traits);
 
 }  // namespace elgen

@@ -18,18 +18,18 @@ namespace {
 
 constexpr std::array composites{
 #define ELGEN_COMPOSITE(name, arity, definition, in_space) \
-  Resolver::Composite{#name, arity, definition, in_space},
+  Resolver::CompositeFunction{#name, arity, definition, in_space},
 #include "check/names/composite_functions.def"
 #undef ELGEN_COMPOSITE
 };
 
-const Resolver::Composite* find_composite(std::string_view name) {
-  const auto found = std::ranges::find(composites, name, &Resolver::Composite::name);
+const Resolver::CompositeFunction* find_composite(std::string_view name) {
+  const auto found = std::ranges::find(composites, name, &Resolver::CompositeFunction::name);
   return found == composites.end() ? nullptr : &*found;
 }
 
 /// The syntax of a definition of the table, parsed at its first use. The table has no errors.
-const ExpressionSyntax& syntax_of(std::string_view definition) {
+const ExpressionSyntax& parse_definition(std::string_view definition) {
   static std::map<std::string_view, ExpressionSyntax> read;
   const auto known = read.find(definition);
   if (known != read.end()) return known->second;
@@ -58,7 +58,7 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
     return function->id == FunctionId::stumpff ? resolve_stumpff(call)
                                                : resolve_function(call, function->id);
   }
-  if (const Composite* composite = find_composite(call.text)) {
+  if (const CompositeFunction* composite = find_composite(call.text)) {
     return resolve_composite(call, *composite);
   }
 #define ELGEN_EXPANDED(name, rule) \
@@ -70,24 +70,24 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
   const bool converts_degrees =
       call.text == "deg" || call.text == "radians" || call.text == "deg2rad";
   context_.report.add(
-      Code::E202, call.span, "unknown function " + in_backticks(call.text),
+      Code::E202, call.span, "unknown function " + quote_text(call.text),
       converts_degrees ? std::string(degrees_hint) : suggestion(call.text, function_names()));
   return std::nullopt;
 }
 
-bool Resolver::has_arity(const ExpressionSyntax& call, std::size_t arity) {
+bool Resolver::check_arity(const ExpressionSyntax& call, std::size_t arity) {
   if (call.operands.size() == arity) return true;
   const std::size_t count = call.operands.size();
   context_.report.add(Code::E309, call.span,
-                      count_text(count, "argument") + ", but " + in_backticks(call.text) +
-                          " takes " + std::to_string(arity));
+                      count_text(count, "argument") + ", but " + quote_text(call.text) + " takes " +
+                          std::to_string(arity));
   return false;
 }
 
 std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& call,
                                                        FunctionId function) {
-  if (!has_arity(call, function_row(function).arity)) return std::nullopt;
-  std::optional<Operands> operands = resolve_all(call.operands);
+  if (!check_arity(call, function_row(function).arity)) return std::nullopt;
+  std::optional<Operands> operands = resolve_operands(call.operands);
   if (!operands) return std::nullopt;
   return push({.kind = ExpressionKind::function,
                .function = function,
@@ -98,9 +98,9 @@ std::optional<ExpressionId> Resolver::resolve_function(const ExpressionSyntax& c
 /// stumpff(x, k); for k = 0 this is cos(x).
 std::optional<ExpressionId> Resolver::resolve_stumpff(const ExpressionSyntax& call) {
   constexpr std::int64_t largest_order = 40;
-  if (!has_arity(call, 2)) return std::nullopt;
+  if (!check_arity(call, 2)) return std::nullopt;
   const ExpressionSyntax& order = call.operands[1];
-  const auto k = integer_value(order, scope_, context_.report);
+  const auto k = evaluate_integer(order, scope_, context_.report);
   if (!k) return std::nullopt;
   if (std::abs(*k) > largest_order) {
     const std::string most = std::to_string(largest_order);
@@ -125,17 +125,18 @@ std::optional<ExpressionId> Resolver::resolve_stumpff(const ExpressionSyntax& ca
 }
 
 std::optional<ExpressionId> Resolver::resolve_composite(const ExpressionSyntax& call,
-                                                        const Composite& composite) {
-  if (!has_arity(call, composite.arity)) return std::nullopt;
-  if (composite.in_space.empty())
-    return resolve(substitute_arguments(syntax_of(composite.definition), call));
-  const std::optional<std::uint32_t> dimension = common_dimension(call);
+                                                        const CompositeFunction& composite) {
+  if (!check_arity(call, composite.arity)) return std::nullopt;
+  if (composite.spatial_definition.empty())
+    return resolve(substitute_arguments(parse_definition(composite.definition), call));
+  const std::optional<std::uint32_t> dimension = require_common_dimension(call);
   if (!dimension) return std::nullopt;
   return resolve(substitute_arguments(
-      syntax_of(*dimension == 3 ? composite.in_space : composite.definition), call));
+      parse_definition(*dimension == 3 ? composite.spatial_definition : composite.definition),
+      call));
 }
 
-std::optional<std::uint32_t> Resolver::common_dimension(const ExpressionSyntax& call) {
+std::optional<std::uint32_t> Resolver::require_common_dimension(const ExpressionSyntax& call) {
   std::vector<std::uint32_t> dimensions;
   for (const ExpressionSyntax& operand : call.operands) {
     const std::optional<ResolvedPlace> place = resolve_place(operand);
@@ -149,12 +150,12 @@ std::optional<std::uint32_t> Resolver::common_dimension(const ExpressionSyntax& 
 }
 
 std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) {
-  if (!has_arity(call, 1)) return std::nullopt;
+  if (!check_arity(call, 1)) return std::nullopt;
   const ExpressionSyntax& operand = call.operands[0];
   const DeclaredName* symbol = context_.symbols.find(operand.text);
   if (operand.kind == SyntaxKind::name && symbol != nullptr &&
       symbol->kind == SymbolKind::rotation) {
-    const std::optional<std::uint32_t> velocity = element(operand, *symbol);
+    const std::optional<std::uint32_t> velocity = resolve_element(operand, *symbol);
     return velocity ? push_leaf(Opcode::velocity, *velocity, call.span) : std::nullopt;
   }
   const std::optional<ExpressionId> argument = resolve(operand);
@@ -172,13 +173,13 @@ std::optional<ExpressionId> Resolver::resolve_dot(const ExpressionSyntax& call) 
 }
 
 std::optional<ExpressionId> Resolver::resolve_momentum(const ExpressionSyntax& call) {
-  if (!has_arity(call, 1)) return std::nullopt;
+  if (!check_arity(call, 1)) return std::nullopt;
   const ExpressionSyntax& operand = call.operands[0];
   const bool is_name = operand.kind == SyntaxKind::name;
   const DeclaredName* symbol = is_name ? context_.symbols.find(operand.text) : nullptr;
   const bool turns = symbol != nullptr && symbol->kind == SymbolKind::rotation;
   if (turns || (symbol != nullptr && symbol->kind == SymbolKind::coordinate)) {
-    const std::optional<std::uint32_t> index = element(operand, *symbol);
+    const std::optional<std::uint32_t> index = resolve_element(operand, *symbol);
     if (!index) return std::nullopt;
     const std::uint32_t velocity = turns ? *index : context_.model.coordinates[*index].velocity;
     return push_leaf(Opcode::momentum, velocity, call.span);
@@ -192,7 +193,7 @@ std::optional<ExpressionId> Resolver::resolve_momentum(const ExpressionSyntax& c
 }
 
 std::optional<ExpressionId> Resolver::resolve_multiplier(const ExpressionSyntax& call) {
-  if (!has_arity(call, 1)) return std::nullopt;
+  if (!check_arity(call, 1)) return std::nullopt;
   const Span& span = call.operands[0].span;
   const std::vector<Constraint>& all = context_.model.constraints;
   const std::string name(covered_text(span));
@@ -201,16 +202,16 @@ std::optional<ExpressionId> Resolver::resolve_multiplier(const ExpressionSyntax&
     return push_leaf(Opcode::multiplier, static_cast<std::uint32_t>(found - all.begin()),
                      call.span);
   }
-  context_.report.add(Reason::unknown_constraint, span, "unknown constraint " + in_backticks(name),
+  context_.report.add(Reason::unknown_constraint, span, "unknown constraint " + quote_text(name),
                       suggestion(name, column_words(all, &Constraint::name),
                                  all.empty() ? "no constraint is declared before it" : ""));
   return std::nullopt;
 }
 
 std::optional<ExpressionId> Resolver::resolve_delta(const ExpressionSyntax& call) {
-  if (!has_arity(call, 2)) return std::nullopt;
-  const auto i = integer_value(call.operands[0], scope_, context_.report);
-  const auto j = integer_value(call.operands[1], scope_, context_.report);
+  if (!check_arity(call, 2)) return std::nullopt;
+  const auto i = evaluate_integer(call.operands[0], scope_, context_.report);
+  const auto j = evaluate_integer(call.operands[1], scope_, context_.report);
   return i && j ? push_number(*i == *j ? 1 : 0, call.span) : std::nullopt;
 }
 

@@ -20,11 +20,11 @@ namespace elgen {
 namespace {
 
 /// Index of the axis: 0 for x, wx and vx.
-std::uint32_t axis_of(const ExpressionSyntax& call) {
+std::uint32_t axis_index(const ExpressionSyntax& call) {
   return static_cast<std::uint32_t>(call.text.back() - 'x');
 }
 
-bool is_named(const DeclaredName* symbol, SymbolKind kind) {
+bool has_kind(const DeclaredName* symbol, SymbolKind kind) {
   return symbol != nullptr && symbol->kind == kind;
 }
 
@@ -41,29 +41,29 @@ std::optional<Resolver::ResolvedPlace> Resolver::resolve_place(const ExpressionS
   const DeclaredName* const symbol = context_.symbols.find(name.text);
   const DeclaredName* const frame = context_.frames.find(name.text);
   const Model& model = context_.model;
-  if (is_name && is_named(symbol, SymbolKind::point)) {
-    const auto index = element(name, *symbol);
+  if (is_name && has_kind(symbol, SymbolKind::point)) {
+    const auto index = resolve_element(name, *symbol);
     if (!index) return std::nullopt;
     return ResolvedPlace{NamedKind::point, *index, 0, model.points[*index].dimension};
   }
   if (is_name && frame != nullptr) {
-    const auto index = element(name, *frame);
+    const auto index = resolve_element(name, *frame);
     if (!index) return std::nullopt;
     return ResolvedPlace{NamedKind::frame, *index, frame_origin, context_.dimension == 2 ? 2U : 3U};
   }
-  if (is_name && is_named(symbol, SymbolKind::body)) {
-    const auto index = element(name, *symbol);
+  if (is_name && has_kind(symbol, SymbolKind::body)) {
+    const auto index = resolve_element(name, *symbol);
     if (!index) return std::nullopt;
     const Body& body = model.bodies[*index];
     if (body.local) return ResolvedPlace{NamedKind::body, *index, 0, body.dimension};
   }
-  refuse_place(name, symbol);
+  report_unknown_place(name, symbol);
   return std::nullopt;
 }
 
-void Resolver::refuse_place(const ExpressionSyntax& name, const DeclaredName* symbol) {
+void Resolver::report_unknown_place(const ExpressionSyntax& name, const DeclaredName* symbol) {
   if (context_.symbols.has_failed(name.text) || context_.frames.has_failed(name.text)) return;
-  if (name.kind == SyntaxKind::name && is_named(symbol, SymbolKind::body)) {
+  if (name.kind == SyntaxKind::name && has_kind(symbol, SymbolKind::body)) {
     context_.report.add(
         Reason::body_without_frame, name.span, in_backticks(name.span) + " is not a place here",
         "the com of a body in a frame is a place in forces, energies, constraints and "
@@ -82,8 +82,8 @@ std::optional<Resolver::ResolvedFrame> Resolver::resolve_frame(const ExpressionS
   }
   const DeclaredName* const symbol = context_.symbols.find(name.text);
   const bool is_frame = context_.frames.find(name.text) != nullptr;
-  if (name.kind == SyntaxKind::name && !is_frame && is_named(symbol, SymbolKind::body)) {
-    const auto index = element(name, *symbol);
+  if (name.kind == SyntaxKind::name && !is_frame && has_kind(symbol, SymbolKind::body)) {
+    const auto index = resolve_element(name, *symbol);
     if (!index) return std::nullopt;
     const auto& local = context_.model.bodies[*index].local;
     if (local) return ResolvedFrame{local->com.frame, false};
@@ -92,16 +92,16 @@ std::optional<Resolver::ResolvedFrame> Resolver::resolve_frame(const ExpressionS
                         "a body has the axes of its `frame`");
     return std::nullopt;
   }
-  const DeclaredName* const frame =
-      declared(name, SymbolKind::frame, name.kind == SyntaxKind::name, covered_text(name.span));
+  const DeclaredName* const frame = require_declaration(
+      name, SymbolKind::frame, name.kind == SyntaxKind::name, covered_text(name.span));
   if (frame == nullptr) return std::nullopt;
-  const auto index = element(name, *frame);
+  const auto index = resolve_element(name, *frame);
   if (!index) return std::nullopt;
   return ResolvedFrame{*index, false};
 }
 
-bool Resolver::has_axis(const ExpressionSyntax& call, std::uint32_t dimension, bool is_angular) {
-  const std::uint32_t axis = axis_of(call);
+bool Resolver::check_axis(const ExpressionSyntax& call, std::uint32_t dimension, bool is_angular) {
+  const std::uint32_t axis = axis_index(call);
   if (dimension == 3 || (is_angular ? axis == 2 : axis < 2)) return true;
   context_.report.add(
       Code::E516, call.span,
@@ -110,18 +110,18 @@ bool Resolver::has_axis(const ExpressionSyntax& call, std::uint32_t dimension, b
 }
 
 /// The node itself, or a new node 0 for `no_expression`, which cannot be a root.
-std::optional<ExpressionId> Resolver::nonshared_zero(ExpressionId id, const Span& span) {
+std::optional<ExpressionId> Resolver::replace_shared_zero(ExpressionId id, const Span& span) {
   return id == no_expression ? push_number(0, span) : std::optional(id);
 }
 
 std::optional<ExpressionId> Resolver::resolve_component(const ExpressionSyntax& call) {
-  if (!has_arity(call, 1)) return std::nullopt;
+  if (!check_arity(call, 1)) return std::nullopt;
   const std::optional<ResolvedPlace> place = resolve_place(call.operands[0]);
-  if (!place || !has_axis(call, place->dimension, false)) return std::nullopt;
+  if (!place || !check_axis(call, place->dimension, false)) return std::nullopt;
   return push({.kind = ExpressionKind::named,
                .named = place->kind,
                .index = place->index,
-               .component = place->first + axis_of(call),
+               .component = place->first + axis_index(call),
                .span = call.span});
 }
 
@@ -130,47 +130,48 @@ std::optional<ExpressionId> Resolver::resolve_velocity(const ExpressionSyntax& c
     const std::string place(covered_text(call.operands[0].span));
     context_.report.add(
         Code::E309, call.span,
-        in_backticks(call.text) + " needs a frame as its second argument, for its axes",
+        quote_text(call.text) + " needs a frame as its second argument, for its axes",
         fmt::format("along the axes of the world, write `dot({}({}))`", call.text.back(), place));
     return std::nullopt;
   }
-  if (!has_arity(call, 2)) return std::nullopt;
+  if (!check_arity(call, 2)) return std::nullopt;
   const std::optional<ResolvedPlace> place = resolve_place(call.operands[0]);
   const std::optional<ResolvedFrame> axes = resolve_frame(call.operands[1]);
-  if (!place || !axes || !has_axis(call, place->dimension, false)) return std::nullopt;
+  if (!place || !axes || !check_axis(call, place->dimension, false)) return std::nullopt;
   NodeBuilder nodes(context_, call.span);
   Vector3 velocity{};
   for (std::uint32_t i = 0; i < place->dimension; ++i) {
-    const ExpressionId component = nodes.named(place->kind, place->index, place->first + i);
+    const ExpressionId component = nodes.name_node(place->kind, place->index, place->first + i);
     velocity[i] = nodes.rate(component);
   }
-  return nonshared_zero(
-      change_axes(nodes, velocity, std::nullopt, frame_index(*axes))[axis_of(call)], call.span);
+  return replace_shared_zero(
+      change_axes(nodes, velocity, std::nullopt, frame_index(*axes))[axis_index(call)], call.span);
 }
 
 std::optional<ExpressionId> Resolver::resolve_angular_velocity(const ExpressionSyntax& call) {
   const bool has_axes = call.operands.size() == 2;
-  if (!has_axes && !has_arity(call, 1)) return std::nullopt;
+  if (!has_axes && !check_arity(call, 1)) return std::nullopt;
   const std::optional<ResolvedFrame> frame = resolve_frame(call.operands[0]);
   std::optional<ResolvedFrame> axes{ResolvedFrame{}};
   if (has_axes) axes = resolve_frame(call.operands[1]);
-  if (!frame || !axes || !has_axis(call, context_.dimension, true)) return std::nullopt;
+  if (!frame || !axes || !check_axis(call, context_.dimension, true)) return std::nullopt;
   if (frame->is_world) return push_number(0, call.span);
   NodeBuilder nodes(context_, call.span);
   const bool is_own = !axes->is_world && frame->index == axes->index;
   const Vector3 turning =
-      vector_of(nodes, frame->index, is_own ? frame_recursive_spin : frame_angular_velocity);
+      frame_vector(nodes, frame->index, is_own ? frame_recursive_spin : frame_angular_velocity);
   const std::optional<std::uint32_t> to = is_own ? std::nullopt : frame_index(*axes);
-  return nonshared_zero(change_axes(nodes, turning, std::nullopt, to)[axis_of(call)], call.span);
+  return replace_shared_zero(change_axes(nodes, turning, std::nullopt, to)[axis_index(call)],
+                             call.span);
 }
 
 std::optional<ExpressionId> Resolver::resolve_axis(const ExpressionSyntax& call) {
-  if (!has_arity(call, 3)) return std::nullopt;
+  if (!check_arity(call, 3)) return std::nullopt;
   const std::optional<ResolvedFrame> frame = resolve_frame(call.operands[0]);
   if (!frame) return std::nullopt;
   std::array<std::int64_t, 2> places{};
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto number = integer_value(call.operands[i + 1], scope_, context_.report);
+    const auto number = evaluate_integer(call.operands[i + 1], scope_, context_.report);
     if (!number) return std::nullopt;
     if (*number < 1 || *number > 3) {
       context_.report.add(Code::E318, call.operands[i + 1].span,

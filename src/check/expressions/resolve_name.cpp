@@ -64,7 +64,7 @@ struct DottedName {
   int dots = 0;
 };
 
-std::optional<DottedName> dotted_name(const std::string& name, const DeclaredNames& symbols) {
+std::optional<DottedName> dotted_name(const std::string& name, const SymbolTable& symbols) {
   constexpr std::array<std::pair<std::string_view, int>, 4> endings{
       {{"_ddot", 2}, {"ddot", 2}, {"_dot", 1}, {"dot", 1}}};
   constexpr std::array<std::pair<std::string_view, int>, 4> beginnings{
@@ -87,7 +87,7 @@ std::optional<DottedName> dotted_name(const std::string& name, const DeclaredNam
 }
 
 /// Hint on how to write a rate or an angle in degrees, if the name suggests it; "" otherwise.
-std::string rate_spelling_hint(const ExpressionSyntax& name, const DeclaredNames& symbols) {
+std::string rate_spelling_hint(const ExpressionSyntax& name, const SymbolTable& symbols) {
   if (name.text == "deg" || name.text == "degrees") return std::string(degrees_hint);
   const auto dotted = dotted_name(name.text, symbols);
   if (!dotted) return "";
@@ -109,24 +109,24 @@ std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name)
   }
   if (is_energy(name)) return push_leaf(Opcode::energy, 0, name.span);
   if (const DeclaredName* symbol = context_.symbols.find(name.text)) {
-    note_own_energy(name, *symbol);
+    report_hidden_energy(name, *symbol);
     return resolve_symbol(name, *symbol);
   }
-  return context_.symbols.has_failed(name.text) ? std::nullopt : unknown_name(name);
+  return context_.symbols.has_failed(name.text) ? std::nullopt : report_unknown_name(name);
 }
 
 bool Resolver::is_energy(const ExpressionSyntax& name) const {
   if ((allowed_ & uses_energy) == 0 || !name.operands.empty()) return false;
-  const DeclaredNames& symbols = context_.symbols;
+  const SymbolTable& symbols = context_.symbols;
   const bool is_free = symbols.find(name.text) == nullptr && !symbols.has_failed(name.text);
   return name.text == energy_function || (name.text == energy_symbol() && is_free);
 }
 
-void Resolver::note_own_energy(const ExpressionSyntax& name, const DeclaredName& symbol) {
+void Resolver::report_hidden_energy(const ExpressionSyntax& name, const DeclaredName& symbol) {
   const bool hides = (allowed_ & uses_energy) != 0 && name.text == energy_symbol();
   if (!hides || context_.report.has(Code::E213)) return;
   Diagnostic note{Code::E213, name.span,
-                  "`E` is the " + std::string(noun(symbol.kind)) + " of the model here",
+                  "`E` is the " + std::string(symbol_noun(symbol.kind)) + " of the model here",
                   "`energy_function` is v dL/dv - L in every model"};
   note.related = symbol.span;
   note.related_message = "`E` is declared here";
@@ -137,13 +137,13 @@ std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& nam
                                                      const DeclaredName& symbol) {
   std::optional<Expression> node = node_for_symbol(symbol.kind);
   if (!node) {
-    context_.report.add(
-        Code::E319, name.span,
-        in_backticks(name.span) + " is a " + std::string(noun(symbol.kind)) + ", not a number",
-        components_hint(name.text, symbol.kind));
+    context_.report.add(Code::E319, name.span,
+                        in_backticks(name.span) + " is a " + std::string(symbol_noun(symbol.kind)) +
+                            ", not a number",
+                        components_hint(name.text, symbol.kind));
     return std::nullopt;
   }
-  const std::optional<std::uint32_t> index = element(name, symbol);
+  const std::optional<std::uint32_t> index = resolve_element(name, symbol);
   if (!index) return std::nullopt;
   node->index = *index;
   node->span = name.span;
@@ -154,49 +154,49 @@ std::optional<ExpressionId> Resolver::resolve_symbol(const ExpressionSyntax& nam
   return push(std::move(*node));
 }
 
-const DeclaredName* Resolver::declared(const ExpressionSyntax& name, SymbolKind kind, bool has_form,
-                                       std::string_view shown) {
+const DeclaredName* Resolver::require_declaration(const ExpressionSyntax& name, SymbolKind kind,
+                                                  bool has_form, std::string_view shown) {
   const bool is_frame = kind == SymbolKind::frame;
-  const DeclaredNames& symbols = is_frame ? context_.frames : context_.symbols;
+  const SymbolTable& symbols = is_frame ? context_.frames : context_.symbols;
   const DeclaredName* symbol = symbols.find(name.text);
   if (symbol == nullptr && symbols.has_failed(name.text)) return nullptr;
   if (symbol != nullptr && symbol->kind == kind && has_form) return symbol;
   std::vector<std::string> names = symbols.names({kind});
   if (is_frame) names.emplace_back(world);
   context_.report.add(Reason::name_of_another_kind, name.span,
-                      "unknown " + std::string(noun(kind)) + " " + in_backticks(shown),
+                      "unknown " + std::string(symbol_noun(kind)) + " " + quote_text(shown),
                       symbols.suggest(name.text, names));
   return nullptr;
 }
 
-std::optional<std::uint32_t> Resolver::element(const ExpressionSyntax& name,
-                                               const DeclaredName& symbol, Code absent) {
+std::optional<std::uint32_t> Resolver::resolve_element(const ExpressionSyntax& name,
+                                                       const DeclaredName& symbol, Code absent) {
   if (symbol.is_array == name.operands.empty()) {
     context_.report.add(Code::E208, name.span,
-                        symbol.is_array ? in_backticks(name.text) +
+                        symbol.is_array ? quote_text(name.text) +
                                               " needs an index: " + elements_of(name.text, symbol)
-                                        : in_backticks(name.text) + " takes no index");
+                                        : quote_text(name.text) + " takes no index");
     return std::nullopt;
   }
   if (!symbol.is_array) return symbol.elements.begin()->second;
-  const auto index = integer_value(name.operands.front(), scope_, context_.report);
+  const auto index = evaluate_integer(name.operands.front(), scope_, context_.report);
   if (!index) return std::nullopt;
   const auto found = symbol.elements.find(*index);
   if (found == symbol.elements.end()) {
     const std::string element = name.text + "[" + std::to_string(*index) + "]";
     const bool says_so = covered_text(name.span) == element;
     context_.report.add(absent, name.span,
-                        (says_so ? "there is no " + in_backticks(element)
-                                 : in_backticks(name.span) + " is " + in_backticks(element)) +
+                        (says_so ? "there is no " + quote_text(element)
+                                 : in_backticks(name.span) + " is " + quote_text(element)) +
                             (says_so ? ": " : ", but ") + elements_of(name.text, symbol));
     return std::nullopt;
   }
   return found->second;
 }
 
-std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name) {
+std::optional<ExpressionId> Resolver::report_unknown_name(const ExpressionSyntax& name) {
   if (is_function_name(name.text)) {
-    context_.report.add(Code::E316, name.span, in_backticks(name.text) + " has no argument",
+    context_.report.add(Code::E316, name.span, quote_text(name.text) + " has no argument",
                         "write `" + name.text + "(…)`");
     return std::nullopt;
   }
@@ -208,7 +208,7 @@ std::optional<ExpressionId> Resolver::unknown_name(const ExpressionSyntax& name)
     candidates.insert(candidates.end(), {"pi", "t"});
     hint = context_.symbols.suggest(name.text, candidates);
   }
-  context_.report.add(Reason::unknown_name, name.span, "unknown name " + in_backticks(name.text),
+  context_.report.add(Reason::unknown_name, name.span, "unknown name " + quote_text(name.text),
                       std::move(hint));
   return std::nullopt;
 }

@@ -26,21 +26,21 @@ struct ScaledProduct {
   bool is_merged = false;  ///< `number` includes the factor of another term
 };
 
-class LikeTerms {
+class LikeTermMerger {
  public:
-  explicit LikeTerms(Context& context) : context_(context) {}
+  explicit LikeTermMerger(Context& context) : context_(context) {}
 
   /// Adds the term that was resolved last; `begin` is its first node.
-  void add(ExpressionId term, std::size_t begin) {
+  void add_term(ExpressionId term, std::size_t begin) {
     const bool is_tried = kinds_.size() <= most_kinds;
-    if (is_tried && add_products(term)) return context_.truncate(begin);
+    if (is_tried && merge_products(term)) return context_.truncate(begin);
     terms_.push_back(term);
     if (!is_tried) others_.push_back(term);
   }
 
   /// The operands of the sum at `span`; the original terms if none were merged. Terms that cancel
   /// become a difference, so that their units and place are still checked.
-  [[nodiscard]] std::vector<ExpressionId> terms(const Span& span) {
+  [[nodiscard]] std::vector<ExpressionId> merged_terms(const Span& span) {
     if (std::ranges::none_of(kinds_, &ScaledProduct::is_merged)) return terms_;
     const bool is_whole_sum = kinds_.size() == 1 && others_.empty();
     std::vector<ExpressionId> all;
@@ -62,23 +62,24 @@ class LikeTerms {
 
   /// Merges each product of the term into its kind, or starts a new kind. False if a kind is new,
   /// so that the term's nodes are needed.
-  bool add_products(ExpressionId term) {
+  bool merge_products(ExpressionId term) {
     if (node(term).kind == ExpressionKind::add) {
       bool are_known = true;
       for (const ExpressionId operand : node(term).operands) {
-        are_known = add_products(operand) && are_known;
+        are_known = merge_products(operand) && are_known;
       }
       return are_known;
     }
     ScaledProduct product{.term = term};
-    multiply(product, term, false);
+    multiply_into(product, term, false);
     // A division by 0 is reported later, at the text of the quotient.
     const bool divides_by_zero = std::ranges::any_of(product.divisors, [this](ExpressionId id) {
       return node(id).kind == ExpressionKind::number;
     });
     if (divides_by_zero) product = {.term = term, .factors = {term}};
     const auto like = std::ranges::find_if(kinds_, [&](const ScaledProduct& kind) {
-      return are_same(kind.factors, product.factors) && are_same(kind.divisors, product.divisors) &&
+      return have_equal_nodes(kind.factors, product.factors) &&
+             have_equal_nodes(kind.divisors, product.divisors) &&
              digit_count(kind.number + product.number) <= largest_exact_digits;
     });
     if (like == kinds_.end()) {
@@ -90,31 +91,31 @@ class LikeTerms {
     return true;
   }
 
-  void multiply(ScaledProduct& product, ExpressionId id, bool is_divisor) const {
+  void multiply_into(ScaledProduct& product, ExpressionId id, bool is_divisor) const {
     const Expression& e = node(id);
     if (e.kind == ExpressionKind::number && !(is_divisor && cln::zerop(e.number))) {
       product.number = is_divisor ? product.number / e.number : product.number * e.number;
     } else if (e.kind == ExpressionKind::negate) {
       product.number = -product.number;
-      multiply(product, e.operands.front(), is_divisor);
+      multiply_into(product, e.operands.front(), is_divisor);
     } else if (e.kind == ExpressionKind::multiply) {
-      for (const ExpressionId factor : e.operands) multiply(product, factor, is_divisor);
+      for (const ExpressionId factor : e.operands) multiply_into(product, factor, is_divisor);
     } else if (e.kind == ExpressionKind::divide) {
-      multiply(product, e.operands.front(), is_divisor);
-      multiply(product, e.operands.back(), !is_divisor);
+      multiply_into(product, e.operands.front(), is_divisor);
+      multiply_into(product, e.operands.back(), !is_divisor);
     } else {
       (is_divisor ? product.divisors : product.factors).push_back(id);
     }
   }
 
-  [[nodiscard]] bool are_same(const std::vector<ExpressionId>& a,
-                              const std::vector<ExpressionId>& b) const {
+  [[nodiscard]] bool have_equal_nodes(const std::vector<ExpressionId>& a,
+                                      const std::vector<ExpressionId>& b) const {
     return std::ranges::equal(a, b, [this](ExpressionId i, ExpressionId k) {
       const Expression& x = node(i);
       const Expression& y = node(k);
       return x.kind == y.kind && x.leaf == y.leaf && x.function == y.function &&
              x.named == y.named && x.index == y.index && x.component == y.component &&
-             x.number == y.number && are_same(x.operands, y.operands);
+             x.number == y.number && have_equal_nodes(x.operands, y.operands);
     });
   }
 
@@ -135,7 +136,7 @@ class LikeTerms {
 }  // namespace
 
 std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) {
-  if (!has_arity(call, 4)) return std::nullopt;
+  if (!check_arity(call, 4)) return std::nullopt;
   const ExpressionSyntax& index = call.operands[0];
   if (index.kind != SyntaxKind::name || !index.operands.empty()) {
     context_.report.add(Code::E210, index.span,
@@ -143,20 +144,20 @@ std::optional<ExpressionId> Resolver::resolve_sum(const ExpressionSyntax& call) 
                         "write `sum(i, 1, n, …)`");
     return std::nullopt;
   }
-  const auto low = integer_value(call.operands[1], scope_, context_.report);
-  const auto high = integer_value(call.operands[2], scope_, context_.report);
+  const auto low = evaluate_integer(call.operands[1], scope_, context_.report);
+  const auto high = evaluate_integer(call.operands[2], scope_, context_.report);
   if (!low || !high) return std::nullopt;
   Expression sum{.kind = ExpressionKind::add, .span = call.span};
-  LikeTerms like(context_);
+  LikeTermMerger like(context_);
   for (std::int64_t i = *low; i <= *high; ++i) {
     const std::size_t begin = context_.model.expressions.size();
     scope_.push(index.text, i);
     const std::optional<ExpressionId> term = resolve(call.operands[3]);
     scope_.pop();
     if (!term) return std::nullopt;
-    like.add(*term, begin);
+    like.add_term(*term, begin);
   }
-  sum.operands = like.terms(call.span);
+  sum.operands = like.merged_terms(call.span);
   if (sum.operands.empty()) return push_number(0, call.span);
   return sum.operands.size() == 1 ? std::optional(sum.operands.front()) : push(std::move(sum));
 }

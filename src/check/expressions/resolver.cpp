@@ -35,7 +35,7 @@ cln::cl_RA exponent_of(const Model& model, ExpressionId id) {
 }  // namespace
 
 std::optional<ExpressionId> Resolver::resolve(const ExpressionSyntax& expression) {
-  if (!within_limits(expression.span)) return std::nullopt;
+  if (!check_node_limit(expression.span)) return std::nullopt;
   switch (expression.kind) {
     case SyntaxKind::number:
       return push_number(expression.value, expression.span);
@@ -50,19 +50,20 @@ std::optional<ExpressionId> Resolver::resolve(const ExpressionSyntax& expression
   }
 }
 
-bool Resolver::within_limits(const Span& span) {
+bool Resolver::check_node_limit(const Span& span) {
   const std::uint64_t limit = context_.node_limit;
-  if (++steps_ <= limit && context_.model.expressions.size() < limit && !context_.beyond_limits) {
+  if (++steps_ <= limit && context_.model.expressions.size() < limit &&
+      !context_.is_beyond_limits) {
     return true;
   }
-  if (std::exchange(context_.beyond_limits, true)) return false;
+  if (std::exchange(context_.is_beyond_limits, true)) return false;
   context_.report.add(
       Code::E908, span,
       "the expressions have more than " + std::to_string(limit) + " nodes after repetition");
   return false;
 }
 
-std::optional<Resolver::Operands> Resolver::resolve_all(
+std::optional<Resolver::Operands> Resolver::resolve_operands(
     const std::vector<ExpressionSyntax>& expressions) {
   Operands result;
   bool complete = true;
@@ -79,7 +80,7 @@ std::optional<ExpressionId> Resolver::push(Expression expression) {
     report_failure(*failure, context_.model.expressions.back());
     return std::nullopt;
   }
-  return context_.last();
+  return context_.last_node();
 }
 
 void Resolver::report_failure(const ConstantFailure& failure, const Expression& node) {
@@ -99,7 +100,7 @@ std::optional<ExpressionId> Resolver::push_leaf(Opcode kind, std::uint32_t index
 }
 
 std::optional<ExpressionId> Resolver::resolve_operation(const ExpressionSyntax& operation) {
-  std::optional<Operands> operands = resolve_all(operation.operands);
+  std::optional<Operands> operands = resolve_operands(operation.operands);
   if (!operands) return std::nullopt;
   return push(
       {.kind = kind_of(operation.kind), .operands = std::move(*operands), .span = operation.span});
@@ -130,7 +131,7 @@ std::optional<cln::cl_RA> Resolver::resolve_exponent(const ExpressionSyntax& exp
   if (id && arena[*id].kind == ExpressionKind::number) value = arena[*id].number;
   context_.truncate(size);
 
-  const Diagnostics errors = inner.sorted();
+  const Diagnostics errors = inner.sorted_diagnostics();
   const auto is_variable = [](const Diagnostic& error) { return error.code == Code::E311; };
   if (id ? !value.has_value() : std::ranges::any_of(errors, is_variable)) {
     context_.report.add(Code::E311, exponent.span,

@@ -26,7 +26,7 @@ class Resolver {
  public:
   /// `allowed`: the ingredients that the place allows. If the place allows the energy, the name `E`
   /// denotes the energy.
-  Resolver(Context& context, Scope& scope, Ingredients allowed = 0)
+  Resolver(Context& context, IndexScope& scope, Ingredients allowed = 0)
       : context_(context), scope_(scope), allowed_(allowed) {}
 
   /// Appends the nodes of an expression and returns its last node; none after an error. Operands
@@ -35,20 +35,21 @@ class Resolver {
 
   /// The index in the Model of `name` or `name[i]`. E208 for a missing or superfluous index; the
   /// error `absent` if no element has this index.
-  std::optional<std::uint32_t> element(const ExpressionSyntax& name, const DeclaredName& symbol,
-                                       Code absent = Code::E207);
+  std::optional<std::uint32_t> resolve_element(const ExpressionSyntax& name,
+                                               const DeclaredName& symbol,
+                                               Code absent = Code::E207);
 
   /// The declaration of a name of this kind; null after E201. `has_form`: true if `name` has the
   /// syntax of a name of this kind.
-  const DeclaredName* declared(const ExpressionSyntax& name, SymbolKind kind, bool has_form,
-                               std::string_view shown);
+  const DeclaredName* require_declaration(const ExpressionSyntax& name, SymbolKind kind,
+                                          bool has_form, std::string_view shown);
 
   /// A function defined in the model language.
-  struct Composite {
+  struct CompositeFunction {
     std::string_view name;
     std::size_t arity;
     std::string_view definition;
-    std::string_view in_space;
+    std::string_view spatial_definition;
   };
 
  private:
@@ -57,8 +58,8 @@ class Resolver {
   std::optional<ExpressionId> push(Expression expression);
   std::optional<ExpressionId> push_number(const cln::cl_RA& number, const Span& span);
   std::optional<ExpressionId> push_leaf(Opcode kind, std::uint32_t index, const Span& span);
-  std::optional<Operands> resolve_all(const std::vector<ExpressionSyntax>& expressions);
-  bool within_limits(const Span& span);
+  std::optional<Operands> resolve_operands(const std::vector<ExpressionSyntax>& expressions);
+  bool check_node_limit(const Span& span);
   void report_failure(const ConstantFailure& failure, const Expression& node);
 
   std::optional<ExpressionId> resolve_operation(const ExpressionSyntax& operation);
@@ -69,15 +70,15 @@ class Resolver {
   std::optional<ExpressionId> resolve_name(const ExpressionSyntax& name);
   std::optional<ExpressionId> resolve_symbol(const ExpressionSyntax& name,
                                              const DeclaredName& symbol);
-  std::optional<ExpressionId> unknown_name(const ExpressionSyntax& name);
+  std::optional<ExpressionId> report_unknown_name(const ExpressionSyntax& name);
   [[nodiscard]] bool is_energy(const ExpressionSyntax& name) const;
-  void note_own_energy(const ExpressionSyntax& name, const DeclaredName& symbol);
+  void report_hidden_energy(const ExpressionSyntax& name, const DeclaredName& symbol);
 
   std::optional<ExpressionId> resolve_call(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_function(const ExpressionSyntax& call, FunctionId function);
   std::optional<ExpressionId> resolve_stumpff(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_composite(const ExpressionSyntax& call,
-                                                const Composite& composite);
+                                                const CompositeFunction& composite);
   std::optional<ExpressionId> resolve_dot(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_momentum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_multiplier(const ExpressionSyntax& call);
@@ -96,20 +97,20 @@ class Resolver {
     bool is_world = true;
   };
   std::optional<ResolvedPlace> resolve_place(const ExpressionSyntax& name);
-  void refuse_place(const ExpressionSyntax& name, const DeclaredName* symbol);
+  void report_unknown_place(const ExpressionSyntax& name, const DeclaredName* symbol);
   std::optional<ResolvedFrame> resolve_frame(const ExpressionSyntax& name);
-  bool has_axis(const ExpressionSyntax& call, std::uint32_t dimension, bool is_angular);
-  std::optional<ExpressionId> nonshared_zero(ExpressionId id, const Span& span);
+  bool check_axis(const ExpressionSyntax& call, std::uint32_t dimension, bool is_angular);
+  std::optional<ExpressionId> replace_shared_zero(ExpressionId id, const Span& span);
   std::optional<ExpressionId> resolve_component(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_velocity(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_angular_velocity(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_axis(const ExpressionSyntax& call);
 
-  std::optional<std::uint32_t> common_dimension(const ExpressionSyntax& call);
-  bool has_arity(const ExpressionSyntax& call, std::size_t arity);
+  std::optional<std::uint32_t> require_common_dimension(const ExpressionSyntax& call);
+  bool check_arity(const ExpressionSyntax& call, std::size_t arity);
 
   Context& context_;
-  Scope& scope_;
+  IndexScope& scope_;
   Ingredients allowed_;
   std::uint64_t steps_ = 0;
 };

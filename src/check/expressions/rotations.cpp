@@ -11,7 +11,7 @@
 namespace elgen {
 namespace {
 
-constexpr std::array<std::string_view, 4> keys_of_numbers{"range", "wrap", "singular", "armature"};
+constexpr std::array<std::string_view, 4> scalar_keys{"range", "wrap", "singular", "armature"};
 
 /// The square root, exact if it is rational.
 cln::cl_R square_root(const cln::cl_R& square) {
@@ -45,8 +45,8 @@ bool declare_components(Context& context, const Rotation& rotation) {
 }
 
 /// The constants of a list with `count` items; none after E104.
-std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const ValueSyntax& value,
-                                                std::size_t count) {
+std::optional<std::vector<cln::cl_R>> read_constants(ValueReader& values, const ValueSyntax& value,
+                                                     std::size_t count) {
   if (value.kind != ValueKind::list || value.items.size() != count) {
     const std::string given =
         value.kind == ValueKind::list ? count_text(value.items.size(), "component") : "one number";
@@ -56,7 +56,7 @@ std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const Value
   }
   std::vector<cln::cl_R> result;
   for (const ValueSyntax& item : value.items) {
-    const std::optional<cln::cl_R> constant = values.constant(item);
+    const std::optional<cln::cl_R> constant = values.read_constant(item);
     if (!constant) return std::nullopt;
     result.push_back(*constant);
   }
@@ -65,7 +65,7 @@ std::optional<std::vector<cln::cl_R>> constants(ValueReader& values, const Value
 
 /// Reads the start quaternion and scales it to length 1, as locks do.
 void read_start_value(ValueReader& values, const ValueSyntax& value, const Rotation& rotation) {
-  const auto quaternion = constants(values, value, quaternion_size);
+  const auto quaternion = read_constants(values, value, quaternion_size);
   if (!quaternion) return;
   cln::cl_R square = 0;
   for (const cln::cl_R& component : *quaternion) square = square + component * component;
@@ -86,7 +86,8 @@ void read_start(ValueReader& values, const ValueSyntax& table, const Rotation& r
     read_start_value(values, value->value, rotation);
   }
   const KeySyntax* rate = table.find("rate");
-  const auto rates = rate == nullptr ? std::nullopt : constants(values, rate->value, axis_count);
+  const auto rates =
+      rate == nullptr ? std::nullopt : read_constants(values, rate->value, axis_count);
   for (std::uint32_t i = 0; rates && i < axis_count; ++i) {
     values.context().model.velocities[rotation.first_velocity + i].start_rate = (*rates)[i];
   }
@@ -118,7 +119,7 @@ std::optional<std::uint32_t> declare_rotation(Context& context, const EntrySynta
     context.symbols.mark_failed(name.base);
     return std::nullopt;
   }
-  const std::uint32_t target = append_rotation(context.model, row_of<Rotation>(entry, name));
+  const std::uint32_t target = append_rotation(context.model, make_row<Rotation>(entry, name));
   const Rotation& added = context.model.rotations[target];
   const bool declared =
       declare_velocities(context, name, added.first_velocity) && declare_components(context, added);
@@ -130,12 +131,12 @@ void read_rotation(ValueReader& values, const EntrySyntax& entry, std::uint32_t 
   const Rotation& rotation = context.model.rotations[target];
   check_unit(context, entry);
   for (const KeySyntax& key : entry.keys) {
-    if (std::ranges::find(keys_of_numbers, key.key) != keys_of_numbers.end()) {
+    if (std::ranges::find(scalar_keys, key.key) != scalar_keys.end()) {
       context.report.add(Reason::key_of_numbers, key.key_span,
-                         "a rotation has no " + in_backticks(key.key));
+                         "a rotation has no " + quote_text(key.key));
     }
   }
-  const std::optional<Interval> rates = values.interval(entry, "rate_range");
+  const std::optional<Interval> rates = values.read_interval(entry, "rate_range");
   for (std::uint32_t i = 0; i < axis_count; ++i) {
     context.model.velocities[rotation.first_velocity + i].rate_range = rates;
   }
@@ -151,19 +152,18 @@ void check_rotations(Context& context) {
       const Frame*& first = turned[*transform.rotation];
       if (first != nullptr) {
         context.report.add(Reason::rotation_of_two_frames, frame.span,
-                           in_backticks(model.rotations[*transform.rotation].name) +
-                               " is already the rotation of the frame " +
-                               in_backticks(first->name));
+                           quote_text(model.rotations[*transform.rotation].name) +
+                               " is already the rotation of the frame " + quote_text(first->name));
       }
       first = &frame;
     }
   }
   // No E513 after other errors: the frame that the rotation turns may have failed to be read.
-  for (std::size_t i = 0; i < turned.size() && context.report.errors() == 0; ++i) {
+  for (std::size_t i = 0; i < turned.size() && context.report.error_count() == 0; ++i) {
     if (turned[i] != nullptr) continue;
     const Rotation& rotation = model.rotations[i];
     context.report.add(Code::E513, rotation.span,
-                       in_backticks(rotation.name) + " is the `rotation` of no [[frame]]");
+                       quote_text(rotation.name) + " is the `rotation` of no [[frame]]");
   }
 }
 

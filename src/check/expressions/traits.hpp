@@ -12,7 +12,7 @@ namespace elgen {
 /// Degrees saturate at `not_polynomial`, which also covers every degree above 2.
 inline constexpr std::uint8_t not_polynomial = 3;
 
-struct Traits {
+struct ExpressionTraits {
   Ingredients ingredients = 0;
   std::uint8_t rate_degree = 0;
   std::uint8_t lowest_rate_degree = 0;  ///< the smallest degree of all terms
@@ -24,6 +24,6 @@ struct Traits {
 ///
 ///     m*dot(x)^2 + u*cos(x)   ->   parameter, rate, input, coordinate;
 ///                                  rate degree 2, input degree 1
-[[nodiscard]] std::vector<Traits> find_traits(const Model& model);
+[[nodiscard]] std::vector<ExpressionTraits> find_traits(const Model& model);
 
 }  // namespace elgen

@@ -27,7 +27,7 @@ std::vector<ExpressionId> subexpressions(const Model& model, ExpressionId expres
 /// `unit` is the declared text: rad, not 1.
 UnitDeclaration declaration_with_unit(const std::string& name, const std::string& unit,
                                       const Span& span) {
-  return {span, in_backticks(name) + " is declared here, in " + unit};
+  return {span, quote_text(name) + " is declared here, in " + unit};
 }
 
 std::optional<UnitDeclaration> parameter_declaration(const Model& model, const Expression& node) {
@@ -46,7 +46,7 @@ std::optional<UnitDeclaration> variable_declaration(const Model& model, const Ex
                : std::optional(declaration_with_unit(row.name, row.unit_text, row.span));
   };
   if (node.kind != ExpressionKind::leaf) return std::nullopt;
-  switch (leaf_row(node.leaf).of) {
+  switch (leaf_row(node.leaf).owner) {
     case LeafOwner::coordinates:
       return of(model.coordinates[node.index]);
     case LeafOwner::velocities:
@@ -65,7 +65,7 @@ std::optional<UnitDeclaration> variable_declaration(const Model& model, const Ex
 
 }  // namespace
 
-std::string unit_text_in(const Place& place, const Unit& unit) {
+std::string role_unit_text(const ExpressionRole& place, const Unit& unit) {
   return place.is_force ? force_unit_text(unit) : to_string(unit);
 }
 
@@ -89,7 +89,7 @@ std::optional<UnitDeclaration> unit_declaration(const Model& model, ExpressionId
   return std::nullopt;
 }
 
-void note_plain_numbers(Context& context) {
+void report_plain_numbers(Context& context) {
   const Model& model = context.model;
   const WrittenExpression* first = nullptr;
   std::size_t count = 0;
@@ -97,7 +97,7 @@ void note_plain_numbers(Context& context) {
     const Expression& value = model.expressions[root.value];
     const bool is_zero = value.kind == ExpressionKind::number && cln::zerop(value.number);
     const bool is_of_model = value.span.source == model.source.get();
-    if (!root.is_in_unit_of_place || root.unit.value_or(Unit{}) == Unit{}) continue;
+    if (!root.is_in_role_unit || root.unit.value_or(Unit{}) == Unit{}) continue;
     if (is_zero || !is_of_model) continue;
     ++count;
     if (first == nullptr || value.span.begin < model.expressions[first->value].span.begin) {
@@ -110,11 +110,11 @@ void note_plain_numbers(Context& context) {
   if (count > 1) others = "; the same holds for " + count_text(count - 1, "other value");
   context.report.add(Code::E405, span,
                      in_backticks(span) + " contains no name, so it is in " +
-                         unit_text_in(first->place, *first->unit) + ", the SI unit of its key" +
+                         role_unit_text(first->role, *first->unit) + ", the SI unit of its key" +
                          others);
 }
 
-void note_missing_units(Context& context) {
+void report_missing_units(Context& context) {
   const Model& model = context.model;
   std::vector<std::string> names;
   std::optional<Span> first;
@@ -132,7 +132,7 @@ void note_missing_units(Context& context) {
     const Parameter& parameter = model.parameters[array.first];
     const bool is_silent = !parameter.unit && array.unit_text.empty();
     const bool is_momentum =
-        std::ranges::count(model.variant.cyclic, array.first, &Cyclic::parameter) > 0;
+        std::ranges::count(model.reduction.cyclic, array.first, &CyclicCoordinate::parameter) > 0;
     if (is_silent && !is_momentum) note(array.name, array.span);
   }
   note_rows(model.inputs);
@@ -140,7 +140,7 @@ void note_missing_units(Context& context) {
   if (names.empty()) return;
   std::string list;
   for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 8); ++i) {
-    list += (i == 0 ? "" : ", ") + in_backticks(names[i]);
+    list += (i == 0 ? "" : ", ") + quote_text(names[i]);
   }
   list += names.size() > 8 ? " and others" : "";
   context.report.add(Code::E520, *first,

@@ -27,7 +27,7 @@ namespace elgen {
 void check_units(Context& context);
 
 /// The text of a unit in messages about the place; kg*m^2/s^2 is N*m for forces, else J.
-[[nodiscard]] std::string unit_text_in(const Place& place, const Unit& unit);
+[[nodiscard]] std::string role_unit_text(const ExpressionRole& place, const Unit& unit);
 
 /// Hint on the first non-zero number in the expression, which may lack a unit; "" if there is none.
 [[nodiscard]] std::string unnamed_number_hint(const Model& model, ExpressionId expression);
@@ -44,9 +44,9 @@ struct UnitDeclaration {
                                                               ExpressionId expression);
 
 /// Reports the note E405 at the first value without names, with the number of further values.
-void note_plain_numbers(Context& context);
+void report_plain_numbers(Context& context);
 
 /// Reports the note E520 at the first entry without a unit, with the names of all these entries.
-void note_missing_units(Context& context);
+void report_missing_units(Context& context);
 
 }  // namespace elgen

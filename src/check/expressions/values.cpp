@@ -39,10 +39,10 @@ std::string multiple_of_pi(const cln::cl_RA& multiple) {
 
 }  // namespace
 
-void note_degrees(Report& report, const Span& span, const cln::cl_RA& angle) {
+void report_degrees(Report& report, const Span& span, const cln::cl_RA& angle) {
   report.add(
       Code::E405, span, in_backticks(span) + " is in rad",
-      "a turn is `2*pi`, and as degrees it would be " + in_backticks(multiple_of_pi(angle / 180)));
+      "a turn is `2*pi`, and as degrees it would be " + quote_text(multiple_of_pi(angle / 180)));
 }
 
 void note_degrees(Report& report, const Span& span, const Coordinate& coordinate,
@@ -50,51 +50,53 @@ void note_degrees(Report& report, const Span& span, const Coordinate& coordinate
   if (!is_angle(coordinate) || !value || !is_rational(*value)) return;
   const cln::cl_RA angle = cln::rational(*value);
   const bool is_multiple = cln::denominator(angle / 5) == 1;
-  if (is_multiple && cln::abs(angle) > 7) note_degrees(report, span, angle);  // 2 pi < 7
+  if (is_multiple && cln::abs(angle) > 7) report_degrees(report, span, angle);  // 2 pi < 7
 }
 
-ExpressionId ValueReader::root(const ExpressionSyntax& expression, const RootRequest& request) {
+ExpressionId ValueReader::read_root(const ExpressionSyntax& expression,
+                                    const RootRequest& request) {
   const auto first = static_cast<ExpressionId>(context_.model.expressions.size());
   const std::optional<ExpressionId> id =
-      Resolver(context_, scope_, request.place.allowed).resolve(expression);
+      Resolver(context_, scope_, request.role.allowed).resolve(expression);
   if (!id) return no_expression;
   const bool plain = request.unit && is_numeric(context_.model.expressions, first, *id);
-  context_.roots.push_back({first, *id, request.place, request.unit, false, plain});
+  context_.roots.push_back({first, *id, request.role, request.unit, false, plain});
   return *id;
 }
 
 ExpressionId ValueReader::root(const ValueSyntax& value, const RootRequest& request) {
-  return root(value.expression, request);
+  return read_root(value.expression, request);
 }
 
-ExpressionId ValueReader::scene_value(const ValueSyntax& value, const RootRequest& request) {
+ExpressionId ValueReader::read_scene_value(const ValueSyntax& value, const RootRequest& request) {
   const ExpressionId id = root(value, request);
   if (id == no_expression) return id;
   WrittenExpression& read = context_.roots.back();
   const auto& nodes = context_.model.expressions;
-  read.is_in_unit_of_place = std::none_of(
+  read.is_in_role_unit = std::none_of(
       nodes.begin() + read.first, nodes.begin() + read.value + 1, [](const Expression& node) {
-        return is_leaf(node, Opcode::parameter) || is_name(node, NamedKind::prescribed) ||
-               is_name(node, NamedKind::definition);
+        return is_leaf(node, Opcode::parameter) || refers_to_entry(node, NamedKind::prescribed) ||
+               refers_to_entry(node, NamedKind::definition);
       });
   return id;
 }
 
-std::vector<ExpressionId> ValueReader::roots(const ValueSyntax& value, const RootRequest& request) {
+std::vector<ExpressionId> ValueReader::read_roots(const ValueSyntax& value,
+                                                  const RootRequest& request) {
   if (value.kind != ValueKind::list) return {root(value, request)};
   std::vector<ExpressionId> result;
   for (const ValueSyntax& item : value.items) result.push_back(root(item, request));
   return result;
 }
 
-std::optional<cln::cl_R> ValueReader::constant(const ValueSyntax& value) {
+std::optional<cln::cl_R> ValueReader::read_constant(const ValueSyntax& value) {
   const std::size_t size = context_.model.expressions.size();
-  const std::optional<FixedValue> result = constant_with_form(value);
+  const std::optional<FixedValue> result = read_exact_constant(value);
   context_.truncate(size);
   return result ? std::optional(result->number) : std::nullopt;
 }
 
-std::optional<FixedValue> ValueReader::constant_with_form(const ValueSyntax& value) {
+std::optional<FixedValue> ValueReader::read_exact_constant(const ValueSyntax& value) {
   const ExpressionSyntax& syntax = value.expression;
   const std::size_t size = context_.model.expressions.size();
   const std::optional<ExpressionId> id = Resolver(context_, scope_).resolve(syntax);
@@ -109,12 +111,12 @@ std::optional<FixedValue> ValueReader::constant_with_form(const ValueSyntax& val
   return FixedValue{round_irrational(*result), needs_form ? id : std::nullopt};
 }
 
-std::optional<Interval> ValueReader::interval(const EntrySyntax& entry, std::string_view key) {
+std::optional<Interval> ValueReader::read_interval(const EntrySyntax& entry, std::string_view key) {
   const KeySyntax* given = entry.find(key);
   if (given == nullptr) return std::nullopt;
   const ValueSyntax& value = given->value;
-  const std::optional<cln::cl_R> low = constant(value.items[0]);
-  const std::optional<cln::cl_R> high = constant(value.items[1]);
+  const std::optional<cln::cl_R> low = read_constant(value.items[0]);
+  const std::optional<cln::cl_R> high = read_constant(value.items[1]);
   if (!low || !high) return std::nullopt;
   if (*low >= *high) {
     context_.report.add(
@@ -125,33 +127,35 @@ std::optional<Interval> ValueReader::interval(const EntrySyntax& entry, std::str
   return Interval{*low, *high};
 }
 
-std::optional<std::uint32_t> ValueReader::reference(const ValueSyntax& value, SymbolKind kind) {
+std::optional<std::uint32_t> ValueReader::resolve_reference(const ValueSyntax& value,
+                                                            SymbolKind kind) {
   const ExpressionSyntax& name = value.expression;
   Resolver resolver(context_, scope_);
-  const DeclaredName* symbol = resolver.declared(name, kind, true, name.text);
-  return symbol == nullptr ? std::nullopt : resolver.element(name, *symbol);
+  const DeclaredName* symbol = resolver.require_declaration(name, kind, true, name.text);
+  return symbol == nullptr ? std::nullopt : resolver.resolve_element(name, *symbol);
 }
 
-std::optional<std::uint32_t> ValueReader::rotation(const ValueSyntax& value) {
+std::optional<std::uint32_t> ValueReader::resolve_rotation_name(const ValueSyntax& value) {
   const ExpressionSyntax& name = value.expression;
   const DeclaredName* symbol =
       Resolver(context_, scope_)
-          .declared(name, SymbolKind::rotation, name.operands.empty(), covered_text(name.span));
+          .require_declaration(name, SymbolKind::rotation, name.operands.empty(),
+                               covered_text(name.span));
   if (symbol == nullptr) return std::nullopt;
   return context_.model.velocities[symbol->elements.begin()->second].rotation;
 }
 
-std::optional<std::uint32_t> ValueReader::velocity(const ValueSyntax& value) {
+std::optional<std::uint32_t> ValueReader::resolve_velocity_name(const ValueSyntax& value) {
   const DeclaredName* symbol = context_.symbols.find(value.expression.text);
   if (symbol != nullptr && symbol->kind == SymbolKind::rotation) {
-    return Resolver(context_, scope_).element(value.expression, *symbol);
+    return Resolver(context_, scope_).resolve_element(value.expression, *symbol);
   }
-  const std::optional<std::uint32_t> coordinate = reference(value, SymbolKind::coordinate);
+  const std::optional<std::uint32_t> coordinate = resolve_reference(value, SymbolKind::coordinate);
   return coordinate ? std::optional(context_.model.coordinates[*coordinate].velocity)
                     : std::nullopt;
 }
 
-bool ValueReader::is_vector(const ValueSyntax& value) {
+bool ValueReader::check_vector(const ValueSyntax& value) {
   const std::size_t count = value.items.size();
   if (count != 2 && count != 3) {
     context_.report.add(Reason::wrong_component_count, value.span,
@@ -197,13 +201,13 @@ bool is_planar(const FileSyntax& model) {
   return counts[2] > counts[3];
 }
 
-std::optional<std::uint32_t> ValueReader::frame_or_world(const ValueSyntax& value) {
+std::optional<std::uint32_t> ValueReader::resolve_frame_or_world(const ValueSyntax& value) {
   const ExpressionSyntax& name = value.expression;
   if (name.text == world && name.operands.empty()) return std::nullopt;
-  return reference(value, SymbolKind::frame);
+  return resolve_reference(value, SymbolKind::frame);
 }
 
-std::optional<JoinedPlace> ValueReader::joined_place(const ValueSyntax& value) {
+std::optional<LineEnd> ValueReader::resolve_joined_place(const ValueSyntax& value) {
   const ExpressionSyntax& name = value.expression;
   const DeclaredName* point = context_.symbols.find(name.text);
   if (point != nullptr && point->kind != SymbolKind::point) point = nullptr;
@@ -211,12 +215,12 @@ std::optional<JoinedPlace> ValueReader::joined_place(const ValueSyntax& value) {
   if (name.kind == SyntaxKind::name && (point != nullptr || frame != nullptr)) {
     const auto index =
         Resolver(context_, scope_)
-            .element(name, point != nullptr ? *point : *frame, Reason::unknown_place);
+            .resolve_element(name, point != nullptr ? *point : *frame, Reason::unknown_place);
     if (!index) return std::nullopt;
-    return point != nullptr ? JoinedPlace{.point = index} : JoinedPlace{.frame = index};
+    return point != nullptr ? LineEnd{.point = index} : LineEnd{.frame = index};
   }
   if (name.kind == SyntaxKind::name && name.text == origin && name.operands.empty()) {
-    return JoinedPlace{};
+    return LineEnd{};
   }
   if (context_.symbols.has_failed(name.text) || context_.frames.has_failed(name.text)) {
     return std::nullopt;
@@ -241,8 +245,8 @@ std::array<const KeySyntax*, 2> first_two_keys(const EntrySyntax& entry,
   return found;
 }
 
-ExpressionSyntax subtraction_syntax(const ExpressionSyntax& larger, const ExpressionSyntax& smaller,
-                                    const Span& span) {
+ExpressionSyntax difference_syntax(const ExpressionSyntax& larger, const ExpressionSyntax& smaller,
+                                   const Span& span) {
   ExpressionSyntax negated;
   negated.kind = SyntaxKind::negate;
   negated.operands.push_back(smaller);
@@ -255,18 +259,18 @@ ExpressionSyntax subtraction_syntax(const ExpressionSyntax& larger, const Expres
   return sum;
 }
 
-std::optional<ExpressionSyntax> residual(const ValueSyntax& equation) {
+std::optional<ExpressionSyntax> residual_syntax(const ValueSyntax& equation) {
   const KeySyntax* const left = equation.find("left");
   const KeySyntax* const right = equation.find("right");
   if (left == nullptr || right == nullptr) return std::nullopt;  // reported by the parser
   const ExpressionSyntax& other = right->value.expression;
   const bool is_zero = other.kind == SyntaxKind::number && cln::zerop(other.value);
   if (is_zero) return left->value.expression;
-  return subtraction_syntax(left->value.expression, other, equation.span);
+  return difference_syntax(left->value.expression, other, equation.span);
 }
 
-std::vector<KeySyntax> keys_of(Context& context, const std::vector<SourcePointer>& options,
-                               KeyType type) {
+std::vector<KeySyntax> parse_option_keys(Context& context,
+                                         const std::vector<SourcePointer>& options, KeyType type) {
   Result<std::vector<KeySyntax>> keys = parse_options(options, type, context.limits);
   for (Diagnostic& problem : keys.diagnostics) context.report.add(std::move(problem));
   return *std::move(keys.value);

@@ -19,19 +19,19 @@ namespace elgen {
 
 /// The place and the expected unit of an expression.
 struct RootRequest {
-  Place place = {};
+  ExpressionRole role = {};
   std::optional<Unit> unit = {};
 };
 
 /// Reads keys for one instance of an entry.
 class ValueReader {
  public:
-  ValueReader(Context& context, const Scope& scope) : context_(context), scope_(scope) {}
+  ValueReader(Context& context, const IndexScope& scope) : context_(context), scope_(scope) {}
   /// Reads an entry that is not repeated.
-  explicit ValueReader(Context& context) : ValueReader(context, Scope(context.sizes)) {}
+  explicit ValueReader(Context& context) : ValueReader(context, IndexScope(context.sizes)) {}
 
   /// Resolves an expression and registers it as a root; `no_expression` after an error.
-  ExpressionId root(const ExpressionSyntax& expression, const RootRequest& request);
+  ExpressionId read_root(const ExpressionSyntax& expression, const RootRequest& request);
   ExpressionId root(const ValueSyntax& value, const RootRequest& request);
 
   /// Resolves the value of a key as a root; none if the table does not have the key.
@@ -44,50 +44,50 @@ class ValueReader {
 
   /// Resolves a value of a scene. If it names no parameter, definition or prescribed function, it
   /// is in the unit of the place, with t in s.
-  ExpressionId scene_value(const ValueSyntax& value, const RootRequest& request);
+  ExpressionId read_scene_value(const ValueSyntax& value, const RootRequest& request);
 
   /// Resolves every item of a list, or the single value, as a root.
-  std::vector<ExpressionId> roots(const ValueSyntax& value, const RootRequest& request);
+  std::vector<ExpressionId> read_roots(const ValueSyntax& value, const RootRequest& request);
 
   /// An exact rational, or else a float of 100 digits. E319 if the value contains names.
-  std::optional<cln::cl_R> constant(const ValueSyntax& value);
+  std::optional<cln::cl_R> read_constant(const ValueSyntax& value);
   /// Like constant(), but the nodes of an irrational value stay in the model, so that its form is
   /// known.
-  std::optional<FixedValue> constant_with_form(const ValueSyntax& value);
+  std::optional<FixedValue> read_exact_constant(const ValueSyntax& value);
 
   /// [low, high] of a key; none if the entry does not have it. E112 unless low < high.
-  std::optional<Interval> interval(const EntrySyntax& entry, std::string_view key);
+  std::optional<Interval> read_interval(const EntrySyntax& entry, std::string_view key);
 
   /// The index in the Model of the named entry. E201, E207, E208.
-  std::optional<std::uint32_t> reference(const ValueSyntax& value, SymbolKind kind);
+  std::optional<std::uint32_t> resolve_reference(const ValueSyntax& value, SymbolKind kind);
 
   /// The index in the Model of the velocity that `on` names: by its coordinate, or as
   /// `attitude[2]`. E201, E207, E208.
-  std::optional<std::uint32_t> velocity(const ValueSyntax& value);
+  std::optional<std::uint32_t> resolve_velocity_name(const ValueSyntax& value);
 
   /// The index in the Model of the named rotation. E201.
-  std::optional<std::uint32_t> rotation(const ValueSyntax& value);
+  std::optional<std::uint32_t> resolve_rotation_name(const ValueSyntax& value);
 
   /// The index in the Model of the named frame; none for `world`, and after an error.
-  std::optional<std::uint32_t> frame_or_world(const ValueSyntax& value);
+  std::optional<std::uint32_t> resolve_frame_or_world(const ValueSyntax& value);
 
   /// The point or frame with this name. `origin` is the origin of the world, unless a point or a
   /// frame has this name. E201, E208.
-  std::optional<JoinedPlace> joined_place(const ValueSyntax& value);
+  std::optional<LineEnd> resolve_joined_place(const ValueSyntax& value);
 
   /// False after E104: a vector has 2 or 3 components. E516 if their number is not
   /// Context::dimension.
-  bool is_vector(const ValueSyntax& value);
+  bool check_vector(const ValueSyntax& value);
 
   Context& context() { return context_; }
 
  private:
   Context& context_;
-  Scope scope_;
+  IndexScope scope_;
 };
 
 /// Reports E405 for an angle in rad that looks like degrees; the hint gives the multiple of pi.
-void note_degrees(Report& report, const Span& span, const cln::cl_RA& angle);
+void report_degrees(Report& report, const Span& span, const cln::cl_RA& angle);
 /// Reports E405 for a coordinate in rad whose value is more than a turn and a multiple of 5.
 void note_degrees(Report& report, const Span& span, const Coordinate& coordinate,
                   const std::optional<cln::cl_R>& value);
@@ -106,13 +106,13 @@ template <class Table>
 }
 
 /// Whether a flag is present and true.
-[[nodiscard]] inline bool is_set(const KeySyntax* flag) {
+[[nodiscard]] inline bool is_flag_set(const KeySyntax* flag) {
   return flag != nullptr && flag->value.boolean;
 }
 
 /// A row of the Model with the entry's name, and with the text keys that the row's type has.
 template <class Row>
-[[nodiscard]] Row row_of(const EntrySyntax& entry, const NewName& name) {
+[[nodiscard]] Row make_row(const EntrySyntax& entry, const NewName& name) {
   Row row;
   row.name = name.text();
   row.span = name.span;
@@ -128,7 +128,7 @@ template <auto list>
 std::uint32_t append_row(Model& model, const EntrySyntax& entry, const NewName& name) {
   auto& rows = model.*list;
   using Row = typename std::remove_reference_t<decltype(rows)>::value_type;
-  rows.push_back(row_of<Row>(entry, name));
+  rows.push_back(make_row<Row>(entry, name));
   return static_cast<std::uint32_t>(rows.size() - 1);
 }
 
@@ -138,16 +138,15 @@ std::uint32_t append_row(Model& model, const EntrySyntax& entry, const NewName& 
     const EntrySyntax& entry, std::span<const std::string_view> keys);
 
 /// larger - smaller. The units of both sides are then compared as terms of a sum.
-[[nodiscard]] ExpressionSyntax subtraction_syntax(const ExpressionSyntax& larger,
-                                                  const ExpressionSyntax& smaller,
-                                                  const Span& span);
+[[nodiscard]] ExpressionSyntax difference_syntax(const ExpressionSyntax& larger,
+                                                 const ExpressionSyntax& smaller, const Span& span);
 
 /// left - right of an equation, or left if the right side is 0; none if a side is missing.
-[[nodiscard]] std::optional<ExpressionSyntax> residual(const ValueSyntax& equation);
+[[nodiscard]] std::optional<ExpressionSyntax> residual_syntax(const ValueSyntax& equation);
 
 /// Parses options as keys, and reports the diagnostics of parse_options.
-[[nodiscard]] std::vector<KeySyntax> keys_of(Context& context,
-                                             const std::vector<SourcePointer>& options,
-                                             KeyType type);
+[[nodiscard]] std::vector<KeySyntax> parse_option_keys(Context& context,
+                                                       const std::vector<SourcePointer>& options,
+                                                       KeyType type);
 
 }  // namespace elgen

@@ -20,7 +20,7 @@ void set_units(Input* first, std::uint32_t count, const Unit& unit, const std::s
 
 }  // namespace
 
-WrenchComponents wrench_components(const Context& context, const EntrySyntax& entry) {
+WrenchComponentCounts count_wrench_components(const Context& context, const EntrySyntax& entry) {
   const std::uint32_t torque = context.is_planar ? 1 : 3;
   return {entry.find("wrench") != nullptr ? torque : 0, context.is_planar ? 2U : 3U};
 }
@@ -51,11 +51,11 @@ std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntryS
   if (const KeySyntax* unit = entry.find("unit")) {
     return refuse(Reason::unit_of_wrench, unit->key_span, "torques are in N*m and forces in N");
   }
-  const WrenchComponents count = wrench_components(context, entry);
+  const WrenchComponentCounts count = count_wrench_components(context, entry);
   const auto first = static_cast<std::uint32_t>(context.model.inputs.size());
   for (std::uint32_t i = 0; i < count.torque + count.force; ++i) {
     const NewName component{name.base, i + 1, name.span};
-    context.model.inputs.push_back(row_of<Input>(entry, component));
+    context.model.inputs.push_back(make_row<Input>(entry, component));
     context.model.inputs.back().is_external = true;
     if (!context.symbols.declare(component, SymbolKind::input, first + i, context.report)) {
       return std::nullopt;

@@ -23,10 +23,11 @@ std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntryS
                                                   const NewName& name);
 
 /// The numbers of inputs that are components of the torque and of the force.
-struct WrenchComponents {
+struct WrenchComponentCounts {
   std::uint32_t torque = 0;
   std::uint32_t force = 0;
 };
-[[nodiscard]] WrenchComponents wrench_components(const Context& context, const EntrySyntax& entry);
+[[nodiscard]] WrenchComponentCounts count_wrench_components(const Context& context,
+                                                            const EntrySyntax& entry);
 
 }  // namespace elgen

@@ -19,11 +19,11 @@ namespace {
 constexpr std::string_view entry_suffix = "_entry";
 /// A field of forward_dynamics that files name like an output.
 constexpr std::string_view multipliers = "multipliers";
-constexpr Place closed_form{"a closed form", place::anything};
-constexpr Place closed_form_of_momenta{"a closed form", place::anything | uses_momentum};
-constexpr Place conserved_form{"a conserved quantity",
-                               place::anything | uses_momentum | uses_energy};
-constexpr Place equation_of_motion{"an equation of motion", place::anything};
+constexpr ExpressionRole closed_form{"a closed form", place::all_terms};
+constexpr ExpressionRole closed_form_of_momenta{"a closed form", place::all_terms | uses_momentum};
+constexpr ExpressionRole conserved_form{"a conserved quantity",
+                                        place::all_terms | uses_momentum | uses_energy};
+constexpr ExpressionRole equation_of_motion{"an equation of motion", place::all_terms};
 
 /// A field of an output: the first field, or `multipliers`.
 struct ExpectedField {
@@ -32,22 +32,22 @@ struct ExpectedField {
   std::uint32_t first = 0;
 };
 
-Place place_for(const ExpectedField& expected) {
+ExpressionRole role_of_field(const ExpectedField& expected) {
   const OutputKind kind = expected.request.kind;
-  const bool takes_momenta = output_row(kind).takes.has_any(Opcode::momentum);
-  Place place = takes_momenta ? closed_form_of_momenta : closed_form;
+  const bool takes_momenta = output_row(kind).argument_kinds.has_any(Opcode::momentum);
+  ExpressionRole place = takes_momenta ? closed_form_of_momenta : closed_form;
   place.is_force = field_row(kind, expected.field).unit == UnitRule::power;
   return place;
 }
 
-std::string shape(std::size_t rows, std::size_t columns) {
+std::string dimensions_text(std::size_t rows, std::size_t columns) {
   return std::to_string(rows) + " x " + std::to_string(columns);
 }
 
 using Rows = std::vector<std::vector<const ValueSyntax*>>;
 
 /// The rows of a value: a list of lists, a list (a column), or one expression.
-Rows rows_of(const ValueSyntax& value) {
+Rows split_rows(const ValueSyntax& value) {
   Rows rows;
   if (value.kind != ValueKind::list) return {{&value}};
   for (const ValueSyntax& item : value.items) {
@@ -61,7 +61,7 @@ Rows rows_of(const ValueSyntax& value) {
 /// True for outputs whose kind is a matrix, even if it is 1 x 1, such as the mass matrix of one
 /// coordinate. A pose is a matrix too.
 bool is_matrix(const OutputRequest& request) {
-  return request.columns > 1 || has_columns(field_row(request.kind, ""));
+  return request.columns > 1 || is_matrix_field(field_row(request.kind, ""));
 }
 
 bool is_nested(const ValueSyntax& value) {
@@ -69,11 +69,12 @@ bool is_nested(const ValueSyntax& value) {
 }
 
 /// The shape of the given entries: "2 x 1 entries".
-std::string found_shape(const Rows& rows) {
+std::string observed_dimensions_text(const Rows& rows) {
   const std::size_t columns = rows.empty() ? 0 : rows.front().size();
   const bool is_ragged =
       std::ranges::any_of(rows, [&](const auto& row) { return row.size() != columns; });
-  return is_ragged ? "rows of different lengths" : shape(rows.size(), columns) + " entries";
+  return is_ragged ? "rows of different lengths"
+                   : dimensions_text(rows.size(), columns) + " entries";
 }
 
 /// The output and field with this name; none after an error of require_request.
@@ -85,13 +86,13 @@ std::optional<ExpectedField> require_field(Context& context, std::string_view na
   if (!request) return std::nullopt;
   if (!is_field) return ExpectedField{std::move(*request)};
   ExpectedField expected{std::move(*request), std::string(name)};
-  expected.first = expected.request.rows + extent_of(model, Extent::pivots);
-  expected.request.rows = extent_of(model, Extent::constraints);
+  expected.first = expected.request.rows + extent_size(model, Extent::pivots);
+  expected.request.rows = extent_size(model, Extent::constraints);
   return expected;
 }
 
 /// An expectation without its entries.
-Expectation empty_expectation(const ExpectedField& expected, const Span& span) {
+Expectation make_expectation(const ExpectedField& expected, const Span& span) {
   Expectation expectation;
   expectation.output = expected.request.name;
   expectation.field = expected.field;
@@ -103,9 +104,9 @@ Expectation empty_expectation(const ExpectedField& expected, const Span& span) {
 }
 
 /// The row-major index of the entry at the running indices, which count from 1 in files. E517.
-std::optional<std::size_t> index_in(const OutputRequest& request,
-                                    const std::vector<RangeSyntax>& ranges, const Scope& scope,
-                                    const Span& span, Report& report) {
+std::optional<std::size_t> entry_index(const OutputRequest& request,
+                                       const std::vector<RangeSyntax>& ranges,
+                                       const IndexScope& scope, const Span& span, Report& report) {
   const std::int64_t row = *scope.find(ranges[0].index);
   const std::int64_t column = ranges.size() > 1 ? *scope.find(ranges[1].index) : 1;
   if (row >= 1 && row <= request.rows && column >= 1 && column <= request.columns) {
@@ -113,7 +114,8 @@ std::optional<std::size_t> index_in(const OutputRequest& request,
   }
   report.add(Code::E517, span,
              "entry " + std::to_string(row) + ", " + std::to_string(column) + ", but " +
-                 in_backticks(request.name) + " is " + shape(request.rows, request.columns));
+                 quote_text(request.name) + " is " +
+                 dimensions_text(request.rows, request.columns));
   return std::nullopt;
 }
 
@@ -126,14 +128,14 @@ bool check_complete(Expectation& expectation, const Span& span, Report& report) 
   report.add(Code::E517, span,
              "no entry " + std::to_string(index / expectation.columns + 1) + ", " +
                  std::to_string(index % expectation.columns + 1) + " of " +
-                 in_backticks(expectation.output));
+                 quote_text(expectation.output));
   return false;
 }
 
 class ExpectationReader {
  public:
   /// `at`: the state of the expected values; none if the values hold in all states.
-  ExpectationReader(Context& context, const std::optional<StatedState>& at)
+  ExpectationReader(Context& context, const std::optional<ExpectationState>& at)
       : context_(context), values_(context), at_(at) {}
 
   void read(const KeySyntax& key) {
@@ -142,7 +144,7 @@ class ExpectationReader {
     } else if (key.key == "equations") {
       read_column(key, equation_of_motion);
     } else if (key.value.kind == ValueKind::table) {
-      read_sized(key);
+      read_entry_formula(key);
     } else if (const auto expected = require_field(context_, key.key, key.key_span)) {
       read_matrix(key, *expected);
     }
@@ -150,64 +152,65 @@ class ExpectationReader {
 
  private:
   /// Reads `conserved` or `equations`, which are no outputs.
-  void read_column(const KeySyntax& key, const Place& place) {
+  void read_column(const KeySyntax& key, const ExpressionRole& place) {
     Expectation expectation;
     expectation.output = key.key;
     expectation.span = key.key_span;
     for (const ValueSyntax& item : key.value.items) {
-      const auto value = item.kind == ValueKind::table ? residual(item) : item.expression;
+      const auto value = item.kind == ValueKind::table ? residual_syntax(item) : item.expression;
       if (!value) continue;
-      expectation.entries.push_back(values_.root(*value, {place}));
+      expectation.entries.push_back(values_.read_root(*value, {place}));
       expectation.spans.push_back(item.span);
     }
     expectation.rows = static_cast<std::uint32_t>(expectation.entries.size());
     expectation.columns = 1;
-    keep(std::move(expectation));
+    store_expectation(std::move(expectation));
   }
 
   void read_matrix(const KeySyntax& key, const ExpectedField& expected) {
     const OutputRequest& request = expected.request;
-    const auto rows = rows_of(key.value);
-    Expectation expectation = empty_expectation(expected, key.key_span);
+    const auto rows = split_rows(key.value);
+    Expectation expectation = make_expectation(expected, key.key_span);
     const bool needs_rows = is_matrix(request) && !is_nested(key.value);
     bool fits = rows.size() == request.rows && !needs_rows;
     for (std::size_t i = 0; fits && i < rows.size(); ++i) {
       fits = rows[i].size() == request.columns;
       for (std::size_t j = 0; fits && j < rows[i].size(); ++j) {
         const std::size_t index = expectation.entries.size();
-        add_entry(expectation, *rows[i][j], request_for(expected, index));
-        drop_unit();
+        add_entry(expectation, *rows[i][j], entry_request(expected, index));
+        drop_plain_number_unit();
       }
     }
     if (!fits) {
-      const std::string found = needs_rows ? "no list of rows" : found_shape(rows);
-      context_.report.add(
-          Code::E517, key.value.span,
-          found + ", but " + in_backticks(key.key) + " is " + shape(request.rows, request.columns),
-          is_matrix(request) ? "a matrix is a list of rows: [[…], […]]" : "");
+      const std::string found = needs_rows ? "no list of rows" : observed_dimensions_text(rows);
+      context_.report.add(Code::E517, key.value.span,
+                          found + ", but " + quote_text(key.key) + " is " +
+                              dimensions_text(request.rows, request.columns),
+                          is_matrix(request) ? "a matrix is a list of rows: [[…], […]]" : "");
       return;
     }
-    keep(std::move(expectation));
+    store_expectation(std::move(expectation));
   }
 
   /// If the [[expect]] has a state and the last entry is a plain number, removes its expected unit:
   /// plain numbers come from tables and get no E405.
-  void drop_unit() {
-    if (at_ && !context_.roots.empty() && context_.roots.back().is_in_unit_of_place) {
+  void drop_plain_number_unit() {
+    if (at_ && !context_.roots.empty() && context_.roots.back().is_in_role_unit) {
       context_.roots.back().unit.reset();
     }
   }
 
-  void keep(Expectation expectation) {
-    if (!expectation.is_conserved() && !expectation.is_equations()) expectation.at = at_;
-    if (!context_.beyond_limits) context_.model.expectations.push_back(std::move(expectation));
+  void store_expectation(Expectation expectation) {
+    if (!expectation.claims_conservation() && !expectation.claims_equations())
+      expectation.state = at_;
+    if (!context_.is_beyond_limits) context_.model.expectations.push_back(std::move(expectation));
   }
 
   /// The place and the expected unit of an entry of the output.
-  RootRequest request_for(const ExpectedField& expected, std::size_t index) const {
+  RootRequest entry_request(const ExpectedField& expected, std::size_t index) const {
     const auto& [output, field, first] = expected;
-    const EntryPlace place{output.kind, field, index / output.columns, index % output.columns};
-    return {place_for(expected), unit_of_entry(context_.model, place)};
+    const FieldEntry place{output.kind, field, index / output.columns, index % output.columns};
+    return {role_of_field(expected), unit_of_entry(context_.model, place)};
   }
 
   void add_entry(Expectation& expectation, const ValueSyntax& value, const RootRequest& entry) {
@@ -215,12 +218,12 @@ class ExpectationReader {
     expectation.spans.push_back(value.span);
   }
 
-  void read_sized(const KeySyntax& key) {
+  void read_entry_formula(const KeySyntax& key) {
     const std::string_view name = key.key;
     if (!name.ends_with(entry_suffix)) {
       context_.report.add(
           Code::E601, key.key_span,
-          in_backticks(name) + " gives a formula for each entry, but its name lacks the suffix",
+          quote_text(name) + " gives a formula for each entry, but its name lacks the suffix",
           "did you mean `" + key.key + std::string(entry_suffix) + "`?");
       return;
     }
@@ -235,43 +238,44 @@ class ExpectationReader {
     if (ranges.size() != indices) {
       context_.report.add(Code::E517, repetition->value.span,
                           std::to_string(ranges.size()) + " indices, but an entry of " +
-                              in_backticks(request.name) + " has " + std::to_string(indices));
+                              quote_text(request.name) + " has " + std::to_string(indices));
       return;
     }
-    expand(*expected, ranges, *value, key.key_span);
+    expand_entry_formula(*expected, ranges, *value, key.key_span);
   }
 
-  void expand(const ExpectedField& expected, const std::vector<RangeSyntax>& ranges,
-              const KeySyntax& value, const Span& span) {
-    Expectation expectation = empty_expectation(expected, span);
-    Scope scope(context_.sizes);
+  void expand_entry_formula(const ExpectedField& expected, const std::vector<RangeSyntax>& ranges,
+                            const KeySyntax& value, const Span& span) {
+    Expectation expectation = make_expectation(expected, span);
+    IndexScope scope(context_.sizes);
     const auto add = [&] {
       const auto index =
-          index_in(expected.request, ranges, scope, value.value.span, context_.report);
+          entry_index(expected.request, ranges, scope, value.value.span, context_.report);
       if (!index) return false;
       const ExpressionId entry =
-          ValueReader(context_, scope).root(value.value, request_for(expected, *index));
-      drop_unit();
+          ValueReader(context_, scope).root(value.value, entry_request(expected, *index));
+      drop_plain_number_unit();
       // Grow lazily: a form over the node limit stops long before its last entry.
       expectation.entries.resize(std::max(expectation.entries.size(), *index + 1), no_expression);
       expectation.entries[*index] = entry;
       return entry != no_expression;
     };
-    const bool complete = repeat(ranges, scope, context_.report, add);
+    const bool complete = for_each_index_tuple(ranges, scope, context_.report, add);
     if (complete && check_complete(expectation, value.value.span, context_.report)) {
       expectation.spans.assign(expectation.entries.size(), value.value.span);
-      keep(std::move(expectation));
+      store_expectation(std::move(expectation));
     }
   }
 
   Context& context_;
   ValueReader values_;
-  const std::optional<StatedState>& at_;
+  const std::optional<ExpectationState>& at_;
 };
 
 /// Reads one closed form with at most 4096 nodes. A larger form is removed again, but the errors
 /// found before the limit are reported.
-void read_limited(Context& context, const std::optional<StatedState>& at, const KeySyntax& key) {
+void read_within_node_limit(Context& context, const std::optional<ExpectationState>& at,
+                            const KeySyntax& key) {
   constexpr std::uint64_t few_nodes = 4096;
   const std::size_t nodes = context.model.expressions.size();
   const std::size_t roots = context.roots.size();
@@ -280,31 +284,31 @@ void read_limited(Context& context, const std::optional<StatedState>& at, const 
   ExpectationReader(context, at).read(key);
   const Report inner = std::exchange(context.report, std::move(outer));
   context.node_limit = limit;
-  if (std::exchange(context.beyond_limits, false)) {
+  if (std::exchange(context.is_beyond_limits, false)) {
     context.truncate(nodes);
     context.roots.resize(roots);
   }
-  for (const Diagnostic& diagnostic : inner.sorted()) {
+  for (const Diagnostic& diagnostic : inner.sorted_diagnostics()) {
     if (diagnostic.code != Code::E908) context.report.add(diagnostic);
   }
 }
 
 /// True if the entry contains `no_expression`, which replaces errors and the z of a planar point.
-bool has_failed(const Model& model, ExpressionId entry) {
-  return std::ranges::count(reachable_from(model, {entry}), no_expression) > 0;
+bool contains_error(const Model& model, ExpressionId entry) {
+  return std::ranges::count(reachable_expressions(model, {entry}), no_expression) > 0;
 }
 
 }  // namespace
 
-void check_equations(Context& context, const std::vector<Traits>& traits) {
+void check_expected_equations(Context& context, const std::vector<ExpressionTraits>& traits) {
   const Model& model = context.model;
-  const bool is_sound = context.report.errors() == 0;
+  const bool is_sound = context.report.error_count() == 0;
   for (const Expectation& expectation : model.expectations) {
-    if (!expectation.is_equations()) continue;
+    if (!expectation.claims_equations()) continue;
     for (std::size_t i = 0; i < expectation.entries.size(); ++i) {
       const ExpressionId entry = expectation.entries[i];
       if ((traits[entry].ingredients & uses_acceleration) != 0) continue;
-      if (!is_sound && has_failed(model, entry)) continue;
+      if (!is_sound && contains_error(model, entry)) continue;
       context.report.add(Code::E540, expectation.spans[i],
                          in_backticks(expectation.spans[i]) + " contains no acceleration",
                          "the acceleration of `x` is `dot(dot(x))`");
@@ -323,14 +327,14 @@ void check_equations(Context& context, const std::vector<Traits>& traits) {
 void read_expectations(Context& context, const FileSyntax& syntax, bool large) {
   for (const EntrySyntax& entry : syntax.entries) {
     if (entry.name != "expect") continue;
-    const std::optional<StatedState> at = read_stated_state(context, entry);
+    const std::optional<ExpectationState> at = read_expected_state(context, entry);
     for (const KeySyntax& key : entry.keys) {
       const bool is_of_state = key.key == "at" || key.key == "within";
       if (is_of_state || uses_closed_derivative(context, key.value)) continue;
       if (large) {
         ExpectationReader(context, at).read(key);
       } else {
-        read_limited(context, at, key);
+        read_within_node_limit(context, at, key);
       }
     }
   }

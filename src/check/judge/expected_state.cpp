@@ -17,13 +17,13 @@ namespace elgen {
 namespace {
 
 /// Every leaf that a function may take, with its name in models and without a value.
-std::vector<std::pair<std::string, StatedLeaf>> stated_leaves(const Model& model) {
+std::vector<std::pair<std::string, LeafAssignment>> stated_leaves(const Model& model) {
   LeafNames names = leaf_names(model);
   name_optional_leaves(Opcode::momentum, names);
-  std::vector<std::pair<std::string, StatedLeaf>> leaves;
+  std::vector<std::pair<std::string, LeafAssignment>> leaves;
   for_each_leaf(
       [&](Opcode kind, std::uint32_t number, const std::string& name) {
-        if (name.empty() || leaf_row(kind).passed == Passed::never) return;
+        if (name.empty() || leaf_row(kind).argument_rule == ArgumentRule::never) return;
         leaves.push_back({leaf_text(names, kind, number), {kind, number}});
       },
       names);
@@ -31,20 +31,20 @@ std::vector<std::pair<std::string, StatedLeaf>> stated_leaves(const Model& model
 }
 
 /// Reads NAME = value. E201 for an unknown name, E319 for a value that is not constant.
-std::vector<StatedLeaf> read_leaves(Context& context, const std::vector<KeySyntax>& keys) {
-  using Named = std::pair<std::string, StatedLeaf>;
+std::vector<LeafAssignment> read_leaves(Context& context, const std::vector<KeySyntax>& keys) {
+  using Named = std::pair<std::string, LeafAssignment>;
   const std::vector<Named> known = stated_leaves(context.model);
-  std::vector<StatedLeaf> leaves;
+  std::vector<LeafAssignment> leaves;
   for (const KeySyntax& key : keys) {
     const auto found = std::ranges::find(known, key.key, &Named::first);
     if (found == known.end()) {
       context.report.add(Reason::unknown_state_name, key.key_span,
-                         "unknown name " + in_backticks(key.key),
+                         "unknown name " + quote_text(key.key),
                          suggestion(key.key, column_words(known, &Named::first)));
       continue;
     }
-    StatedLeaf leaf = found->second;
-    const std::optional<cln::cl_R> value = ValueReader(context).constant(key.value);
+    LeafAssignment leaf = found->second;
+    const std::optional<cln::cl_R> value = ValueReader(context).read_constant(key.value);
     if (leaf.kind == Opcode::coordinate) {
       note_degrees(context.report, key.value.span, context.model.coordinates[leaf.number], value);
     }
@@ -55,14 +55,14 @@ std::vector<StatedLeaf> read_leaves(Context& context, const std::vector<KeySynta
 }
 
 /// Whether a key of an [[expect]] is an output.
-bool is_output(const KeySyntax& key) {
+bool is_output_key(const KeySyntax& key) {
   constexpr std::array<std::string_view, 4> others{"at", "within", "conserved", "equations"};
   return std::ranges::find(others, key.key) == others.end();
 }
 
 }  // namespace
 
-std::optional<StatedState> read_stated_state(Context& context, const EntrySyntax& entry) {
+std::optional<ExpectationState> read_expected_state(Context& context, const EntrySyntax& entry) {
   const KeySyntax* const at = entry.find("at");
   const KeySyntax* const within = entry.find("within");
   if (at == nullptr) {
@@ -71,15 +71,15 @@ std::optional<StatedState> read_stated_state(Context& context, const EntrySyntax
                        "closed forms are exact; numbers are given `at` a state");
     return std::nullopt;
   }
-  if (std::ranges::none_of(entry.keys, is_output)) {
+  if (std::ranges::none_of(entry.keys, is_output_key)) {
     context.report.add(Reason::state_without_output, at->key_span,
                        "no output is given at this state",
                        "`conserved` and `equations` hold at all states");
   }
   // The default tolerance 1e-12 fits tables of doubles.
-  StatedState state{read_leaves(context, at->value.entries), power_of_ten(-12)};
+  ExpectationState state{read_leaves(context, at->value.entries), power_of_ten(-12)};
   if (within == nullptr) return state;
-  state.tolerance = ValueReader(context).constant(within->value).value_or(state.tolerance);
+  state.tolerance = ValueReader(context).read_constant(within->value).value_or(state.tolerance);
   if (!cln::plusp(state.tolerance)) {
     context.report.add(Reason::bad_tolerance, within->value.span,
                        in_backticks(within->value.span) + " is not positive");

@@ -13,11 +13,11 @@ namespace elgen {
 
 /// Checks energies, inputs, forces and moving masses: E112, E503, E504, E509, E513, E514, E515.
 /// Sets Model::quadratic, uses_time and may_drift.
-void check_mechanics(Context& context, const std::vector<Traits>& traits);
+void check_mechanics(Context& context, const std::vector<ExpressionTraits>& traits);
 
 /// One flag per velocity: true if the velocity occurs in T or L or in the motion of a point or body
 /// with mass, or if it has an armature.
-[[nodiscard]] std::vector<bool> moving_velocities(const Model& model);
+[[nodiscard]] std::vector<bool> velocities_with_energy(const Model& model);
 
 /// Rewrites sin(a)/a, (1 - cos(a))/a and (1 - cos(a))/a^2 as Stumpff functions in equations and
 /// outputs, if a is a multiple of a coordinate. Fills Model::typed.
@@ -27,16 +27,16 @@ void rewrite_quotients(Context& context);
 void check_constraints(Context& context);
 
 /// The state of an [[expect]]; none if it has no `at`. E112, E201, E319.
-[[nodiscard]] std::optional<StatedState> read_stated_state(Context& context,
-                                                           const EntrySyntax& entry);
+[[nodiscard]] std::optional<ExpectationState> read_expected_state(Context& context,
+                                                                  const EntrySyntax& entry);
 
 /// Reports E540 if an equation of [[expect]] contains no acceleration, or if there are fewer
 /// equations and constraints than accelerations.
-void check_equations(Context& context, const std::vector<Traits>& traits);
+void check_expected_equations(Context& context, const std::vector<ExpressionTraits>& traits);
 
 /// Resolves every closed form and compares its shape with the output's. Closed forms of sized
 /// models grow faster than the model, so forms with more than 4096 nodes are kept only if `large`.
-/// E517, E601, E603, E505, and the errors of read_stated_state.
+/// E517, E601, E603, E505, and the errors of read_expected_state.
 void read_expectations(Context& context, const FileSyntax& syntax, bool large);
 
 }  // namespace elgen

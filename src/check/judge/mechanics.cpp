@@ -46,7 +46,7 @@ bool is_in_equations(const Model& model, const Root& root) {
 /// All expressions in the equations and outputs, and the motions on which forces do work.
 Expressions expressions_in_equations(const Model& model) {
   Expressions all =
-      roots_if(model, [&model](const Root& root) { return is_in_equations(model, root); });
+      filter_roots(model, [&model](const Root& root) { return is_in_equations(model, root); });
   for (const Force& force : model.forces) {
     const Expressions moved = work_expressions(model, force);
     all.insert(all.end(), moved.begin(), moved.end());
@@ -56,7 +56,7 @@ Expressions expressions_in_equations(const Model& model) {
 
 /// True if T has terms below degree 2 in the rates or a spin below degree 1, if V depends on rates,
 /// or if L is given.
-bool energy_may_drift(const Model& model, const std::vector<Traits>& traits) {
+bool energy_may_drift(const Model& model, const std::vector<ExpressionTraits>& traits) {
   const Energies& e = model.energies;
   const auto lowest = [&](ExpressionId id) { return traits[id].lowest_rate_degree; };
   const auto turns_at_rest = [&](const Body& body) {
@@ -68,10 +68,10 @@ bool energy_may_drift(const Model& model, const std::vector<Traits>& traits) {
 
 class MechanicsCheck {
  public:
-  MechanicsCheck(Context& context, const std::vector<Traits>& traits)
+  MechanicsCheck(Context& context, const std::vector<ExpressionTraits>& traits)
       : context_(context), model_(context.model), traits_(traits) {}
 
-  void run() {
+  void check_all() {
     check_degree(model_.energies.V, 1, Code::E503, "at most linear");
     check_degree(model_.energies.T, 2, Code::E504, "at most quadratic");
     for (const Body& body : model_.bodies) {
@@ -79,7 +79,7 @@ class MechanicsCheck {
         check_degree(component, 1, Code::E504, "at most linear");
       }
     }
-    if (model_.energies.L) model_.quadratic = traits_[*model_.energies.L].rate_degree <= 2;
+    if (model_.energies.L) model_.is_quadratic = traits_[*model_.energies.L].rate_degree <= 2;
     for (const Force& force : model_.forces) {
       for (const ExpressionId value : force.value) {
         check_affine(value);
@@ -116,7 +116,7 @@ class MechanicsCheck {
   }
 
   void check_affine(ExpressionId value) {
-    const Traits& traits = traits_[value];
+    const ExpressionTraits& traits = traits_[value];
     if (traits.input_degree > 1) {
       context_.report.add(Code::E509, span(value),
                           in_backticks(span(value)) + " is not linear in the inputs");
@@ -129,13 +129,13 @@ class MechanicsCheck {
   /// Reports E112 for an input with `on` in the value of a force: the input would act twice.
   void check_inputs(ExpressionId value) {
     if ((traits_[value].ingredients & uses_input) == 0) return;
-    for (const ExpressionId id : reachable_from(model_, {value})) {
+    for (const ExpressionId id : reachable_expressions(model_, {value})) {
       const Expression& node = model_.expressions[id];
-      if (!is_leaf(node, Opcode::input) || !model_.inputs[node.index].on) continue;
+      if (!is_leaf(node, Opcode::input) || !model_.inputs[node.index].velocity) continue;
       const Input& input = model_.inputs[node.index];
       context_.report.add({Reason::input_acts_twice, node.span,
-                           in_backticks(input.name) + " acts on " +
-                               in_backticks(model_.velocities[*input.on].name) +
+                           quote_text(input.name) + " acts on " +
+                               quote_text(model_.velocities[*input.velocity].name) +
                                " by its `on`, but a force also contains it",
                            "without `on`, an input acts through the force that contains it",
                            input.span, "the input is declared here"});
@@ -150,20 +150,20 @@ class MechanicsCheck {
     }
     if (!energies.L && !energies.T && !has_masses(model_)) {
       context_.report.add(Code::E514, context_.model_span,
-                          in_backticks(model_.name) + " has no kinetic energy",
+                          quote_text(model_.name) + " has no kinetic energy",
                           "give a point or body a mass, or write `[energy] T`");
-    } else if (context_.report.errors() == 0) {
+    } else if (context_.report.error_count() == 0) {
       check_motion();
     }
   }
 
   void check_motion() {
-    const std::vector<bool> moving = moving_velocities(model_);
+    const std::vector<bool> moving = velocities_with_energy(model_);
     for (std::size_t i = 0; i < moving.size(); ++i) {
       if (!moving[i]) {
         const Velocity& velocity = model_.velocities[i];
         context_.report.add(Code::E513, velocity.span,
-                            "the rate of " + in_backticks(velocity.name) +
+                            "the rate of " + quote_text(velocity.name) +
                                 " is in no energy, so nothing determines its motion",
                             model_.constraints.empty()
                                 ? ""
@@ -175,17 +175,17 @@ class MechanicsCheck {
 
   Context& context_;
   Model& model_;
-  const std::vector<Traits>& traits_;
+  const std::vector<ExpressionTraits>& traits_;
 };
 
 /// Subexpressions of T and L as the file writes them, and of the bodies' spins.
 Expressions expressions_in_energies(const Model& model) {
-  return reachable_from(model, roots_if(model, [](const Root& root) {
-                          const bool is_of_body = root.entity.kind == EntityKind::body;
-                          return root.role == RootRole::kinetic ||
-                                 root.role == RootRole::lagrangian ||
-                                 (is_of_body && root.role == RootRole::spin);
-                        }));
+  return reachable_expressions(model, filter_roots(model, [](const Root& root) {
+                                 const bool is_of_body = root.entity.kind == EntityKind::body;
+                                 return root.role == RootRole::kinetic ||
+                                        root.role == RootRole::lagrangian ||
+                                        (is_of_body && root.role == RootRole::spin);
+                               }));
 }
 
 /// Subexpressions differentiated by time in the energies, and the positions of masses.
@@ -195,21 +195,21 @@ Expressions differentiated_expressions(const Model& model, const Expressions& en
     return model.expressions[id].kind == ExpressionKind::time_derivative;
   });
   for (const Point& point : model.points) {
-    if (point.mass) roots.insert(roots.end(), point.at.begin(), point.at.end());
+    if (point.mass) roots.insert(roots.end(), point.position.begin(), point.position.end());
   }
   for (const Body& body : model.bodies) {
     if (body.mass) roots.insert(roots.end(), body.com.begin(), body.com.end());
   }
-  return reachable_from(model, roots);
+  return reachable_expressions(model, roots);
 }
 
 }  // namespace
 
-void check_mechanics(Context& context, const std::vector<Traits>& traits) {
-  MechanicsCheck(context, traits).run();
+void check_mechanics(Context& context, const std::vector<ExpressionTraits>& traits) {
+  MechanicsCheck(context, traits).check_all();
 }
 
-std::vector<bool> moving_velocities(const Model& model) {
+std::vector<bool> velocities_with_energy(const Model& model) {
   std::vector<bool> moving(model.velocities.size(), false);
   const auto mark = [&](const Coordinate& coordinate) {
     std::fill_n(moving.begin() + coordinate.velocity, coordinate.rotation ? axis_count : 1, true);
@@ -240,7 +240,7 @@ namespace {
 
 /// One flag per constraint: true if it contains no coordinate and no rate.
 std::vector<bool> constraints_without_motion(const Model& model,
-                                             const std::vector<Traits>& traits) {
+                                             const std::vector<ExpressionTraits>& traits) {
   std::vector<bool> marks;
   for (const Constraint& constraint : model.constraints) {
     const Ingredients made_of = traits[constraint.value].ingredients;
@@ -250,7 +250,8 @@ std::vector<bool> constraints_without_motion(const Model& model,
 }
 
 /// Reports E535 for a velocity equation that is not affine in the rates or contains no rate.
-void check_equation(Context& context, const Constraint& constraint, const Traits& traits) {
+void check_constraint_rates(Context& context, const Constraint& constraint,
+                            const ExpressionTraits& traits) {
   const Span& span = constraint.equation_span;
   if (!constraint.is_position && traits.rate_degree > 1) {
     context.report.add(Code::E535, span, in_backticks(span) + " is not affine in the rates");
@@ -261,34 +262,34 @@ void check_equation(Context& context, const Constraint& constraint, const Traits
 }
 
 /// Reports E539: the part `what` of the model or scene does not support constraints.
-void refuse_with_constraints(Context& context, const Span& span, const std::string& what,
-                             const std::string& instead) {
+void report_constraint_conflict(Context& context, const Span& span, const std::string& what,
+                                const std::string& instead) {
   context.report.add({Code::E539, span, what + " does not support constraints", instead,
                       context.model.constraints.front().span, "constrained here"});
 }
 
-void check_compatibility(Context& context) {
+void report_constraint_conflicts(Context& context) {
   const Model& model = context.model;
-  if (!model.quadratic) {
-    refuse_with_constraints(context, model.expressions[*model.energies.L].span,
-                            "a Lagrangian that is not quadratic in the rates",
-                            "choose coordinates that respect the constraint");
+  if (!model.is_quadratic) {
+    report_constraint_conflict(context, model.expressions[*model.energies.L].span,
+                               "a Lagrangian that is not quadratic in the rates",
+                               "choose coordinates that respect the constraint");
   }
   if (model.approximation) {
-    refuse_with_constraints(context, model.approximation->span, "`[approximate]`",
-                            "`linearization` linearises the constrained equations");
+    report_constraint_conflict(context, model.approximation->span, "`[approximate]`",
+                               "`linearization` linearises the constrained equations");
   }
   if (has_routhian(model)) {
-    refuse_with_constraints(context, model.variant.cyclic.front().span, "`[routh]`",
-                            "choose coordinates that respect the constraint");
+    report_constraint_conflict(context, model.reduction.cyclic.front().span, "`[routh]`",
+                               "choose coordinates that respect the constraint");
   }
-  if (!held_velocities(model).empty()) {
-    refuse_with_constraints(context, model.variant.locks.front().span, "`reaction = true`",
-                            "write the lock as a constraint: its multiplier is the reaction");
+  if (!reaction_row_velocities(model).empty()) {
+    report_constraint_conflict(context, model.reduction.locks.front().span, "`reaction = true`",
+                               "write the lock as a constraint: its multiplier is the reaction");
   }
-  for (const Equilibrium& equilibrium : whole_model(model).equilibria) {
-    refuse_with_constraints(context, equilibrium.span, "an `[[equilibrium]]`",
-                            "choose coordinates that respect the constraint");
+  for (const Equilibrium& equilibrium : unreduced_model(model).equilibria) {
+    report_constraint_conflict(context, equilibrium.span, "an `[[equilibrium]]`",
+                               "choose coordinates that respect the constraint");
   }
 }
 
@@ -297,16 +298,16 @@ void check_compatibility(Context& context) {
 void check_constraints(Context& context) {
   const Model& model = context.model;
   if (model.constraints.empty()) return;
-  const std::vector<Traits> traits = find_traits(model);
+  const std::vector<ExpressionTraits> traits = find_traits(model);
   const std::vector<bool> resting = constraints_without_motion(model, traits);
   for (std::size_t i = 0; i < resting.size(); ++i) {
     const Constraint& constraint = model.constraints[i];
     if (resting[i]) {
       context.report.add(Code::E536, constraint.equation_span,
-                         in_backticks(constraint.name) + " contains nothing that moves",
+                         quote_text(constraint.name) + " contains nothing that moves",
                          equation_hint(model.constraints, resting, constraint));
     } else {
-      check_equation(context, constraint, traits[constraint.value]);
+      check_constraint_rates(context, constraint, traits[constraint.value]);
     }
   }
   const std::size_t velocities = model.velocities.size();
@@ -316,7 +317,7 @@ void check_constraints(Context& context) {
                            std::to_string(velocities) +
                            (velocities == 1 ? " velocity" : " velocities"));
   }
-  check_compatibility(context);
+  report_constraint_conflicts(context);
 }
 
 }  // namespace elgen

@@ -30,12 +30,12 @@ struct PowerFactor {
 struct VanishingFactor {
   ExpressionId argument = 0;
   int order = 1;
-  std::optional<ExpressionId> whole = {};
+  std::optional<ExpressionId> scale = {};
 };
 
 /// The node itself or, for the name of a definition, its expression, through nested definitions.
 ExpressionId resolve_definition(const Model& model, ExpressionId id) {
-  while (is_name(model.expressions[id], NamedKind::definition)) {
+  while (refers_to_entry(model.expressions[id], NamedKind::definition)) {
     id = model.definitions[model.expressions[id].index].value;
   }
   return id;
@@ -52,10 +52,10 @@ bool is_same(const Model& model, ExpressionId x, ExpressionId y) {
 
 /// A product of powers, with definitions expanded. Long products are not rewritten: expanded
 /// definitions may have exponentially many factors.
-class Product {
+class PowerProduct {
  public:
-  explicit Product(const Model& model) : model_(model) {}
-  Product(const Model& model, ExpressionId id) : model_(model) { multiply(id, 1); }
+  explicit PowerProduct(const Model& model) : model_(model) {}
+  PowerProduct(const Model& model, ExpressionId id) : model_(model) { multiply(id, 1); }
 
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const std::vector<PowerFactor>& factors() const { return factors_; }
@@ -63,7 +63,7 @@ class Product {
   [[nodiscard]] bool is_long() const { return visits_ > most_visits; }
 
   /// Coordinates in the denominator.
-  [[nodiscard]] std::vector<std::uint32_t> divisors() const {
+  [[nodiscard]] std::vector<std::uint32_t> divisor_coordinates() const {
     std::vector<std::uint32_t> result;
     for (const PowerFactor& power : factors_) {
       const Expression& node = model_.expressions[power.base];
@@ -109,10 +109,10 @@ class Product {
       default:
         break;
     }
-    add({id, exponent});
+    multiply_factor({id, exponent});
   }
 
-  void add(const PowerFactor& factor) {
+  void multiply_factor(const PowerFactor& factor) {
     const auto known = std::ranges::find_if(factors_, [&](const PowerFactor& power) {
       return power.order == factor.order && is_same(model_, power.base, factor.base);
     });
@@ -123,7 +123,7 @@ class Product {
     }
   }
 
-  [[nodiscard]] ExpressionId node(NodeBuilder& nodes) const {
+  [[nodiscard]] ExpressionId build_node(NodeBuilder& nodes) const {
     std::vector<ExpressionId> above;
     std::vector<ExpressionId> below;
     for (const auto& [base, exponent, order] : factors_) {
@@ -147,8 +147,9 @@ class Product {
 };
 
 /// Recognises X and -X cos(a) as X (1 - cos(a)).
-std::optional<VanishingFactor> versine(const Model& model, ExpressionId whole, ExpressionId part) {
-  Product quotient(model, part);
+std::optional<VanishingFactor> find_versine(const Model& model, ExpressionId whole,
+                                            ExpressionId part) {
+  PowerProduct quotient(model, part);
   quotient.multiply(whole, -1);
   if (quotient.is_long() || !quotient.is_negative() || quotient.factors().size() != 1) return {};
   const auto& [base, exponent, order] = quotient.factors().front();
@@ -165,27 +166,26 @@ std::optional<VanishingFactor> find_vanishing_factor(const Model& model, Express
     return VanishingFactor{node.operands[0]};
   }
   if (node.kind != ExpressionKind::add || node.operands.size() != 2) return std::nullopt;
-  const auto factor = versine(model, node.operands[0], node.operands[1]);
-  return factor ? factor : versine(model, node.operands[1], node.operands[0]);
+  const auto factor = find_versine(model, node.operands[0], node.operands[1]);
+  return factor ? factor : find_versine(model, node.operands[1], node.operands[0]);
 }
 
 /// sin(a) = a stumpff(a, 1), X - X cos(a) = X a^2 stumpff(a, 2)
-void multiply_series(Product& product, const VanishingFactor& factor) {
-  if (factor.whole) product.multiply(*factor.whole, 1);
+void multiply_series(PowerProduct& product, const VanishingFactor& factor) {
+  if (factor.scale) product.multiply(*factor.scale, 1);
   product.multiply(factor.argument, factor.order);
-  product.add({factor.argument, 1, factor.order});
+  product.multiply_factor({factor.argument, 1, factor.order});
 }
 
 /// The expression and form of a factor sin(a) or 1 - cos(a) of the product, if a is proportional to
 /// the coordinate. A factor of the order `wanted` is preferred.
-std::optional<std::pair<ExpressionId, VanishingFactor>> factor_with(const Product& product,
-                                                                    std::uint32_t coordinate,
-                                                                    int wanted) {
+std::optional<std::pair<ExpressionId, VanishingFactor>> find_cancelling_factor(
+    const PowerProduct& product, std::uint32_t coordinate, int wanted) {
   std::optional<std::pair<ExpressionId, VanishingFactor>> found;
   for (const auto& [base, exponent, order] : product.factors()) {
     if (order != 0 || exponent <= 0) continue;
     const auto factor = find_vanishing_factor(product.model(), base);
-    if (!factor || Product(product.model(), factor->argument).exponent_of(coordinate) != 1)
+    if (!factor || PowerProduct(product.model(), factor->argument).exponent_of(coordinate) != 1)
       continue;
     if (!found || factor->order == wanted) found = {base, *factor};
   }
@@ -194,24 +194,24 @@ std::optional<std::pair<ExpressionId, VanishingFactor>> factor_with(const Produc
 
 /// Cancels a coordinate in the denominator against factors that vanish with it. None if some power
 /// of it would remain.
-std::optional<Product> without_divisor(Product product, std::uint32_t coordinate) {
+std::optional<PowerProduct> cancel_divisor(PowerProduct product, std::uint32_t coordinate) {
   while (product.exponent_of(coordinate) < 0 && !product.is_long()) {
     const int wanted = product.exponent_of(coordinate) < -1 ? 2 : 1;
-    const auto factor = factor_with(product, coordinate, wanted);
+    const auto factor = find_cancelling_factor(product, coordinate, wanted);
     if (!factor) return std::nullopt;
-    product.add({factor->first, -1});
+    product.multiply_factor({factor->first, -1});
     multiply_series(product, factor->second);
   }
   return product.is_long() ? std::nullopt : std::optional(std::move(product));
 }
 
 /// The product after cancelling; none if no coordinate cancels.
-std::optional<Product> cancel_divisors(const Model& model, ExpressionId id) {
-  std::optional<Product> result;
-  const Product typed(model, id);
+std::optional<PowerProduct> cancel_divisors(const Model& model, ExpressionId id) {
+  std::optional<PowerProduct> result;
+  const PowerProduct typed(model, id);
   if (typed.is_long()) return std::nullopt;
-  for (const std::uint32_t coordinate : typed.divisors()) {
-    auto product = without_divisor(result.value_or(typed), coordinate);
+  for (const std::uint32_t coordinate : typed.divisor_coordinates()) {
+    auto product = cancel_divisor(result.value_or(typed), coordinate);
     if (product) result.emplace(*product);
   }
   return result;
@@ -219,12 +219,12 @@ std::optional<Product> cancel_divisors(const Model& model, ExpressionId id) {
 
 /// The terms X and -X cos(a) as X a^2 stumpff(a, 2). None if the terms do not match, or if a
 /// coordinate would remain in the denominator.
-std::optional<Product> merge_pair(const Model& model, ExpressionId whole, ExpressionId part) {
-  const auto factor = versine(model, whole, part);
+std::optional<PowerProduct> merge_pair(const Model& model, ExpressionId whole, ExpressionId part) {
+  const auto factor = find_versine(model, whole, part);
   if (!factor) return std::nullopt;
-  Product product(model);
+  PowerProduct product(model);
   multiply_series(product, *factor);
-  if (product.is_long() || !product.divisors().empty()) return std::nullopt;
+  if (product.is_long() || !product.divisor_coordinates().empty()) return std::nullopt;
   return product;
 }
 
@@ -236,7 +236,7 @@ std::optional<ExpressionId> merge_pairs_of_sum(NodeBuilder& nodes, const Model& 
   std::vector<ExpressionId> terms = model.expressions[id].operands;
   std::vector<std::size_t> quotients;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    if (!Product(model, terms[i]).divisors().empty()) quotients.push_back(i);
+    if (!PowerProduct(model, terms[i]).divisor_coordinates().empty()) quotients.push_back(i);
   }
   if (quotients.size() > most_quotients) return std::nullopt;
   bool is_changed = false;
@@ -244,7 +244,7 @@ std::optional<ExpressionId> merge_pairs_of_sum(NodeBuilder& nodes, const Model& 
     for (const std::size_t part : quotients) {
       const auto product = merge_pair(model, terms[whole], terms[part]);
       if (!product) continue;
-      terms[whole] = product->node(nodes);
+      terms[whole] = product->build_node(nodes);
       terms[part] = no_expression;
       is_changed = true;
     }
@@ -253,26 +253,27 @@ std::optional<ExpressionId> merge_pairs_of_sum(NodeBuilder& nodes, const Model& 
 }
 
 /// A new node with Stumpff functions for a product or a sum; none if nothing changes.
-std::optional<ExpressionId> with_stumpff(NodeBuilder& nodes, const Model& model, ExpressionId id) {
+std::optional<ExpressionId> rewrite_with_stumpff(NodeBuilder& nodes, const Model& model,
+                                                 ExpressionId id) {
   const ExpressionKind kind = model.expressions[id].kind;
   if (kind == ExpressionKind::add) return merge_pairs_of_sum(nodes, model, id);
   const bool is_product = kind == ExpressionKind::multiply || kind == ExpressionKind::divide ||
                           kind == ExpressionKind::power;
   const auto product = is_product ? cancel_divisors(model, id) : std::nullopt;
-  return product ? std::optional(product->node(nodes)) : std::nullopt;
+  return product ? std::optional(product->build_node(nodes)) : std::nullopt;
 }
 
 }  // namespace
 
 void rewrite_quotients(Context& context) {
   Model& model = context.model;
-  std::vector<ExpressionId> all = reachable_from(model, all_roots(model));
+  std::vector<ExpressionId> all = reachable_expressions(model, equation_and_output_roots(model));
   std::ranges::reverse(all);  // a product before its factors
   for (const ExpressionId id : all) {
     NodeBuilder nodes(context, model.expressions[id].span);
-    const std::optional<ExpressionId> written = with_stumpff(nodes, model, id);
+    const std::optional<ExpressionId> written = rewrite_with_stumpff(nodes, model, id);
     if (!written) continue;
-    model.typed.emplace(id, model.expressions[id]);
+    model.original_expressions.emplace(id, model.expressions[id]);
     model.expressions[id] = model.expressions[*written];
   }
 }

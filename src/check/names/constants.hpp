@@ -38,7 +38,7 @@ inline constexpr int constant_digits = 100;
                                                 int digits);
 
 /// Values of the constant expressions of an arena, by ExpressionId.
-class Constants {
+class ConstantValues {
  public:
   /// Evaluates arena[size()] from the values of its operands, which precede it. Returns the
   /// failure, if any.
@@ -55,8 +55,8 @@ class Constants {
  private:
   /// Evaluates a node with `digits` digits. Inexact operands are evaluated again if `digits` is
   /// larger than in the first evaluation.
-  [[nodiscard]] ConstantOutcome at(const std::vector<Expression>& arena, const Expression& node,
-                                   int digits) const;
+  [[nodiscard]] ConstantOutcome evaluate_node(const std::vector<Expression>& arena,
+                                              const Expression& node, int digits) const;
 
   std::vector<std::optional<EnclosedNumber>> values_;
 };

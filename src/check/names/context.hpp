@@ -45,7 +45,7 @@ using Ingredients = std::uint32_t;
 
 /// The context of an expression in the file: the ingredients it may have, and the error for any
 /// other.
-struct Place {
+struct ExpressionRole {
   std::string_view noun;  ///< "a position"
   Ingredients allowed = 0;
   Code error_code = Code::E319;
@@ -58,11 +58,11 @@ struct Place {
 struct WrittenExpression {
   ExpressionId first = 0;
   ExpressionId value = 0;
-  Place place = {};
+  ExpressionRole role = {};
   std::optional<Unit> unit = {};  ///< expected by the place; none: any unit
   bool has_forbidden_ingredient =
-      false;                         ///< contains a forbidden ingredient; its unit is not checked
-  bool is_in_unit_of_place = false;  ///< its numbers are in the unit of its place
+      false;                     ///< contains a forbidden ingredient; its unit is not checked
+  bool is_in_role_unit = false;  ///< its numbers are in the unit of its place
 };
 
 /// The first node of every arena: the number 0. It replaces an absent value (the z of a planar
@@ -76,7 +76,7 @@ struct ParameterBounds {
 };
 
 /// The expression that replaces an open function.
-struct Closure {
+struct FunctionReplacement {
   const ValueSyntax* value = nullptr;
   bool is_of_scene = false;  ///< false: the model's own sample
 };
@@ -97,14 +97,14 @@ struct Context {
     const Span span = node.span;
     arena.push_back(std::move(node));
     if (const auto failure = constants.evaluate_next(arena)) return failure;
-    const std::optional<cln::cl_R> value = constants[last()];
+    const std::optional<cln::cl_R> value = constants[last_node()];
     if (value && is_rational(*value)) {
       arena.back() = {.number = cln::the<cln::cl_RA>(*value), .span = span};
     }
     return std::nullopt;
   }
 
-  [[nodiscard]] ExpressionId last() const {
+  [[nodiscard]] ExpressionId last_node() const {
     return static_cast<ExpressionId>(model.expressions.size() - 1);
   }
 
@@ -117,18 +117,19 @@ struct Context {
   const Limits& limits;
   Report report = {};
   Sizes sizes = {};
-  DeclaredNames symbols = {};
-  DeclaredNames frames = {};      ///< a separate namespace: a body may have the name of its frame
-  DeclaredNames equilibria = {};  ///< a separate namespace
-  std::map<std::string, Closure, std::less<>> closures = {};  ///< by function name
+  SymbolTable symbols = {};
+  SymbolTable frames = {};      ///< a separate namespace: a body may have the name of its frame
+  SymbolTable equilibria = {};  ///< a separate namespace
+  std::map<std::string, FunctionReplacement, std::less<>> function_replacements =
+      {};  ///< by function name
   std::map<std::string, FunctionExpression, std::less<>> function_expressions =
       {};  ///< by function name
   Model model = {};
-  Constants constants = {};
+  ConstantValues constants = {};
   /// Largest number of nodes, and of steps to resolve one expression; beyond it E908.
   std::uint64_t node_limit = limits.derived_nodes;
-  bool beyond_limits = false;  ///< after E906, E907 or E908: no more expressions are resolved
-  bool has_units = true;       ///< the model declares a unit other than 1
+  bool is_beyond_limits = false;  ///< after E906, E907 or E908: no more expressions are resolved
+  bool has_units = true;          ///< the model declares a unit other than 1
   /// Number of components of most vectors of the model; without a majority, of the first vector.
   std::uint32_t dimension = 0;
   bool is_planar = false;     ///< most vectors have two components; known before the first is read

@@ -13,27 +13,27 @@
 namespace elgen {
 namespace {
 
-std::optional<std::int64_t> not_an_integer(const ExpressionSyntax& expression, Report& report) {
+std::optional<std::int64_t> report_not_integer(const ExpressionSyntax& expression, Report& report) {
   report.add(Code::E318, expression.span,
              in_backticks(expression.span) + " is not integer arithmetic over sizes and indices");
   return std::nullopt;
 }
 
-std::optional<std::int64_t> name_value(const ExpressionSyntax& name, const Scope& scope,
-                                       Report& report) {
+std::optional<std::int64_t> evaluate_name(const ExpressionSyntax& name, const IndexScope& scope,
+                                          Report& report) {
   const std::optional<std::int64_t> value = scope.find(name.text);
-  if (!name.operands.empty()) return not_an_integer(name, report);
+  if (!name.operands.empty()) return report_not_integer(name, report);
   if (!value) {
-    report.add(Reason::unknown_index, name.span, "unknown index " + in_backticks(name.text),
+    report.add(Reason::unknown_index, name.span, "unknown index " + quote_text(name.text),
                suggestion(name.text, scope.names()));
   }
   return value;
 }
 
-std::optional<std::int64_t> literal_value(const ExpressionSyntax& literal, Report& report) {
+std::optional<std::int64_t> evaluate_literal(const ExpressionSyntax& literal, Report& report) {
   const bool in_range = cln::denominator(literal.value) == 1 &&
                         cln::abs(literal.value) <= cln::cl_I(static_cast<long>(largest_integer));
-  if (!in_range) return not_an_integer(literal, report);
+  if (!in_range) return report_not_integer(literal, report);
   return cln::cl_I_to_long(cln::numerator(literal.value));
 }
 
@@ -68,7 +68,7 @@ std::optional<std::int64_t> apply_operator(const ExpressionSyntax& expression,
 
 }  // namespace
 
-std::optional<std::int64_t> Scope::find(std::string_view name) const {
+std::optional<std::int64_t> IndexScope::find(std::string_view name) const {
   const auto innermost = std::find_if(indices_.rbegin(), indices_.rend(),
                                       [&](const auto& index) { return index.first == name; });
   if (innermost != indices_.rend()) return innermost->second;
@@ -76,26 +76,26 @@ std::optional<std::int64_t> Scope::find(std::string_view name) const {
   return size == sizes_->end() ? std::nullopt : std::optional(size->second);
 }
 
-std::vector<std::string> Scope::names() const {
+std::vector<std::string> IndexScope::names() const {
   std::vector<std::string> result;
   for (const auto& [name, value] : indices_) result.push_back(name);
   for (const auto& [name, value] : *sizes_) result.push_back(name);
   return result;
 }
 
-std::optional<std::int64_t> integer_value(const ExpressionSyntax& expression, const Scope& scope,
-                                          Report& report) {
-  if (expression.kind == SyntaxKind::number) return literal_value(expression, report);
-  if (expression.kind == SyntaxKind::name) return name_value(expression, scope, report);
+std::optional<std::int64_t> evaluate_integer(const ExpressionSyntax& expression,
+                                             const IndexScope& scope, Report& report) {
+  if (expression.kind == SyntaxKind::number) return evaluate_literal(expression, report);
+  if (expression.kind == SyntaxKind::name) return evaluate_name(expression, scope, report);
   std::vector<std::int64_t> values;
   for (const ExpressionSyntax& operand : expression.operands) {
-    const std::optional<std::int64_t> value = integer_value(operand, scope, report);
+    const std::optional<std::int64_t> value = evaluate_integer(operand, scope, report);
     if (!value) return std::nullopt;
     values.push_back(*value);
   }
   const std::optional<std::int64_t> result =
       values.empty() ? std::nullopt : apply_operator(expression, values);
-  return result ? result : not_an_integer(expression, report);
+  return result ? result : report_not_integer(expression, report);
 }
 
 std::vector<RangeSyntax> read_repetition(const ValueSyntax& value) {
@@ -108,12 +108,12 @@ std::vector<RangeSyntax> read_repetition(const ValueSyntax& value) {
   return ranges;
 }
 
-bool repeat(std::span<const RangeSyntax> ranges, Scope& scope, Report& report,
-            const std::function<bool()>& body) {
+bool for_each_index_tuple(std::span<const RangeSyntax> ranges, IndexScope& scope, Report& report,
+                          const std::function<bool()>& body) {
   if (ranges.empty()) return body();
   const RangeSyntax& range = ranges.front();
-  const auto low = integer_value(range.low, scope, report);
-  const auto high = integer_value(range.high, scope, report);
+  const auto low = evaluate_integer(range.low, scope, report);
+  const auto high = evaluate_integer(range.high, scope, report);
   if (!low || !high) return false;
   if (*low > *high) {
     report.add(
@@ -123,7 +123,7 @@ bool repeat(std::span<const RangeSyntax> ranges, Scope& scope, Report& report,
   bool going = *low <= *high;
   for (std::int64_t i = *low; going && i <= *high; ++i) {
     scope.push(range.index, i);
-    going = repeat(ranges.subspan(1), scope, report, body);
+    going = for_each_index_tuple(ranges.subspan(1), scope, report, body);
     scope.pop();
   }
   return going;

@@ -21,9 +21,9 @@ inline constexpr std::int64_t largest_integer = 1'000'000'000;
 using Sizes = std::map<std::string, std::int64_t, std::less<>>;
 
 /// The names in an index expression: sizes, and the running indices of the enclosing repetitions.
-class Scope {
+class IndexScope {
  public:
-  explicit Scope(const Sizes& sizes) : sizes_(&sizes) {}
+  explicit IndexScope(const Sizes& sizes) : sizes_(&sizes) {}
 
   void push(std::string index, std::int64_t value) {
     indices_.emplace_back(std::move(index), value);
@@ -40,8 +40,8 @@ class Scope {
 
 /// Value of an expression of integers, names in scope, +, -, *, min and max. E201 for an unknown
 /// name, E318 for any other expression.
-[[nodiscard]] std::optional<std::int64_t> integer_value(const ExpressionSyntax& expression,
-                                                        const Scope& scope, Report& report);
+[[nodiscard]] std::optional<std::int64_t> evaluate_integer(const ExpressionSyntax& expression,
+                                                           const IndexScope& scope, Report& report);
 
 /// "i in 1..n", both bounds included.
 struct RangeSyntax {
@@ -58,7 +58,7 @@ struct RangeSyntax {
 /// Calls `body` for every combination of indices, the last range fastest. The bounds of a range may
 /// depend on earlier indices. Returns false at the first error, or as soon as `body` does. E209 if
 /// a range has no element.
-bool repeat(std::span<const RangeSyntax> ranges, Scope& scope, Report& report,
-            const std::function<bool()>& body);
+bool for_each_index_tuple(std::span<const RangeSyntax> ranges, IndexScope& scope, Report& report,
+                          const std::function<bool()>& body);
 
 }  // namespace elgen

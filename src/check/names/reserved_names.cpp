@@ -68,7 +68,7 @@ std::string conventional_spelling(std::string_view name) {
     if (c != '_' || !result.ends_with('_')) result += c;
   }
   if (result.ends_with('_')) result.pop_back();
-  if (has_macro_prefix(result + "_")) std::ranges::transform(result, result.begin(), in_lower_case);
+  if (has_macro_prefix(result + "_")) std::ranges::transform(result, result.begin(), to_lower_case);
   return result;
 }
 
@@ -113,7 +113,7 @@ std::string free_name_hint(std::string_view name, const Span& span) {
   const std::string usual = conventional_spelling(name);
   std::string found = name == "I" ? "J" : usual;  // the other common letter for moments of inertia
   for (int k = 1; !is_free(found); ++k) found = usual + "_" + std::to_string(k);
-  return in_backticks(found) + " is free";
+  return quote_text(found) + " is free";
 }
 
 bool is_well_formed_name(std::string_view name) {
@@ -122,13 +122,13 @@ bool is_well_formed_name(std::string_view name) {
 
 bool check_name(const std::string& name, const Span& span, Report& report) {
   if (!is_well_formed_name(name)) {
-    report.add(Code::E205, span,
-               in_backticks(name) +
-                   " is no name: a name is a letter, then letters, digits and underscores");
+    report.add(
+        Code::E205, span,
+        quote_text(name) + " is no name: a name is a letter, then letters, digits and underscores");
     return false;
   }
   if (const std::string_view reason = reserved_reason(name); !reason.empty()) {
-    report.add(Code::E204, span, in_backticks(name) + " is reserved: " + std::string(reason),
+    report.add(Code::E204, span, quote_text(name) + " is reserved: " + std::string(reason),
                report.needs_suggestion() ? free_name_hint(name, span) : "");
     return false;
   }

@@ -38,7 +38,7 @@ std::string at_line(const Span& span) {
 bool check_spelling(const NewName& name, Report& report) {
   if (!check_name(name.base, name.span, report)) return false;
   if (name.index.value_or(0) < 0) {
-    report.add(Code::E205, name.span, in_backticks(name.text()) + " has a negative index");
+    report.add(Code::E205, name.span, quote_text(name.text()) + " has a negative index");
     return false;
   }
   return true;
@@ -46,7 +46,7 @@ bool check_spelling(const NewName& name, Report& report) {
 
 }  // namespace
 
-std::string_view noun(SymbolKind kind) { return nouns[static_cast<std::size_t>(kind)]; }
+std::string_view symbol_noun(SymbolKind kind) { return nouns[static_cast<std::size_t>(kind)]; }
 
 std::string with_article(std::string_view word) {
   const bool vowel = std::string_view("aeiou").find(word.front()) != std::string_view::npos;
@@ -64,12 +64,12 @@ std::string NewName::identifier() const {
 std::string elements_of(const std::string& name, const DeclaredName& symbol) {
   const std::int64_t first = symbol.elements.begin()->first;
   const std::int64_t last = symbol.elements.rbegin()->first;
-  return in_backticks(name) + " has the elements " + std::to_string(first) + " to " +
+  return quote_text(name) + " has the elements " + std::to_string(first) + " to " +
          std::to_string(last);
 }
 
-bool DeclaredNames::declare(const NewName& name, SymbolKind kind, std::uint32_t target,
-                            Report& report) {
+bool SymbolTable::declare(const NewName& name, SymbolKind kind, std::uint32_t target,
+                          Report& report) {
   if (!check_spelling(name, report)) {
     mark_failed(name.base);
     return false;
@@ -90,11 +90,11 @@ bool DeclaredNames::declare(const NewName& name, SymbolKind kind, std::uint32_t 
   return true;
 }
 
-bool DeclaredNames::report_duplicate(const NewName& name, const DeclaredName& first,
-                                     Report& report) const {
+bool SymbolTable::report_duplicate(const NewName& name, const DeclaredName& first,
+                                   Report& report) const {
   Diagnostic diagnostic{
       Code::E203, name.span,
-      in_backticks(name.text()) + " is already " + with_article(noun(first.kind))};
+      quote_text(name.text()) + " is already " + with_article(symbol_noun(first.kind))};
   if (first.span.source != nullptr) {
     diagnostic.hint = "first at " + at_line(first.span);
     diagnostic.related = first.span;
@@ -104,28 +104,28 @@ bool DeclaredNames::report_duplicate(const NewName& name, const DeclaredName& fi
   return false;
 }
 
-bool DeclaredNames::claim_identifier(const NewName& name, Report& report) {
+bool SymbolTable::claim_identifier(const NewName& name, Report& report) {
   const auto [first, is_new] = identifiers_.emplace(name.identifier(), name);
   if (is_new) return true;
   report.add({Code::E211, name.span,
-              in_backticks(name.text()) + " and " + in_backticks(first->second.text()) +
-                  " both become " + in_backticks(first->first) + " in code",
-              "", first->second.span, in_backticks(first->second.text()) + " is declared here"});
+              quote_text(name.text()) + " and " + quote_text(first->second.text()) +
+                  " both become " + quote_text(first->first) + " in code",
+              "", first->second.span, quote_text(first->second.text()) + " is declared here"});
   return false;
 }
 
-const DeclaredName* DeclaredNames::find(std::string_view base) const {
+const DeclaredName* SymbolTable::find(std::string_view base) const {
   const auto found = symbols_.find(base);
   return found == symbols_.end() ? nullptr : &found->second;
 }
 
-std::vector<std::string> DeclaredNames::names() const {
+std::vector<std::string> SymbolTable::names() const {
   std::vector<std::string> result;
   for (const auto& [name, symbol] : symbols_) result.push_back(name);
   return result;
 }
 
-std::vector<std::string> DeclaredNames::names(const std::vector<SymbolKind>& kinds) const {
+std::vector<std::string> SymbolTable::names(const std::vector<SymbolKind>& kinds) const {
   std::vector<std::string> result;
   for (const SymbolKind kind : kinds) {
     for (const auto& [name, symbol] : symbols_) {
@@ -135,12 +135,12 @@ std::vector<std::string> DeclaredNames::names(const std::vector<SymbolKind>& kin
   return result;
 }
 
-std::string DeclaredNames::suggest(std::string_view word,
-                                   const std::vector<std::string>& among) const {
-  const std::string near = nearest(word, among);
+std::string SymbolTable::suggest(std::string_view word,
+                                 const std::vector<std::string>& among) const {
+  const std::string near = nearest_word(word, among);
   const DeclaredName* symbol = near.empty() ? nullptr : find(near);
   if (symbol == nullptr) return suggestion(word, among);
-  std::string where(noun(symbol->kind));
+  std::string where(symbol_noun(symbol->kind));
   if (symbol->span.source != nullptr) where += ", " + at_line(symbol->span);
   return "did you mean `" + near + "`? (" + where + ")";
 }

@@ -1,4 +1,4 @@
-// DeclaredNames: one namespace of a model, with the elements of indexed names.
+// SymbolTable: one namespace of a model, with the elements of indexed names.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ enum class SymbolKind : std::uint8_t {
   size,
 };
 
-[[nodiscard]] std::string_view noun(SymbolKind kind);
+[[nodiscard]] std::string_view symbol_noun(SymbolKind kind);
 
 /// The inertial frame, and the default of every key that names a frame.
 inline constexpr std::string_view world = "world";
@@ -62,7 +62,7 @@ struct NewName {
 /// "`q` has the elements 1 to 3"
 [[nodiscard]] std::string elements_of(const std::string& name, const DeclaredName& symbol);
 
-class DeclaredNames {
+class SymbolTable {
  public:
   /// Declares a name; false after E203, E204, E205 or E211. `target` is the index in the Model.
   bool declare(const NewName& name, SymbolKind kind, std::uint32_t target, Report& report);

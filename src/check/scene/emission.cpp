@@ -16,7 +16,7 @@ namespace elgen {
 
 namespace {
 
-LanguageId language_named(std::string_view name) {
+LanguageId find_language(std::string_view name) {
   const auto* const row = std::ranges::find(language_table, name, &LanguageRow::name);
   return row == language_table.end() ? default_language : row->id;
 }
@@ -32,15 +32,14 @@ bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
 }
 
 /// Reports E611 for keys that affect only compiled code, if the language is interpreted.
-void refuse_compiled_keys(const FileSyntax* syntax, const LanguageRow& language, Report& report) {
-  const std::string name = in_backticks(language.name);
+void report_compiled_keys(const FileSyntax* syntax, const LanguageRow& language, Report& report) {
+  const std::string name = quote_text(language.name);
   const auto refuse = [&](const char* section, const char* key, const std::string& why) {
     const KeySyntax* const found = find_key(syntax, section, key);
     if (found == nullptr) return;
-    report.add(
-        Code::E611, found->key_span,
-        fmt::format("{} is for compiled code, but `language` is {}", in_backticks(key), name),
-        why + "; omit the key");
+    report.add(Code::E611, found->key_span,
+               fmt::format("{} is for compiled code, but `language` is {}", quote_text(key), name),
+               why + "; omit the key");
   };
   refuse("emit", "storage", "the language has its own matrices");
   refuse("emit", "namespace", "the base name of the scene is the name of the module");
@@ -50,7 +49,7 @@ void refuse_compiled_keys(const FileSyntax* syntax, const LanguageRow& language,
 void check_combinations(const FileSyntax* syntax, const Emission& emission, const Scene& scene,
                         Report& report) {
   const LanguageRow& language = language_row(emission.language);
-  const std::string name = in_backticks(language.name);
+  const std::string name = quote_text(language.name);
   const KeySyntax* scalar = find_key(syntax, "numeric", "scalar");
   const bool is_for_one = language.scalars == LanguageScalars::one;
   if (scalar != nullptr && is_for_one && !takes_scalars(language, scene.numerics)) {
@@ -59,22 +58,22 @@ void check_combinations(const FileSyntax* syntax, const Emission& emission, cons
                            language.is_interpreted ? "`double`" : "`float` or `double`"),
                "write `scalar = [\"double\"]`");
   }
-  if (language.is_interpreted) refuse_compiled_keys(syntax, language, report);
-  if (emission.eigen && !language.has_more_headers) {
+  if (language.is_interpreted) report_compiled_keys(syntax, language, report);
+  if (emission.has_eigen_header && !language.has_more_headers) {
     report.add(Code::E611, find_key(syntax, "emit", "eigen")->key_span,
                "`eigen` needs C++, but `language` is " + name, language_hint);
   }
 }
 
-bool lists(const KeySyntax& key, std::string_view word) {
+bool list_contains(const KeySyntax& key, std::string_view word) {
   return std::ranges::count(key.value.items, word, &ValueSyntax::text) > 0;
 }
 
 /// Reads the kinds of files to write. E112 if `header` is missing: code is always written.
 void read_files(const KeySyntax& key, Emission& emission, Report& report) {
-  emission.equations = lists(key, "equations");
-  emission.page = lists(key, "page");
-  if (lists(key, "header")) return;
+  emission.has_sidecar = list_contains(key, "equations");
+  emission.has_page = list_contains(key, "page");
+  if (list_contains(key, "header")) return;
   report.add(Reason::no_header, key.value.span, "`files` has no `header`, which is always written");
 }
 
@@ -89,15 +88,15 @@ class BatchReader {
 
   void read() {
     const KeySyntax* batch = find_key(syntax_, "emit", "batch");
-    scene_.emission.batch = is_set(batch);
+    scene_.emission.has_batch_header = is_flag_set(batch);
     scene_.numerics.has_library_sines = language_row(scene_.emission.language).is_interpreted;
-    if (scene_.emission.batch) check_scalars(*batch);
+    if (scene_.emission.has_batch_header) check_scalars(*batch);
     const KeySyntax* trigonometry = find_key(syntax_, "numeric", "trigonometry");
     if (trigonometry != nullptr && !scene_.numerics.has_library_sines) read_sines(*trigonometry);
   }
 
  private:
-  void refuse(const Span& span, std::string message, std::string hint = {}) {
+  void report_batch_error(const Span& span, std::string message, std::string hint = {}) {
     context_.report.add(Code::E625, span, std::move(message), std::move(hint));
   }
 
@@ -105,11 +104,11 @@ class BatchReader {
     const LanguageRow& language = language_row(scene_.emission.language);
     if (!language.has_more_headers) {
       context_.report.add(Code::E611, batch.key_span,
-                          "`batch` needs C++, but `language` is " + in_backticks(language.name),
+                          "`batch` needs C++, but `language` is " + quote_text(language.name),
                           language_hint);
     } else if (has_scalar(scene_, ScalarKind::long_double)) {
-      refuse(find_key(syntax_, "numeric", "scalar")->value.span,
-             "packs have elements of type `float` or `double`");
+      report_batch_error(find_key(syntax_, "numeric", "scalar")->value.span,
+                         "packs have elements of type `float` or `double`");
     }
   }
 
@@ -118,13 +117,14 @@ class BatchReader {
     scene_.numerics.has_library_sines = scalar != nullptr && scalar->value.text == "library";
     const KeySyntax* key = trigonometry.value.find("max_error");
     if (key == nullptr) return;
-    if (scene_.emission.batch) return read_accuracy(*key);
-    refuse(trigonometry.key_span, "only batches have sines and cosines of a chosen accuracy",
-           "`[emit] batch = true` adds functions on arrays of states");
+    if (scene_.emission.has_batch_header) return read_accuracy(*key);
+    report_batch_error(trigonometry.key_span,
+                       "only batches have sines and cosines of a chosen accuracy",
+                       "`[emit] batch = true` adds functions on arrays of states");
   }
 
   void read_accuracy(const KeySyntax& key) {
-    const auto wanted = ValueReader(context_).constant(key.value);
+    const auto wanted = ValueReader(context_).read_constant(key.value);
     if (!wanted) return;
     const bool has_float = has_scalar(scene_, ScalarKind::single_precision);
     const ScalarKind coarsest =
@@ -132,9 +132,9 @@ class BatchReader {
     const bool is_within = is_rational(*wanted) && *wanted < 1 &&
                            *wanted >= trigonometry_error(scene_.numerics, coarsest);
     if (!is_within) {
-      return refuse(key.value.span,
-                    has_float ? "`max_error` in float is at least 2^-23 = 1.2e-7, and below 1"
-                              : "`max_error` is at least 2^-52 = 2.3e-16, and below 1");
+      return report_batch_error(
+          key.value.span, has_float ? "`max_error` in float is at least 2^-23 = 1.2e-7, and below 1"
+                                    : "`max_error` is at least 2^-52 = 2.3e-16, and below 1");
     }
     scene_.numerics.trigonometry_error = cln::rational(*wanted);
   }
@@ -161,14 +161,14 @@ Emission read_emission(Context& context, const FileSyntax* syntax, const SceneOp
     (void)check_name(key->value.text, key->value.span, context.report);
   }
   if (const KeySyntax* key = find_key(syntax, "emit", "language")) {
-    emission.language = language_named(key->value.text);
+    emission.language = find_language(key->value.text);
   }
   emission.language = options.language.value_or(emission.language);
   if (const KeySyntax* key = find_key(syntax, "emit", "storage")) {
     const bool is_column_major = key->value.text == name_of(Storage::column_major);
     emission.storage = is_column_major ? Storage::column_major : Storage::row_major;
   }
-  emission.eigen = is_set(find_key(syntax, "emit", "eigen"));
+  emission.has_eigen_header = is_flag_set(find_key(syntax, "emit", "eigen"));
   if (const KeySyntax* key = find_key(syntax, "emit", "files")) {
     read_files(*key, emission, context.report);
   }
@@ -188,44 +188,47 @@ void read_batch(Context& context, const FileSyntax* syntax, Scene& scene) {
 namespace {
 
 /// Why an output does not support accelerations in float; "" if it does.
-std::string reason_without_inner(const OutputRequest& output) {
+std::string inner_scalar_obstacle(const OutputRequest& output) {
   const OutputRow& row = output_row(output.kind);
-  if (!row.steps || row.differentiates) return in_backticks(output.name) + " is no `step`";
+  if (!row.is_step || row.differentiates) return quote_text(output.name) + " is no `step`";
   const bool asks = !output.step || output.step->method != StepMethod::midpoint;
-  return asks ? "" : in_backticks(step_row(StepMethod::midpoint).name) + " calls no accelerations";
+  return asks ? ""
+              : quote_text(step_method_row(StepMethod::midpoint).name) + " calls no accelerations";
 }
 
 }  // namespace
 
-void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& options,
-                Scene& scene) {
+void read_inner_scalar(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                       Scene& scene) {
   const KeySyntax* const inner = find_key(syntax, "numeric", "inner");
   if (inner == nullptr) return;
-  const auto* const row = std::ranges::find(inner_table, inner->value.text, &InnerRow::name);
-  if (row == inner_table.end() || row->kind == InnerScalar::same) return;
+  const auto* const row =
+      std::ranges::find(inner_scalar_table, inner->value.text, &InnerScalarRow::name);
+  if (row == inner_scalar_table.end() || row->kind == InnerScalar::same) return;
   const bool is_for_step = row->kind == InnerScalar::single_precision;
   if (is_for_step && !options.outputs.empty()) return;
   scene.numerics.inner = row->kind;
   const LanguageRow& language = language_row(scene.emission.language);
   if (!language.has_more_headers) {
     return context.report.add(Code::E611, inner->key_span,
-                              "`inner` needs C++, but `language` is " + in_backticks(language.name),
+                              "`inner` needs C++, but `language` is " + quote_text(language.name),
                               language_hint);
   }
   const auto refuse = [&](const Span& span, const std::string& others) {
-    context.report.add(Code::E628, span, others + ", but `inner` is " + in_backticks(row->name));
+    context.report.add(Code::E628, span, others + ", but `inner` is " + quote_text(row->name));
   };
   if (scene.numerics.scalars != std::vector{ScalarKind::double_precision}) {
     refuse(find_key(syntax, "numeric", "scalar")->value.span, "`scalar` is not `double` alone");
   }
   const auto other = std::ranges::find_if(scene.outputs, [](const OutputRequest& output) {
-    return !reason_without_inner(output).empty();
+    return !inner_scalar_obstacle(output).empty();
   });
   if (is_for_step && other != scene.outputs.end())
-    refuse(other->span, reason_without_inner(*other));
+    refuse(other->span, inner_scalar_obstacle(*other));
   for (const char* const header : {"eigen", "batch"}) {
     const KeySyntax* const key = find_key(syntax, "emit", header);
-    if (is_set(key)) refuse(key->key_span, in_backticks(header) + " computes in its own scalars");
+    if (is_flag_set(key))
+      refuse(key->key_span, quote_text(header) + " computes in its own scalars");
   }
 }
 

@@ -26,7 +26,10 @@ constexpr PointTable small_table{{}, true, false, Reason::not_a_coordinate};
 class ApproximationReader {
  public:
   ApproximationReader(Context& context, const EntrySyntax& entry)
-      : context_(context), model_(context.model), entry_(entry), errors_(context.report.errors()) {
+      : context_(context),
+        model_(context.model),
+        entry_(entry),
+        errors_(context.report.error_count()) {
     result_.coordinates.resize(model_.coordinates.size());
     result_.inputs.resize(model_.inputs.size());
     result_.small.resize(model_.coordinates.size(), false);
@@ -38,12 +41,12 @@ class ApproximationReader {
     read_order(entry_.find("order")->value);
     read_point(about.value);
     const KeySyntax* small = entry_.find("small");
-    read_small(small);
-    if (context_.report.errors() == errors_) check_small(small);
+    read_small_coordinates(small);
+    if (context_.report.error_count() == errors_) check_small(small);
     check_forces();
     check_functions();
     check_reactions();
-    result_.small_inputs = all_free_are_small();
+    result_.has_small_inputs = has_only_small_coordinates();
     model_.approximation = std::move(result_);
   }
 
@@ -64,9 +67,9 @@ class ApproximationReader {
     if (about.kind == ValueKind::text) return copy_equilibrium(about);
     ValueReader values(context_);
     for (const KeySyntax& key : about.entries) {
-      const Variables found = read_point_value(values, about_table, key, result_);
+      const NamedVariables found = read_point_value(values, about_table, key, result_);
       for (const std::uint32_t i : found.coordinates) {
-        const std::string name = in_backticks(model_.coordinates[i].name);
+        const std::string name = quote_text(model_.coordinates[i].name);
         if (is_locked(i))
           context_.report.add(Reason::locked_coordinate, key.key_span, name + " is locked");
         if (!is_cyclic(i)) continue;
@@ -81,19 +84,19 @@ class ApproximationReader {
   void copy_equilibrium(const ValueSyntax& name) {
     const auto found = std::ranges::find(model_.equilibria, name.text, &Equilibrium::name);
     if (found == model_.equilibria.end()) {
-      const DeclaredNames& known = context_.equilibria;
+      const SymbolTable& known = context_.equilibria;
       context_.report.add(Reason::no_such_equilibrium, name.span,
-                          "the model has no equilibrium " + in_backticks(name.text),
+                          "the model has no equilibrium " + quote_text(name.text),
                           known.suggest(name.text, known.names()));
       return;
     }
-    static_cast<StatedPoint&>(result_) = *found;
+    static_cast<OperatingPoint&>(result_) = *found;
     for (std::uint32_t i = 0; i < result_.coordinates.size(); ++i) {
       if (is_locked(i) || is_cyclic(i)) result_.coordinates[i].reset();
     }
   }
 
-  void read_small(const KeySyntax* small) {
+  void read_small_coordinates(const KeySyntax* small) {
     if (small == nullptr) {
       for (std::size_t i = 0; i < result_.small.size(); ++i) {
         result_.small[i] = result_.coordinates[i].has_value();
@@ -112,28 +115,30 @@ class ApproximationReader {
   }
 
   void read_small_coordinate(const ValueSyntax& item) {
-    const Variables found = find_variables(context_, small_table, item.text, item.span);
+    const NamedVariables found = find_variables(context_, small_table, item.text, item.span);
     for (const std::uint32_t i : found.coordinates) {
       result_.small[i] = true;
       if (!result_.coordinates[i]) {
-        context_.report.add(Reason::no_small_coordinate, item.span,
-                            in_backticks(model_.coordinates[i].name) +
-                                " is small, but `about` gives no value for it",
-                            "add its value to `about`");
+        context_.report.add(
+            Reason::no_small_coordinate, item.span,
+            quote_text(model_.coordinates[i].name) + " is small, but `about` gives no value for it",
+            "add its value to `about`");
       }
     }
   }
 
   [[nodiscard]] bool is_locked(std::uint32_t coordinate) const {
-    return std::ranges::any_of(model_.variant.locks,
-                               [&](const Lock& lock) { return lock.has_coordinate(coordinate); });
+    return std::ranges::any_of(model_.reduction.locks, [&](const LockedCoordinate& lock) {
+      return lock.has_coordinate(coordinate);
+    });
   }
 
   [[nodiscard]] bool is_cyclic(std::uint32_t coordinate) const {
-    return std::ranges::count(model_.variant.cyclic, coordinate, &Cyclic::coordinate) > 0;
+    return std::ranges::count(model_.reduction.cyclic, coordinate, &CyclicCoordinate::coordinate) >
+           0;
   }
 
-  [[nodiscard]] bool all_free_are_small() const {
+  [[nodiscard]] bool has_only_small_coordinates() const {
     for (std::uint32_t i = 0; i < result_.small.size(); ++i) {
       if (!result_.small[i] && !is_locked(i) && !is_cyclic(i)) return false;
     }
@@ -141,8 +146,8 @@ class ApproximationReader {
   }
 
   void check_reactions() {
-    for (const Lock& lock : model_.variant.locks) {
-      if (!lock.reaction) continue;
+    for (const LockedCoordinate& lock : model_.reduction.locks) {
+      if (!lock.has_reaction) continue;
       context_.report.add(Reason::approximated_reaction, lock.span,
                           "the reaction on " + in_backticks(lock.span) + " is not expanded",
                           "request it in a scene without `[approximate]`");
@@ -160,7 +165,7 @@ class ApproximationReader {
   void check_functions() {
     for (const OpenFunction& function : model_.functions) {
       context_.report.add({Code::E633, entry_.span,
-                           in_backticks(function.name) + " is left open, so it has no expansion",
+                           quote_text(function.name) + " is left open, so it has no expansion",
                            "give it an expression in `[functions]`", function.span,
                            "left open here"});
     }

@@ -31,7 +31,7 @@ class ErrorBoundReader {
       : context_(context), values_(context), numerics_(numerics) {}
 
   void read_error(const ValueSyntax& value) {
-    const std::optional<double> error = number(value);
+    const std::optional<double> error = read_double(value);
     if (!error) return;
     if (!(*error > 0)) {
       context_.report.add(Code::E640, value.span, in_backticks(value.span) + " is not positive");
@@ -45,26 +45,27 @@ class ErrorBoundReader {
 
   void read_range(const KeySyntax& key, const std::vector<std::string>& names) {
     if (std::ranges::find(names, key.key) == names.end()) {
-      return refuse(key.key_span,
-                    in_backticks(key.key) + " is no coordinate, rate, acceleration or input",
-                    suggestion(key.key, names));
+      return report_range_error(
+          key.key_span, quote_text(key.key) + " is no coordinate, rate, acceleration or input",
+          suggestion(key.key, names));
     }
-    const std::optional<double> low = number(key.value.items[0]);
-    const std::optional<double> high = number(key.value.items[1]);
+    const std::optional<double> low = read_double(key.value.items[0]);
+    const std::optional<double> high = read_double(key.value.items[1]);
     if (!low || !high) return;
     if (*low > *high) {
-      return refuse(key.value.span, "the range " + in_backticks(key.value.span) + " is empty");
+      return report_range_error(key.value.span,
+                                "the range " + in_backticks(key.value.span) + " is empty");
     }
     numerics_.ranges.push_back({key.key, *low, *high});
   }
 
  private:
-  void refuse(const Span& span, std::string message, std::string hint = {}) {
+  void report_range_error(const Span& span, std::string message, std::string hint = {}) {
     context_.report.add(Code::E630, span, std::move(message), std::move(hint));
   }
 
-  std::optional<double> number(const ValueSyntax& value) {
-    const std::optional<cln::cl_R> exact = values_.constant(value);
+  std::optional<double> read_double(const ValueSyntax& value) {
+    const std::optional<cln::cl_R> exact = values_.read_constant(value);
     return exact ? std::optional(cln::double_approx(*exact)) : std::nullopt;
   }
 
@@ -82,7 +83,7 @@ void read_error_bound(Context& context, const FileSyntax* syntax, const SceneOpt
   if (error != nullptr) reader.read_error(error->value);
   const KeySyntax* const ranges = find_key(syntax, "numeric", "ranges");
   if (ranges == nullptr && options.ranges.empty()) return;
-  std::vector<KeySyntax> keys = keys_of(context, options.ranges, KeyType::range);
+  std::vector<KeySyntax> keys = parse_option_keys(context, options.ranges, KeyType::range);
   if (ranges != nullptr) {
     keys.insert(keys.begin(), ranges->value.entries.begin(), ranges->value.entries.end());
   }

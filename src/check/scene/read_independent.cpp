@@ -1,4 +1,4 @@
-// read_independent: the velocities from which `completed` computes all other velocities.
+// read_independent_velocities: the velocities from which `completed` computes all other velocities.
 #include <algorithm>
 
 #include "base/report.hpp"
@@ -8,7 +8,7 @@ namespace elgen {
 namespace {
 
 /// The velocity of a coordinate, or the three of a rotation; none for an unknown name.
-std::vector<std::uint32_t> velocities_named(const Model& model, const std::string& name) {
+std::vector<std::uint32_t> find_velocities(const Model& model, const std::string& name) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& velocity = model.velocities[i];
@@ -29,7 +29,7 @@ std::vector<std::string> names_of_variables(const Model& model) {
 
 }  // namespace
 
-std::vector<std::uint32_t> read_independent(Context& context, const FileSyntax* scene) {
+std::vector<std::uint32_t> read_independent_velocities(Context& context, const FileSyntax* scene) {
   const KeySyntax* const output = find_key(scene, "outputs", "completed");
   const KeySyntax* const names = output == nullptr ? nullptr : output->value.find("independent");
   if (names == nullptr) return {};
@@ -38,9 +38,9 @@ std::vector<std::uint32_t> read_independent(Context& context, const FileSyntax* 
   for (const ValueSyntax& item : names->value.items) {
     const Span& span = item.expression.span;
     const std::string name(covered_text(span));
-    const std::vector<std::uint32_t> found = velocities_named(model, name);
+    const std::vector<std::uint32_t> found = find_velocities(model, name);
     if (found.empty()) {
-      context.report.add(Code::E612, span, "unknown coordinate " + in_backticks(name),
+      context.report.add(Code::E612, span, "unknown coordinate " + quote_text(name),
                          suggestion(name, names_of_variables(model)));
       continue;
     }

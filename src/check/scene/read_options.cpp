@@ -11,7 +11,8 @@ namespace {
 
 /// Reports E103 for each key that the output does not take. The message names the first kind of
 /// output that takes the key.
-void refuse_options(const ValueSyntax& entry, const OutputRequest& output, Report& report) {
+void report_unsupported_options(const ValueSyntax& entry, const OutputRequest& output,
+                                Report& report) {
   for (const OptionRow& row : option_table) {
     const KeySyntax* const key = entry.find(row.key);
     if (key == nullptr || output_row(output.kind).options.has(row.id)) continue;
@@ -26,11 +27,11 @@ void refuse_options(const ValueSyntax& entry, const OutputRequest& output, Repor
 
 void read_options(const Model& model, const ValueSyntax& entry, OutputRequest& output,
                   Report& report) {
-  refuse_options(entry, output, report);
-  const SetOf<OutputOption>& supported = output_row(output.kind).options;
+  report_unsupported_options(entry, output, report);
+  const EnumSet<OutputOption>& supported = output_row(output.kind).options;
   if (supported.has(OutputOption::method)) read_step(model, entry, output, report);
   const KeySyntax* const pivots = entry.find("pivots");
-  if (pivots != nullptr) output.without_pivots = !pivots->value.boolean;
+  if (pivots != nullptr) output.omits_pivots = !pivots->value.boolean;
 }
 
 }  // namespace elgen

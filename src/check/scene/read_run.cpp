@@ -14,17 +14,17 @@ namespace elgen {
 namespace {
 
 /// The consecutive start values that one name denotes.
-struct StartPlace {
+struct StartVariable {
   std::string name;
   std::uint32_t coordinate = 0;
   std::uint32_t first = 0;  ///< index of a coordinate, or of a velocity
   std::uint32_t count = 1;
   bool is_rate = false;
-  bool is_stated = false;  ///< stored by name in StatedStart::others
+  bool is_stated = false;  ///< stored by name in StateOverrides::others
 };
 
-std::vector<StartPlace> start_places(const Model& model) {
-  std::vector<StartPlace> places;
+std::vector<StartVariable> start_variables(const Model& model) {
+  std::vector<StartVariable> places;
   for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& coordinate = model.coordinates[i];
     if (coordinate.rotation) continue;
@@ -44,12 +44,12 @@ std::vector<StartPlace> start_places(const Model& model) {
 
 /// The places of a start, then the other leaves of a state. A coordinate named h comes before the
 /// step h, so it is found first.
-std::vector<StartPlace> state_places(const Model& model) {
-  std::vector<StartPlace> places = start_places(model);
+std::vector<StartVariable> state_and_leaf_variables(const Model& model) {
+  std::vector<StartVariable> places = start_variables(model);
   const auto none = static_cast<std::uint32_t>(model.coordinates.size());
   for (const LeafRow& row : leaf_table()) {
-    if (!row.is_stated) continue;
-    const bool is_of_velocities = row.of == LeafOwner::velocities;
+    if (!row.is_settable) continue;
+    const bool is_of_velocities = row.owner == LeafOwner::velocities;
     for (std::uint32_t i = 0; i < leaf_count(model, row.id); ++i) {
       const std::uint32_t coordinate = is_of_velocities ? model.velocities[i].coordinate : none;
       places.push_back({leaf_text(model, row.id, i), coordinate, i, 1, false, true});
@@ -60,7 +60,7 @@ std::vector<StartPlace> state_places(const Model& model) {
 
 class StartReader {
  public:
-  StartReader(Context& context, std::vector<StartPlace> places, StatedStart& stated)
+  StartReader(Context& context, std::vector<StartVariable> places, StateOverrides& stated)
       : context_(context),
         model_(context.model),
         values_(context),
@@ -68,65 +68,65 @@ class StartReader {
         stated_(stated) {}
 
   void read(const KeySyntax& key) {
-    const StartPlace* const place = find_place(key);
+    const StartVariable* const place = find_start_variable(key);
     if (place == nullptr) return;
     const bool is_list = key.value.kind == ValueKind::list;
     const std::vector<ValueSyntax> items = is_list ? key.value.items : std::vector{key.value};
     if (items.size() != place->count) {
-      context_.report.add(
-          Code::E606, key.value.span,
-          in_backticks(place->name) + " takes " + count_text(place->count, "number"));
+      context_.report.add(Code::E606, key.value.span,
+                          quote_text(place->name) + " takes " + count_text(place->count, "number"));
       return;
     }
     for (std::uint32_t i = 0; i < place->count; ++i) {
-      const auto value = values_.constant_with_form(items[i]);
+      const auto value = values_.read_exact_constant(items[i]);
       if (!value) continue;
       store_value(*place, place->first + i, value->number);
       if (place->is_rate || place->is_stated) continue;
       note_degrees(context_.report, items[i].span, model_.coordinates[place->coordinate],
                    value->number);
     }
-    check_direction(*place, key.value.span);
+    check_quaternion_length(*place, key.value.span);
   }
 
  private:
   /// The place that a key names; null after E612.
-  const StartPlace* find_place(const KeySyntax& key) {
-    const auto found = std::ranges::find(places_, key.key, &StartPlace::name);
+  const StartVariable* find_start_variable(const KeySyntax& key) {
+    const auto found = std::ranges::find(places_, key.key, &StartVariable::name);
     if (found == places_.end()) {
       std::vector<std::string> names;
-      for (const StartPlace& place : places_) names.push_back(place.name);
-      context_.report.add(Code::E612, key.key_span, "unknown coordinate " + in_backticks(key.key),
+      for (const StartVariable& place : places_) names.push_back(place.name);
+      context_.report.add(Code::E612, key.key_span, "unknown coordinate " + quote_text(key.key),
                           suggestion(key.key, names));
       return nullptr;
     }
-    if (std::ranges::count(model_.variant.locks, found->coordinate, &Lock::coordinate) > 0) {
+    if (std::ranges::count(model_.reduction.locks, found->coordinate,
+                           &LockedCoordinate::coordinate) > 0) {
       context_.report.add(Code::E612, key.key_span,
-                          in_backticks(key.key) + " is locked by the scene");
+                          quote_text(key.key) + " is locked by the scene");
       return nullptr;
     }
     return &*found;
   }
 
-  cln::cl_R& number(const StartPlace& place, std::uint32_t index) {
+  cln::cl_R& start_number(const StartVariable& place, std::uint32_t index) {
     return place.is_rate ? model_.velocities[index].start_rate
                          : model_.coordinates[index].start_value;
   }
 
-  void store_value(const StartPlace& place, std::uint32_t index, const cln::cl_R& value) {
+  void store_value(const StartVariable& place, std::uint32_t index, const cln::cl_R& value) {
     if (place.is_stated) {
       stated_.others[place.name] = value;
       return;
     }
-    number(place, index) = value;
+    start_number(place, index) = value;
     if (place.is_rate) stated_.velocities.insert(model_.velocities[index].name);
     if (!place.is_rate) stated_.coordinates.insert(model_.coordinates[index].name);
   }
 
-  void check_direction(const StartPlace& place, const Span& value) {
+  void check_quaternion_length(const StartVariable& place, const Span& value) {
     if (place.count != quaternion_size) return;
     for (std::uint32_t i = 0; i < place.count; ++i) {
-      if (!cln::zerop(number(place, place.first + i))) return;
+      if (!cln::zerop(start_number(place, place.first + i))) return;
     }
     context_.report.add(Code::E606, value, "a quaternion of length 0 is no rotation");
   }
@@ -134,8 +134,8 @@ class StartReader {
   Context& context_;
   Model& model_;
   ValueReader values_;
-  std::vector<StartPlace> places_;
-  StatedStart& stated_;
+  std::vector<StartVariable> places_;
+  StateOverrides& stated_;
 };
 
 /// Reads the law of an input. Gains are plain numbers, so the units of a law are not checked.
@@ -143,24 +143,22 @@ void read_law(Context& context, const KeySyntax& key, Scene& scene) {
   const auto input = std::ranges::find(context.model.inputs, key.key, &Input::name);
   if (input == context.model.inputs.end()) {
     const std::vector<std::string> names = context.symbols.names({SymbolKind::input});
-    context.report.add(Reason::unknown_input, key.key_span,
-                       "unknown input " + in_backticks(key.key),
+    context.report.add(Reason::unknown_input, key.key_span, "unknown input " + quote_text(key.key),
                        context.symbols.suggest(key.key, names));
     return;
   }
   const auto index = static_cast<std::size_t>(input - context.model.inputs.begin());
   if (!remaining_variables(context.model).inputs[index]) {
-    context.report.add(
-        {Code::E606, key.key_span,
-         in_backticks(key.key) + " acts only on locked coordinates, so it has no law", "",
-         input->span, "declared here"});
+    context.report.add({Code::E606, key.key_span,
+                        quote_text(key.key) + " acts only on locked coordinates, so it has no law",
+                        "", input->span, "declared here"});
     return;
   }
-  const Place place{"the law of an input", place::of_state | uses_kink};
+  const ExpressionRole place{"the law of an input", place::state_terms | uses_kink};
   const std::size_t known = context.roots.size();
   const ExpressionId law = ValueReader(context).root(key.value, {place, std::nullopt});
   if (context.roots.size() == known) return;
-  context.roots.back().is_in_unit_of_place = true;
+  context.roots.back().is_in_role_unit = true;
   scene.laws[input->name] = law;
 }
 
@@ -168,36 +166,36 @@ void read_law(Context& context, const KeySyntax& key, Scene& scene) {
 
 void read_starts(Context& context, const SceneOptions& options, Scene& scene) {
   if (options.starts.empty()) return;
-  StartReader reader(
-      context,
-      options.purpose.states_all ? state_places(context.model) : start_places(context.model),
-      scene.stated);
-  const auto keys = keys_of(context, options.starts, KeyType::expression_or_list);
+  StartReader reader(context,
+                     options.purpose.accepts_all_leaves ? state_and_leaf_variables(context.model)
+                                                        : start_variables(context.model),
+                     scene.state_overrides);
+  const auto keys = parse_option_keys(context, options.starts, KeyType::expression_or_list);
   for (const KeySyntax& key : keys) reader.read(key);
 }
 
 void read_laws(Context& context, const SceneOptions& options, Scene& scene) {
-  for (const KeySyntax& key : keys_of(context, options.laws, KeyType::expression)) {
+  for (const KeySyntax& key : parse_option_keys(context, options.laws, KeyType::expression)) {
     read_law(context, key, scene);
   }
 }
 
-void read_values(Context& context, const Scene& scene, const SceneOptions& options) {
+void read_parameter_values(Context& context, const Scene& scene, const SceneOptions& options) {
   ValueReader values(context);
-  for (const KeySyntax& key : keys_of(context, options.values, KeyType::expression)) {
-    const auto targets = named_parameters(context, key.key, key.key_span);
+  for (const KeySyntax& key : parse_option_keys(context, options.values, KeyType::expression)) {
+    const auto targets = find_parameters(context, key.key, key.key_span);
     if (targets.empty()) continue;
-    const std::optional<FixedValue> value = values.constant_with_form(key.value);
+    const std::optional<FixedValue> value = values.read_exact_constant(key.value);
     for (const std::uint32_t target : targets) {
       if (scene.specialisation.fixed.count(target) > 0) {
         context.report.add(Code::E606, key.key_span,
-                           in_backticks(key.key) + " is fixed, so it is no parameter");
+                           quote_text(key.key) + " is fixed, so it is no parameter");
         break;
       }
       if (!value) break;
-      check_value(context, target, value->number, key.value.span);
+      check_parameter_value(context, target, value->number, key.value.span);
       context.model.parameters[target].value = value->number;
-      context.model.parameters[target].form = value->form;
+      context.model.parameters[target].exact_expression = value->exact_expression;
       set_cyclic_momentum(context.model, target, value->number);
     }
   }

@@ -21,7 +21,7 @@ std::string method_hint(const std::string& word) {
 }
 
 void read_iterations(const KeySyntax& key, StepSpec& step, Report& report) {
-  const StepMethodRow& method = step_row(step.method);
+  const StepMethodRow& method = step_method_row(step.method);
   if (method.iterations == 0) {
     return report.add(Code::E626, key.key_span,
                       fmt::format("`{}` is explicit, so it has no iterations", method.name));
@@ -36,7 +36,7 @@ void read_iterations(const KeySyntax& key, StepSpec& step, Report& report) {
 }
 
 void read_order(const KeySyntax& key, StepSpec& step, Report& report) {
-  const StepMethodRow& method = step_row(step.method);
+  const StepMethodRow& method = step_method_row(step.method);
   const std::vector<std::uint32_t> orders = step_orders(method.order);
   const auto found = std::ranges::find_if(orders, [&key](std::uint32_t order) {
     return key.value.expression.value == cln::cl_RA(order);
@@ -72,7 +72,7 @@ void read_step(const Model& model, const ValueSyntax& entry, OutputRequest& outp
   if (found == step_methods.end()) {
     const std::string& word = method->value.text;
     return report.add(Code::E620, method->value.span,
-                      fmt::format("`{}` has no method {}", output.name, in_backticks(word)),
+                      fmt::format("`{}` has no method {}", output.name, quote_text(word)),
                       method_hint(word));
   }
   StepSpec& step = output.step.emplace(default_step(found->id));
@@ -89,14 +89,14 @@ void check_steps(Context& context, const std::vector<OutputRequest>& outputs) {
   const Model& model = context.model;
   for (const OutputRequest& output : outputs) {
     if (!output.step) continue;
-    const StepMethodRow& method = step_row(output.step->method);
+    const StepMethodRow& method = step_method_row(output.step->method);
     if (method.domain == StepDomain::any) continue;
     if (!model.constraints.empty()) {
       context.report.add({Code::E539, output.span,
                           fmt::format("`{}` does not support constraints", method.name),
                           "use `rk4` with `projected` after each step",
                           model.constraints.front().span, "constrained here"});
-    } else if (!model.rotations.empty() && context.report.errors() == 0) {
+    } else if (!model.rotations.empty() && context.report.error_count() == 0) {
       // Only without earlier errors: after an error, rotations that the scene locks are still in
       // the model.
       context.report.add(Code::E622, output.span,

@@ -29,8 +29,8 @@ void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
 /// Sets Numerics::inner. Only outputs of the scene may compute in float, not outputs of the
 /// options. E611 if the language is not C++; E628 if the scalar is not double alone, or an output
 /// or key does not support `inner`.
-void read_inner(Context& context, const FileSyntax* syntax, const SceneOptions& options,
-                Scene& scene);
+void read_inner_scalar(Context& context, const FileSyntax* syntax, const SceneOptions& options,
+                       Scene& scene);
 
 /// Reads the keys of an output's entry except name and form; an entry without keys sets nothing.
 /// E103 for a key that the output does not take, and the errors of read_step.
@@ -54,8 +54,8 @@ void read_error_bound(Context& context, const FileSyntax* syntax, const SceneOpt
 void read_regressor(Context& context, const FileSyntax* scene, const FixedParameters& fixed);
 
 /// Velocities for OutputRequest::independent, sorted. E612.
-[[nodiscard]] std::vector<std::uint32_t> read_independent(Context& context,
-                                                          const FileSyntax* scene);
+[[nodiscard]] std::vector<std::uint32_t> read_independent_velocities(Context& context,
+                                                                     const FileSyntax* scene);
 
 /// Fills Model::approximation. E614, E633, E635.
 void read_approximation(Context& context, const FileSyntax* scene);
@@ -68,15 +68,15 @@ void read_starts(Context& context, const SceneOptions& options, Scene& scene);
 void read_laws(Context& context, const SceneOptions& options, Scene& scene);
 
 /// --set: sets Parameter::value if the scene does not fix it. E602, E606, E112, E518.
-void read_values(Context& context, const Scene& scene, const SceneOptions& options);
+void read_parameter_values(Context& context, const Scene& scene, const SceneOptions& options);
 
 /// Fills the lists of Model::variant, and adds the momenta of cyclic coordinates to the parameters.
 /// E208, E612, and the errors of the values. E615: a lock's value does not fit, or no coordinate
 /// remains. E635: a cyclic coordinate is a rotation or locked, no coordinate remains, or the name
 /// of the momentum is in use.
-void read_held(Context& context, const FileSyntax* scene);
+void read_held_coordinates(Context& context, const FileSyntax* scene);
 
-/// Sets Cyclic::momentum if the parameter is a cyclic momentum; find_momenta() then does not
+/// Sets Cyclic::momentum if the parameter is a cyclic momentum; set_routh_momenta() then does not
 /// compute it.
 void set_cyclic_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value);
 
@@ -92,7 +92,7 @@ void add_shown_outputs(Model& model, Scene& scene);
 /// replaces the cyclic coordinates. Its `variant.whole` is the given model. A model without held
 /// coordinates is returned unchanged. The closed forms of [[expect]] and the equilibria are
 /// removed, because they describe the whole model.
-[[nodiscard]] Model variant_of(Model whole);
+[[nodiscard]] Model eliminate_held_coordinates(Model whole);
 
 /// Reports E635 if an input, a force or D acts on a cyclic coordinate or contains it, if L is not
 /// quadratic in the rates, or if a lock requests its reaction. The model must have no cycles.
@@ -106,7 +106,8 @@ struct CyclicObstacle {
 
 /// The inputs, laws, forces and D that act on a coordinate or contain it. The model must have no
 /// cycles.
-[[nodiscard]] std::vector<CyclicObstacle> obstacles_of(const Model& model, const Scene& scene,
-                                                       const Held& variable);
+[[nodiscard]] std::vector<CyclicObstacle> find_cyclic_obstacles(const Model& model,
+                                                                const Scene& scene,
+                                                                const HeldCoordinate& variable);
 
 }  // namespace elgen

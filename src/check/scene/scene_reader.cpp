@@ -25,7 +25,7 @@ bool precedes(const OutputRequest& a, const OutputRequest& b) {
 }
 
 /// The canonical text of a scene and options; "" if both are absent.
-std::string canonical_text(const FileSyntax* scene, const SceneOptions& options) {
+std::string canonical_scene_text(const FileSyntax* scene, const SceneOptions& options) {
   std::string text = scene == nullptr ? "" : dump(*scene);
   for (const auto& [name, list] :
        {std::pair("outputs", &options.outputs), std::pair("fix", &options.fixed),
@@ -55,15 +55,15 @@ class SceneReader {
     read_header();
     read_fixed();
     read_regressor(context_, syntax_, scene_.specialisation.fixed);
-    independent_ = read_independent(context_, syntax_);
+    independent_ = read_independent_velocities(context_, syntax_);
     read_outputs();
     read_numerics();
     scene_.emission = read_emission(context_, syntax_, options_, scene_);
     read_batch(context_, syntax_, scene_);
-    read_inner(context_, syntax_, options_, scene_);
+    read_inner_scalar(context_, syntax_, options_, scene_);
     read_error_bound(context_, syntax_, options_, scene_.numerics);
     scene_.has_options = options_.changes_files();
-    scene_.canonical = canonical_text(syntax_, options_);
+    scene_.canonical_text = canonical_scene_text(syntax_, options_);
   }
 
  private:
@@ -97,8 +97,8 @@ class SceneReader {
     } else if (outputs != nullptr) {
       for (const KeySyntax& key : outputs->keys) read_output(key);
     } else {
-      scene_.outputs = full_requests(model_);
-      scene_.left_out = omitted_from_full(model_);
+      scene_.outputs = full_scene_requests(model_);
+      scene_.omitted_outputs = outputs_omitted_by_full(model_);
       return;
     }
     request_reaction();
@@ -114,7 +114,7 @@ class SceneReader {
     const bool is_standard = find_request(model_, name).has_value();
     const auto found = std::ranges::find_if(outputs->keys, [&](const KeySyntax& key) {
       const OutputRow* const row = find_output(key.key);
-      if (row == nullptr || !row->steps) return false;
+      if (row == nullptr || !row->is_step) return false;
       const KeySyntax* const rename = key.value.find("rename");
       return is_standard ? key.key == name : rename != nullptr && rename->value.text == name;
     });
@@ -126,7 +126,7 @@ class SceneReader {
     const std::string name(covered_text(word));
     if (find_request(scene_, name) != nullptr) return;
     const KeySyntax* const key = find_step_key(outputs, name);
-    OutputRequest* const output = request(key == nullptr ? name : key->key, word);
+    OutputRequest* const output = add_request(key == nullptr ? name : key->key, word);
     if (output == nullptr) return;
     read_options(model_, key == nullptr ? ValueSyntax() : key->value, *output, context_.report);
     output->name = name;
@@ -134,22 +134,22 @@ class SceneReader {
 
   /// Adds the step with which a run integrates.
   void request_step(const StepSpec& chosen) {
-    OutputRequest* const step = request(std::string(output_row(OutputKind::step).name), {});
+    OutputRequest* const step = add_request(std::string(output_row(OutputKind::step).name), {});
     if (step != nullptr) step->step = chosen;
   }
 
   /// Adds the output `reaction` if a lock has `reaction = true`.
   void request_reaction() {
-    if (!held_velocities(model_).empty()) {
-      request(std::string(output_row(OutputKind::reaction).name),
-              model_.variant.locks.front().span);
+    if (!reaction_row_velocities(model_).empty()) {
+      add_request(std::string(output_row(OutputKind::reaction).name),
+                  model_.reduction.locks.front().span);
     }
   }
 
   /// Reports E603 for `dynamics` if the scene requests no output that `dynamics` repeats.
   void check_dynamics() {
     const auto is_member = [](const OutputRequest& output) {
-      return is_repeated(output.kind, output.takes);
+      return is_in_dynamics(output.kind, output.argument_kinds);
     };
     if (std::ranges::any_of(scene_.outputs, is_member)) return;
     for (const OutputRequest& output : scene_.outputs) {
@@ -162,18 +162,18 @@ class SceneReader {
     }
   }
 
-  OutputRequest* request(const std::string& name, const Span& span) {
+  OutputRequest* add_request(const std::string& name, const Span& span) {
     auto found = require_request(model_, name, span, context_.report, independent_);
     if (!found) return nullptr;
     for (OutputRequest& other : scene_.outputs) {
       if (!precedes(other, *found) && !precedes(*found, other)) return &other;
     }
-    if (options_.purpose.keeps_pivots) found->without_pivots = false;
+    if (options_.purpose.keeps_pivots) found->omits_pivots = false;
     scene_.outputs.push_back(std::move(*found));
     return &scene_.outputs.back();
   }
 
-  static std::optional<Form> form_in(const KeySyntax* key) {
+  static std::optional<Form> read_output_form(const KeySyntax* key) {
     if (key == nullptr) return std::nullopt;
     return key->value.text == name_of(Form::closed) ? Form::closed : Form::recursive;
   }
@@ -183,10 +183,10 @@ class SceneReader {
       (void)require_request(model_, key.key, key.key_span, context_.report, independent_);
       return;
     }
-    OutputRequest* output = request(key.key, key.key_span);
+    OutputRequest* output = add_request(key.key, key.key_span);
     const KeySyntax* rename = key.value.find("rename");
     if (output != nullptr) {
-      output->form = form_in(key.value.find("form"));
+      output->form = read_output_form(key.value.find("form"));
       read_options(model_, key.value, *output, context_.report);
     }
     if (output != nullptr && rename != nullptr) {
@@ -205,7 +205,7 @@ class SceneReader {
         const bool is_renamed = output.name != standard_name(output);
         if (is_renamed == renamed && !used_names.insert(output.name).second) {
           context_.report.add(Code::E609, output.span,
-                              "another output is already called " + in_backticks(output.name));
+                              "another output is already called " + quote_text(output.name));
         }
       }
     }
@@ -214,43 +214,43 @@ class SceneReader {
   void read_fixed() {
     const KeySyntax* fixed = find_key(syntax_, "parameters", "fixed");
     if (fixed != nullptr && fixed->value.kind == ValueKind::text) {
-      fix_named(fixed->value.text, fixed->value.span, nullptr);
+      fix_parameters_named(fixed->value.text, fixed->value.span, nullptr);
     } else if (fixed != nullptr) {
       for (const KeySyntax& key : fixed->value.entries) {
-        fix_named(key.key, key.key_span, &key.value);
+        fix_parameters_named(key.key, key.key_span, &key.value);
       }
     }
     constexpr KeyType type = KeyType::boolean_or_expression;
-    for (const KeySyntax& key : keys_of(context_, options_.fixed, type)) {
+    for (const KeySyntax& key : parse_option_keys(context_, options_.fixed, type)) {
       const bool has_value = key.value.kind == ValueKind::expression;
-      fix_named(key.key, key.key_span, has_value ? &key.value : nullptr);
+      fix_parameters_named(key.key, key.key_span, has_value ? &key.value : nullptr);
     }
   }
 
   /// Fixes the parameters that `name` denotes: NAME all elements, NAME[i] one element, "all" every
   /// parameter. Without `value`, a parameter is fixed at its value in the model.
-  void fix_named(const std::string& name, const Span& span, const ValueSyntax* value) {
+  void fix_parameters_named(const std::string& name, const Span& span, const ValueSyntax* value) {
     const bool fixes_all = name == "all" && value == nullptr;
     std::vector<std::uint32_t> targets(model_.parameters.size());
     std::iota(targets.begin(), targets.end(), 0U);
     if (!fixes_all) {
       const char* const hint = name == "all" ? "`all` fixes every parameter at its own value" : "";
-      targets = named_parameters(context_, name, span, hint);
+      targets = find_parameters(context_, name, span, hint);
     }
     if (targets.empty()) return;
     std::optional<FixedValue> own;
-    if (value != nullptr) own = ValueReader(context_).constant_with_form(*value);
+    if (value != nullptr) own = ValueReader(context_).read_exact_constant(*value);
     for (const std::uint32_t target : targets) {
-      if (own) check_value(context_, target, own->number, value->expression.span);
+      if (own) check_parameter_value(context_, target, own->number, value->expression.span);
       if (own) set_cyclic_momentum(context_.model, target, own->number);
       const Parameter& parameter = model_.parameters[target];
       scene_.specialisation.fixed[target] =
-          own.value_or(FixedValue{parameter.value, parameter.form});
+          own.value_or(FixedValue{parameter.value, parameter.exact_expression});
     }
   }
 
   void read_numerics() {
-    if (const auto form = form_in(find_key(syntax_, "numeric", "form"))) {
+    if (const auto form = read_output_form(find_key(syntax_, "numeric", "form"))) {
       for (OutputRequest& output : scene_.outputs) output.form = output.form.value_or(*form);
     }
     if (const KeySyntax* prefer = find_key(syntax_, "numeric", "prefer")) {
@@ -268,7 +268,7 @@ class SceneReader {
   }
 
   [[nodiscard]] std::string standard_name(const OutputRequest& output) const {
-    return request_of(model_, output.kind, output.user).name;
+    return make_request(model_, output.kind, output.user).name;
   }
 
   Context& context_;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t diff_lines = 20;  // printed lines per file; the rest is only counted
 
-std::vector<std::string> lines(const std::string& text) {
+std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> result;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) result.push_back(line);
@@ -23,21 +23,21 @@ std::vector<std::string> lines(const std::string& text) {
 
 /// The first `diff_lines` lines of a unified diff, and the number of further lines.
 std::string unified_diff(const std::string& before, const std::string& after) {
-  dtl::Diff<std::string> diff(lines(before), lines(after));
+  dtl::Diff<std::string> diff(split_lines(before), split_lines(after));
   diff.onHuge();
   diff.compose();
   diff.composeUnifiedHunks();
   std::ostringstream text;
   diff.printUnifiedFormat(text);
-  const std::vector<std::string> all = lines(text.str());
+  const std::vector<std::string> all = split_lines(text.str());
   std::string shown;
   for (std::size_t i = 0; i < all.size() && i < diff_lines; ++i) shown += "  " + all[i] + "\n";
   if (all.size() > diff_lines) shown += fmt::format("  … {} more lines\n", all.size() - diff_lines);
   return shown;
 }
 
-std::optional<FileDifference> compare(const OutputFile& file) {
-  const std::optional<std::string> found = existing_text(file.path);
+std::optional<FileDifference> compare_file(const OutputFile& file) {
+  const std::optional<std::string> found = read_existing_file(file.path);
   if (!found) return FileDifference{FileState::missing, file.path};
   if (*found == file.text) return std::nullopt;
   const BodyHash hash = body_hash(*found);
@@ -55,8 +55,8 @@ std::string_view name_of(FileState state) {
 
 std::vector<FileDifference> compare_files(const std::string& directory, const EmittedFiles& files) {
   std::vector<FileDifference> differences;
-  for (const OutputFile& file : files_in(directory, files)) {
-    if (auto difference = compare(file)) differences.push_back(*std::move(difference));
+  for (const OutputFile& file : to_output_files(directory, files)) {
+    if (auto difference = compare_file(file)) differences.push_back(*std::move(difference));
   }
   return differences;
 }

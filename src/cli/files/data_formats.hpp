@@ -29,7 +29,7 @@ inline constexpr std::array data_formats{
 /// The format that the file's ending selects; E913 if it selects none. `other`: another ending that
 /// the message lists, because the command handles it itself.
 template <class Data>
-[[nodiscard]] Result<DataFormat<Data>> format_of(
+[[nodiscard]] Result<DataFormat<Data>> select_format(
     const std::string& file, const std::array<DataFormat<Data>, 3>& formats = data_formats<Data>,
     std::string_view other = {}) {
   std::vector<std::string> endings;

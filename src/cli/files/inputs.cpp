@@ -24,21 +24,21 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Device and inode: equal for all paths of the same file.
-using Identity = std::pair<dev_t, ino_t>;
+using FileIdentity = std::pair<dev_t, ino_t>;
 
-Identity identity(const struct stat& file) { return {file.st_dev, file.st_ino}; }
+FileIdentity file_identity(const struct stat& file) { return {file.st_dev, file.st_ino}; }
 
-std::set<Identity>& files_read() {
-  static std::set<Identity> files;
+std::set<FileIdentity>& input_identities() {
+  static std::set<FileIdentity> files;
   return files;
 }
 
-Diagnostic unreadable(const std::string& path, std::string_view reason) {
-  return {Code::E707, {}, fmt::format("`{}` {}", shown_path(path), reason)};
+Diagnostic unreadable_error(const std::string& path, std::string_view reason) {
+  return {Code::E707, {}, fmt::format("`{}` {}", printable_path(path), reason)};
 }
 
 Diagnostic unreadable(const std::string& path, int error) {
-  return unreadable(path, "could not be read: " + std::generic_category().message(error));
+  return unreadable_error(path, "could not be read: " + std::generic_category().message(error));
 }
 
 /// E111 if the file does not exist; E707 if stat() fails, or if the file is neither regular nor a
@@ -47,19 +47,19 @@ std::optional<Diagnostic> missing_file_error(const std::string& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) {
     if (errno != ENOENT && errno != ENOTDIR) return unreadable(path, errno);
-    return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", shown_path(path))};
+    return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", printable_path(path))};
   }
-  const std::string_view kind = special_kind(found.st_mode);
+  const std::string_view kind = special_file_kind(found.st_mode);
   if (kind.empty() || S_ISFIFO(found.st_mode)) return std::nullopt;
-  return unreadable(path, fmt::format("is {}, not a file", kind));
+  return unreadable_error(path, fmt::format("is {}, not a file", kind));
 }
 
 /// Reads an open file. Stops soon after `limits.file_bytes` bytes, and then returns E901.
-Result<SourcePointer> read_descriptor(const std::string& name, const Descriptor& file,
+Result<SourcePointer> read_descriptor(const std::string& name, const FileDescriptor& file,
                                       const Limits& limits) {
   struct stat found {};
   if (::fstat(file.number(), &found) != 0) return unreadable(name, errno);
-  files_read().insert(identity(found));
+  input_identities().insert(file_identity(found));
   std::string text;
   std::array<char, 1U << 16U> part{};
   while (text.size() <= limits.file_bytes) {
@@ -69,27 +69,27 @@ Result<SourcePointer> read_descriptor(const std::string& name, const Descriptor&
     if (count == 0) break;
     text.append(part.data(), static_cast<std::size_t>(count));
   }
-  return kept_source(name, std::move(text), limits);
+  return make_limited_source(name, std::move(text), limits);
 }
 
 Result<SourcePointer> read_stdin(const Limits& limits) {
   static bool is_read = false;
   const std::string name(stdin_name);
-  if (std::exchange(is_read, true)) return unreadable(name, "can be read only once");
-  const WaitingLimit waiting(limits, name);
-  return read_descriptor(name, Descriptor(::dup(STDIN_FILENO)), limits);
+  if (std::exchange(is_read, true)) return unreadable_error(name, "can be read only once");
+  const InputTimeout waiting(limits, name);
+  return read_descriptor(name, FileDescriptor(::dup(STDIN_FILENO)), limits);
 }
 
 Result<SourcePointer> read_file(const std::string& path, const Limits& limits) {
   if (auto error = missing_file_error(path)) return *std::move(error);
-  const WaitingLimit waiting(limits, path);
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
+  const InputTimeout waiting(limits, path);
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
   if (!file.is_open()) return unreadable(path, errno);
   return read_descriptor(path, file, limits);
 }
 
 bool is_scene(const SourceText& source) {
-  if (source.path == stdin_name) return model_key(source).has_value();
+  if (source.path == stdin_name) return find_model_key(source).has_value();
   return source.path.size() > std::string_view(".scene.toml").size() &&
          source.path.ends_with(".scene.toml");
 }
@@ -110,10 +110,10 @@ std::optional<Diagnostic> misnamed_error(const SourceText& source) {
     return Diagnostic{
         Reason::misnamed_file,
         {&source, 0, 0},
-        fmt::format("{} contains a model: it has a table [model]", in_backticks(source.path)),
+        fmt::format("{} contains a model: it has a table [model]", quote_text(source.path)),
         "a model is called NAME.toml, a scene NAME.scene.toml"};
   }
-  const auto model = is_scene(source) ? std::nullopt : model_key(source);
+  const auto model = is_scene(source) ? std::nullopt : find_model_key(source);
   if (!model) return std::nullopt;
   return Diagnostic{Reason::misnamed_file, *model,
                     fmt::format("{} is a string, but [model] is a table", in_backticks(*model)),
@@ -143,8 +143,9 @@ std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
 
 }  // namespace
 
-Result<SourcePointer> kept_source(const std::string& path, std::string text, const Limits& limits) {
-  const SourcePointer source = make_permanent_source(shown_path(path), std::move(text));
+Result<SourcePointer> make_limited_source(const std::string& path, std::string text,
+                                          const Limits& limits) {
+  const SourcePointer source = make_permanent_source(printable_path(path), std::move(text));
   if (source->text.size() <= limits.file_bytes) return source;
   const auto at = static_cast<std::uint32_t>(limits.file_bytes);  // the first byte beyond the limit
   return Diagnostic{Code::E901,
@@ -153,13 +154,15 @@ Result<SourcePointer> kept_source(const std::string& path, std::string text, con
                     "`--limit file_bytes=N` raises the limit"};
 }
 
-bool is_input(const struct stat& file) { return files_read().count(identity(file)) > 0; }
+bool is_read_file(const struct stat& file) {
+  return input_identities().count(file_identity(file)) > 0;
+}
 
 Result<SourcePointer> read_source(const std::string& path, const Limits& limits) {
   return path == "-" ? read_stdin(limits) : read_file(path, limits);
 }
 
-Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
+Result<PipelineSources> read_inputs(const std::string& path, const Limits& limits) {
   return read_inputs(path, limits, [&](const std::string& file) {
     Result<SourcePointer> source = read_source(file, limits);
     if (!source && file != path) source.diagnostics.front().hint = hint_of_scene(path, file);
@@ -167,12 +170,12 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits) {
   });
 }
 
-Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
-                           const SourceReader& read) {
+Result<PipelineSources> read_inputs(const std::string& path, const Limits& limits,
+                                    const SourceReader& read) {
   Result<SourcePointer> source = read(path);
   if (!source) return source.diagnostics;
   if (auto mistake = misnamed_error(**source)) return *std::move(mistake);
-  if (!is_scene(**source)) return Inputs{*source, nullptr};
+  if (!is_scene(**source)) return PipelineSources{*source, nullptr};
 
   const Result<FileSyntax> scene = parse_scene(*source, limits);
   if (!scene) return scene.diagnostics;
@@ -181,7 +184,7 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
   // Other files are not read, so that no diagnostic quotes their text.
   if (!named->value.text.ends_with(".toml")) {
     return Diagnostic{Reason::misnamed_file, named->value.span,
-                      fmt::format("{} is no model", in_backticks(named->value.text)),
+                      fmt::format("{} is no model", quote_text(named->value.text)),
                       "a model is called NAME.toml"};
   }
   const fs::path model = fs::path(path).parent_path() / named->value.text;
@@ -192,10 +195,10 @@ Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
     errors.front().span = named->value.span;
     return errors;
   }
-  return Inputs{*model_source, *source};
+  return PipelineSources{*model_source, *source};
 }
 
-std::string_view special_kind(mode_t mode) {
+std::string_view special_file_kind(mode_t mode) {
   switch (mode & S_IFMT) {
     case S_IFREG:
       return {};

@@ -21,24 +21,24 @@ inline constexpr std::string_view stdin_name = "<stdin>";
 
 /// Reads a model; or a scene and the model that it names, relative to the scene's folder. A scene
 /// is a file NAME.scene.toml, or standard input with a key `model`.
-[[nodiscard]] Result<Inputs> read_inputs(const std::string& path, const Limits& limits);
+[[nodiscard]] Result<PipelineSources> read_inputs(const std::string& path, const Limits& limits);
 
 /// Reads the source at a path.
 using SourceReader = std::function<Result<SourcePointer>(const std::string& path)>;
 
 /// Reads inputs in the same way, but by `read` instead of read_source(), for files not on disk.
-[[nodiscard]] Result<Inputs> read_inputs(const std::string& path, const Limits& limits,
-                                         const SourceReader& read);
+[[nodiscard]] Result<PipelineSources> read_inputs(const std::string& path, const Limits& limits,
+                                                  const SourceReader& read);
 
 /// Makes a source that is never destroyed, because diagnostics point into it. E901 if the text
 /// exceeds `limits.file_bytes`.
-[[nodiscard]] Result<SourcePointer> kept_source(const std::string& path, std::string text,
-                                                const Limits& limits);
+[[nodiscard]] Result<SourcePointer> make_limited_source(const std::string& path, std::string text,
+                                                        const Limits& limits);
 
 /// True if read_source() has read this file.
-[[nodiscard]] bool is_input(const struct stat& file);
+[[nodiscard]] bool is_read_file(const struct stat& file);
 
 /// "a folder", "a device", "a FIFO", …; empty for a regular file.
-[[nodiscard]] std::string_view special_kind(mode_t mode);
+[[nodiscard]] std::string_view special_file_kind(mode_t mode);
 
 }  // namespace elgen::cli

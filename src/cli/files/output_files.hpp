@@ -14,19 +14,19 @@
 namespace elgen::cli {
 
 /// The ending of sidecars, which list the generated files of a system.
-inline constexpr std::string_view sidecar_ending = artifact_table.sidecar.ending;
+inline constexpr std::string_view sidecar_ending = artifact_table.sidecar.path_suffix;
 
 /// When an existing file may be replaced without --force.
-enum class Replaces : unsigned char {
+enum class ReplacePolicy : unsigned char {
   generated,     ///< if it has the marker of elgen
   dependencies,  ///< if its first rule makes a generated file
-  nothing,       ///< never, because its owner edits it
+  never,         ///< never, because its owner edits it
 };
 
 struct OutputFile {
   std::string path = {};
   std::string text = {};
-  Replaces replaces = Replaces::generated;
+  ReplacePolicy policy = ReplacePolicy::generated;
 };
 
 struct WriteOptions {
@@ -35,8 +35,8 @@ struct WriteOptions {
 };
 
 /// The emitted files, with paths in `directory`.
-[[nodiscard]] std::vector<OutputFile> files_in(const std::string& directory,
-                                               const EmittedFiles& files);
+[[nodiscard]] std::vector<OutputFile> to_output_files(const std::string& directory,
+                                                      const EmittedFiles& files);
 
 /// Writes the files, and returns the paths of the files that changed. E703 or E708 if an existing
 /// file may not be replaced; E706 if a file cannot be written. After an error no file has changed.
@@ -44,16 +44,16 @@ struct WriteOptions {
                                                            const WriteOptions& options);
 
 /// The errors E703 and E708 that write_files() would report, for a check before a long computation.
-[[nodiscard]] Diagnostics refuse_places(const std::vector<OutputFile>& files, bool force);
+[[nodiscard]] Diagnostics check_output_paths(const std::vector<OutputFile>& files, bool force);
 
 /// True if the path is a regular file whose first 200 bytes contain the marker of generated files.
-[[nodiscard]] bool has_marker(const std::string& path);
+[[nodiscard]] bool has_generated_marker(const std::string& path);
 
 /// The text of a regular file; none if it does not exist or cannot be read.
-[[nodiscard]] std::optional<std::string> existing_text(const std::string& path);
+[[nodiscard]] std::optional<std::string> read_existing_file(const std::string& path);
 
 /// The path, with spaces and dollar signs escaped for make and ninja.
-[[nodiscard]] std::string escaped_for_make(const std::string& path);
+[[nodiscard]] std::string escape_for_make(const std::string& path);
 
 enum class FileState : unsigned char {
   stale,

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path complete(const std::string& path) {
+fs::path canonical_path(const std::string& path) {
   std::error_code error;
   const fs::path known = fs::weakly_canonical(fs::absolute(path, error), error);
   return error ? fs::path(path) : known;
@@ -45,14 +45,14 @@ bool is_shared_folder(const fs::path& folder) {
     if (const char* const place = std::getenv(variable)) places.emplace_back(place);
   }
   return std::ranges::any_of(places, [&](const std::string& place) {
-    return common_folder(folder, complete(place)) == folder;
+    return common_folder(folder, canonical_path(place)) == folder;
   });
 }
 
-std::string path_from(const fs::path& directory, const SourcePointer& source) {
+std::string relative_source_path(const fs::path& directory, const SourcePointer& source) {
   if (source == nullptr) return {};
   if (source->path == stdin_name) return source->path;
-  const fs::path file = complete(source->path);
+  const fs::path file = canonical_path(source->path);
   const fs::path common = common_folder(file, directory);
   if (!is_in_repository(common) && is_shared_folder(common)) return file_name(*source);
   return file.lexically_relative(directory).generic_string();
@@ -60,12 +60,13 @@ std::string path_from(const fs::path& directory, const SourcePointer& source) {
 
 }  // namespace
 
-SourcePaths source_paths(const Inputs& inputs, const std::string& directory) {
-  const fs::path known = complete(directory);
-  return {path_from(known, inputs.model), path_from(known, inputs.scene)};
+SourcePaths source_paths(const PipelineSources& inputs, const std::string& directory) {
+  const fs::path known = canonical_path(directory);
+  return {relative_source_path(known, inputs.model), relative_source_path(known, inputs.scene)};
 }
 
-std::optional<std::string> source_file(const std::string& directory, const SourcePaths& paths) {
+std::optional<std::string> find_source_path(const std::string& directory,
+                                            const SourcePaths& paths) {
   const std::string& path = paths.scene.empty() ? paths.model : paths.scene;
   if (path.find('/') == std::string::npos) return std::nullopt;
   return (fs::path(directory) / path).lexically_normal().generic_string();

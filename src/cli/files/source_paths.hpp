@@ -13,10 +13,10 @@ namespace elgen::cli {
 /// The paths of the sources: relative to `directory` if both are in one git repository, or have a
 /// common folder other than the root, the home folder and folders for temporary files. Otherwise,
 /// and for standard input, only the file's name, so that files reveal no paths of a machine.
-[[nodiscard]] SourcePaths source_paths(const Inputs& inputs, const std::string& directory);
+[[nodiscard]] SourcePaths source_paths(const PipelineSources& inputs, const std::string& directory);
 
 /// The path of the scene, or else of the model; none if it is only a file's name.
-[[nodiscard]] std::optional<std::string> source_file(const std::string& directory,
-                                                     const SourcePaths& paths);
+[[nodiscard]] std::optional<std::string> find_source_path(const std::string& directory,
+                                                          const SourcePaths& paths);
 
 }  // namespace elgen::cli

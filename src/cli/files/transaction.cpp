@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view stage_prefix = ".elgen-stage-";
 
-bool write_all(const Descriptor& file, std::string_view text) {
+bool write_all(const FileDescriptor& file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = ::write(file.number(), text.data(), text.size());
     if (count < 0 && errno == EINTR) continue;
@@ -40,12 +40,12 @@ bool write_all(const Descriptor& file, std::string_view text) {
 
 bool has_text(const std::string& path, const std::string& text) {
   std::error_code error;
-  return fs::file_size(path, error) == text.size() && existing_text(path) == text;
+  return fs::file_size(path, error) == text.size() && read_existing_file(path) == text;
 }
 
-bool create(const std::string& path, const std::string& text) {
+bool create_file(const std::string& path, const std::string& text) {
   constexpr int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
-  Descriptor file(::open(path.c_str(), flags, 0666));
+  FileDescriptor file(::open(path.c_str(), flags, 0666));
   return file.is_open() && write_all(file, text) && file.close();
 }
 
@@ -62,7 +62,7 @@ std::string folder_of(const std::string& path) {
 /// A folder that receives files, and its stage, which holds the new files.
 class TargetFolder {
  public:
-  TargetFolder(std::string path, Descriptor open)
+  TargetFolder(std::string path, FileDescriptor open)
       : path_(std::move(path)), open_(std::move(open)) {}
 
   void add(const OutputFile& file) { files_.push_back(&file); }
@@ -78,16 +78,16 @@ class TargetFolder {
   void remove_stale_stages() const;
   /// Writes the files that differ from the disk into a new stage, and appends their paths to
   /// `written`.
-  [[nodiscard]] std::optional<Failure> stage(std::vector<std::string>& written);
+  [[nodiscard]] std::optional<WriteFailure> stage(std::vector<std::string>& written);
   /// Moves the files from the stage to their paths.
-  [[nodiscard]] std::optional<Failure> commit();
+  [[nodiscard]] std::optional<WriteFailure> commit();
   /// Removes the stage. Unless `stays`, first undoes commit(). Allocates no memory.
-  void finish(bool stays) noexcept;
+  void end_transaction(bool stays) noexcept;
 
  private:
   /// A file of the stage (`fresh`), its path (`target`), and a second name of the old file (`old`),
   /// if there was one.
-  struct Move {
+  struct StagedFile {
     std::string target = {};
     std::string fresh = {};
     std::string old = {};
@@ -96,16 +96,16 @@ class TargetFolder {
   };
 
   [[nodiscard]] bool create_stage();
-  static bool undo(const Move& move) noexcept;
+  static bool undo(const StagedFile& move) noexcept;
 
   std::string path_;
-  Descriptor open_;
+  FileDescriptor open_;
   std::vector<const OutputFile*> files_ = {};
   std::string stage_ = {};
-  std::vector<Move> moves_ = {};
+  std::vector<StagedFile> moves_ = {};
 };
 
-void TargetFolder::finish(bool stays) noexcept {
+void TargetFolder::end_transaction(bool stays) noexcept {
   for (auto move = moves_.rbegin(); move != moves_.rend(); ++move) {
     const bool can_remove_old = stays || !move->is_done || undo(*move);
     (void)::unlink(move->fresh.c_str());
@@ -146,35 +146,35 @@ bool TargetFolder::create_stage() {
   return true;
 }
 
-std::optional<Failure> TargetFolder::stage(std::vector<std::string>& written) {
+std::optional<WriteFailure> TargetFolder::stage(std::vector<std::string>& written) {
   for (const OutputFile* file : files_) {
     if (has_text(file->path, file->text)) continue;
-    if (stage_.empty() && !create_stage()) return Failure{file->path, errno};
+    if (stage_.empty() && !create_stage()) return WriteFailure{file->path, errno};
     const std::string number = std::to_string(moves_.size());
     moves_.push_back({file->path, stage_ + "/new" + number, stage_ + "/old" + number});
-    if (!create(moves_.back().fresh, file->text)) return Failure{file->path, errno};
+    if (!create_file(moves_.back().fresh, file->text)) return WriteFailure{file->path, errno};
     written.push_back(file->path);
   }
   return std::nullopt;
 }
 
-std::optional<Failure> TargetFolder::commit() {
-  for (Move& move : moves_) {
+std::optional<WriteFailure> TargetFolder::commit() {
+  for (StagedFile& move : moves_) {
     const char* const target = move.target.c_str();
     struct stat found {};
     // If the file system has no hard links, the old file is renamed.
     if (::lstat(target, &found) == 0) {
       const char* const old = move.old.c_str();
       move.had_old = ::link(target, old) == 0 || ::rename(target, old) == 0;
-      if (!move.had_old) return Failure{move.target, errno};
+      if (!move.had_old) return WriteFailure{move.target, errno};
     }
     move.is_done = true;
-    if (::rename(move.fresh.c_str(), target) != 0) return Failure{move.target, errno};
+    if (::rename(move.fresh.c_str(), target) != 0) return WriteFailure{move.target, errno};
   }
   return std::nullopt;
 }
 
-bool TargetFolder::undo(const Move& move) noexcept {
+bool TargetFolder::undo(const StagedFile& move) noexcept {
   return move.had_old ? ::rename(move.old.c_str(), move.target.c_str()) == 0
                       : ::unlink(move.target.c_str()) == 0;
 }
@@ -184,7 +184,7 @@ Transaction::Transaction(std::uint64_t seconds)
 
 Transaction::~Transaction() {
   for (auto& [identity, folder] : folders_) {
-    if (folder != nullptr) folder->finish(is_committed_);  // null if its allocation failed
+    if (folder != nullptr) folder->end_transaction(is_committed_);  // null if its allocation failed
   }
   if (is_committed_) return;
   // After a failure, folders that this process created are empty and still locked.
@@ -206,19 +206,19 @@ bool Transaction::create_folders(const std::string& path) {
   return error == EEXIST;
 }
 
-std::optional<Failure> Transaction::open_folder(const OutputFile& file) {
+std::optional<WriteFailure> Transaction::open_folder(const OutputFile& file) {
   const std::string path = folder_of(file.path);
-  if (!create_folders(path)) return Failure{file.path, errno};
-  Descriptor open(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!create_folders(path)) return WriteFailure{file.path, errno};
+  FileDescriptor open(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   struct stat found {};
-  if (!open.is_open() || ::fstat(open.number(), &found) != 0) return Failure{file.path, errno};
+  if (!open.is_open() || ::fstat(open.number(), &found) != 0) return WriteFailure{file.path, errno};
   auto& folder = folders_[{found.st_dev, found.st_ino}];
   if (folder == nullptr) folder = std::make_unique<TargetFolder>(path, std::move(open));
   folder->add(file);
   return std::nullopt;
 }
 
-std::optional<Failure> Transaction::open_folders(const std::vector<OutputFile>& files) {
+std::optional<WriteFailure> Transaction::open_folders(const std::vector<OutputFile>& files) {
   folders_.clear();
   for (const OutputFile& file : files) {
     if (auto failure = open_folder(file)) return failure;
@@ -226,20 +226,21 @@ std::optional<Failure> Transaction::open_folders(const std::vector<OutputFile>& 
   return std::nullopt;
 }
 
-std::optional<Failure> Transaction::lock_folders() const {
+std::optional<WriteFailure> Transaction::lock_folders() const {
   for (const auto& [identity, folder] : folders_) {
     while (!folder->lock()) {
       const bool is_over = std::chrono::steady_clock::now() > deadline_;
-      if (is_over || has_pending_interrupt()) return Failure{folder->path(), EWOULDBLOCK};
+      if (is_over || has_pending_interrupt()) return WriteFailure{folder->path(), EWOULDBLOCK};
       std::this_thread::sleep_for(pause);
     }
-    if (folder->is_removed()) return Failure{folder->path(), ENOENT};
+    if (folder->is_removed()) return WriteFailure{folder->path(), ENOENT};
   }
   return std::nullopt;
 }
 
-std::optional<Failure> Transaction::open_and_lock_folders(const std::vector<OutputFile>& files) {
-  std::optional<Failure> failure;
+std::optional<WriteFailure> Transaction::open_and_lock_folders(
+    const std::vector<OutputFile>& files) {
+  std::optional<WriteFailure> failure;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     failure = open_folders(files);
     if (!failure) failure = lock_folders();
@@ -249,7 +250,7 @@ std::optional<Failure> Transaction::open_and_lock_folders(const std::vector<Outp
   return failure;
 }
 
-std::optional<Failure> Transaction::write(const std::vector<OutputFile>& files) {
+std::optional<WriteFailure> Transaction::write(const std::vector<OutputFile>& files) {
   if (auto failure = open_and_lock_folders(files)) return failure;
   // Precedes the staging of files, so that a failure leaves no stages behind.
   for (auto& [identity, folder] : folders_) folder->remove_stale_stages();

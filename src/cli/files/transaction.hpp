@@ -16,7 +16,7 @@
 namespace elgen::cli {
 
 /// A path that could not be written, and the system's error number.
-struct Failure {
+struct WriteFailure {
   std::string path = {};
   int error = 0;
 };
@@ -34,24 +34,25 @@ class Transaction {
 
   /// Waits for other processes that write to the same folders; then stages the files that differ
   /// from the disk, and moves them to their paths.
-  [[nodiscard]] std::optional<Failure> write(const std::vector<OutputFile>& files);
+  [[nodiscard]] std::optional<WriteFailure> write(const std::vector<OutputFile>& files);
 
   /// The paths of the files that differed from the disk.
-  [[nodiscard]] const std::vector<std::string>& written() const { return written_; }
+  [[nodiscard]] const std::vector<std::string>& written_paths() const { return written_; }
 
  private:
-  using Identity = std::pair<dev_t, ino_t>;
+  using FolderIdentity = std::pair<dev_t, ino_t>;
   /// Sorted by identity, so that every process locks folders in the same order.
-  using Folders = std::map<Identity, std::unique_ptr<TargetFolder>>;
+  using Folders = std::map<FolderIdentity, std::unique_ptr<TargetFolder>>;
 
   /// Creates, opens and locks the folders of all files.
-  [[nodiscard]] std::optional<Failure> open_and_lock_folders(const std::vector<OutputFile>& files);
-  [[nodiscard]] std::optional<Failure> open_folders(const std::vector<OutputFile>& files);
-  [[nodiscard]] std::optional<Failure> open_folder(const OutputFile& file);
+  [[nodiscard]] std::optional<WriteFailure> open_and_lock_folders(
+      const std::vector<OutputFile>& files);
+  [[nodiscard]] std::optional<WriteFailure> open_folders(const std::vector<OutputFile>& files);
+  [[nodiscard]] std::optional<WriteFailure> open_folder(const OutputFile& file);
   [[nodiscard]] bool create_folders(const std::string& path);
-  [[nodiscard]] std::optional<Failure> lock_folders() const;
+  [[nodiscard]] std::optional<WriteFailure> lock_folders() const;
 
-  NoInterrupts until_done_;
+  SignalBlocker until_done_;
   std::chrono::steady_clock::time_point deadline_;
   std::vector<std::string> created_ = {};  ///< folders made by this process, outer first
   Folders folders_;

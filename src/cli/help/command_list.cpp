@@ -9,7 +9,7 @@ namespace elgen::cli {
 namespace {
 
 /// Splits "TEXT:{auto,always,never}" into the type "TEXT" and the choices.
-void read_type(const std::string& text, ListedOption& option) {
+void parse_type(const std::string& text, ListedOption& option) {
   const std::size_t open = text.find('{');
   const std::size_t close = text.find('}');
   option.type = text.substr(0, std::min(text.find(':'), open));
@@ -26,7 +26,7 @@ ListedOption listed_option(const CLI::Option& option) {
   result.doc = option.get_description();
   result.takes_several = option.get_items_expected_max() > 1;
   const bool is_flag = option.get_items_expected_max() == 0;
-  if (!is_flag) read_type(option.get_type_name(), result);
+  if (!is_flag) parse_type(option.get_type_name(), result);
   return result;
 }
 

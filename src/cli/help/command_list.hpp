@@ -32,11 +32,11 @@ struct CommandList {
 [[nodiscard]] CommandList command_list(const CLI::App& app);
 
 /// The shells for which completions exist.
-[[nodiscard]] std::vector<std::string> completed_shells();
+[[nodiscard]] std::vector<std::string> completion_shells();
 
 /// A script that completes commands, options, options' arguments, and files. `shell` must be one of
-/// completed_shells().
-[[nodiscard]] std::string completions(const CommandList& list, const std::string& shell);
+/// completion_shells().
+[[nodiscard]] std::string completion_script(const CommandList& list, const std::string& shell);
 
 /// The manual page elgen(1), in the troff macros of man.
 [[nodiscard]] std::string manual_page(const CommandList& list);

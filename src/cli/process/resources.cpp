@@ -40,29 +40,31 @@ struct FinalMessages {
   std::uint64_t seconds = 0;
   std::optional<std::string> stage = {};
   std::array<std::string, 2> processor_time = {};  ///< one may be read while the other is written
-  std::atomic<const std::string*> stage_now = nullptr;
+  std::atomic<const std::string*> current_message = nullptr;
   std::string waiting = {};
   std::string memory = {};
 };
 
 /// The final messages; never destroyed, because a signal may arrive while the process exits.
-FinalMessages& last_words() {
+FinalMessages& final_messages() {
   static FinalMessages& words = *new FinalMessages;
   return words;
 }
 
-[[noreturn]] void end_with(const std::string& text) {
+[[noreturn]] void exit_with_message(const std::string& text) {
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
   ::_exit(static_cast<int>(ExitCode::limit));
 }
 
-void end_on_time(int /*signal*/) { end_with(*last_words().stage_now); }
+void on_processor_time_limit(int /*signal*/) {
+  exit_with_message(*final_messages().current_message);
+}
 
-void end_waiting(int /*signal*/) { end_with(last_words().waiting); }
+void on_input_timeout(int /*signal*/) { exit_with_message(final_messages().waiting); }
 
-void end_on_interrupt(int /*signal*/) { ::_exit(static_cast<int>(ExitCode::interrupted)); }
+void on_interrupt(int /*signal*/) { ::_exit(static_cast<int>(ExitCode::interrupted)); }
 
-Diagnostic out_of_time(std::string message) {
+Diagnostic time_limit_error(std::string message) {
   return {Code::E909, {}, std::move(message), "`--limit seconds=N` raises the limit"};
 }
 
@@ -74,11 +76,11 @@ void set_alarm(std::uint64_t seconds) {
 
 /// The handler of std::terminate, for destructors of libraries: they allocate memory but may not
 /// throw.
-[[noreturn]] void end_without_memory() {
+[[noreturn]] void on_terminate() {
   try {
     if (std::current_exception() != nullptr) throw;
   } catch (const std::bad_alloc&) {
-    end_with(last_words().memory);
+    exit_with_message(final_messages().memory);
   } catch (...) {
     std::abort();
   }
@@ -86,7 +88,7 @@ void set_alarm(std::uint64_t seconds) {
 }
 
 /// Allocation functions for CLN and GMP that throw std::bad_alloc. By default, GMP aborts, and CLN
-/// throws another exception, which book_or_code() would catch.
+/// throws another exception, which make_page_or_code() would catch.
 void* allocate(std::size_t size) {
   void* const memory = std::malloc(size);
   return memory == nullptr ? throw std::bad_alloc() : memory;
@@ -101,7 +103,7 @@ void deallocate(void* old, std::size_t /*size*/) { std::free(old); }
 
 /// A template, because the type of a resource is an enumeration in glibc but int in musl.
 template <class Resource>
-void limit(Resource resource, std::uint64_t value) {
+void set_limit(Resource resource, std::uint64_t value) {
   rlimit both{};
   if (::getrlimit(resource, &both) != 0) return;
   both.rlim_cur = std::min<rlim_t>(value, both.rlim_max);
@@ -111,56 +113,57 @@ void limit(Resource resource, std::uint64_t value) {
 }  // namespace
 
 void set_resource_limits(const Limits& limits, const DiagnosticStyle& style) {
-  last_words().style = style;
-  last_words().seconds = limits.seconds;
-  last_words().stage.reset();
-  name_stage("");
-  last_words().memory = format({out_of_memory(limits)}, style);
-  std::set_terminate(end_without_memory);
+  final_messages().style = style;
+  final_messages().seconds = limits.seconds;
+  final_messages().stage.reset();
+  set_stage_name("");
+  final_messages().memory = format({memory_limit_error(limits)}, style);
+  std::set_terminate(on_terminate);
   cln::malloc_hook = allocate;
   ::mp_set_memory_functions(allocate, reallocate, deallocate);
-  std::signal(SIGXCPU, end_on_time);
-  std::signal(SIGALRM, end_waiting);
+  std::signal(SIGXCPU, on_processor_time_limit);
+  std::signal(SIGALRM, on_input_timeout);
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the file size limit then fails (E706) and does
                                   // not end the process
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    if (std::signal(signal, end_on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
+    if (std::signal(signal, on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
   renew_time_limit(limits);
-  if (!has_shadow_memory) limit(RLIMIT_AS, limits.memory_mib << 20U);
+  if (!has_shadow_memory) set_limit(RLIMIT_AS, limits.memory_mib << 20U);
 }
 
-void name_stage(const std::string& stage) {
-  FinalMessages& words = last_words();
+void set_stage_name(const std::string& stage) {
+  FinalMessages& words = final_messages();
   const std::string name = stage.substr(0, stage.find(','));  // "accuracy" of "accuracy, state 3"
   // Verification calls this at each of many states, so an unchanged name must cost little.
   if (words.stage == name) return;
   words.stage = name;
-  std::string& next = words.processor_time[words.stage_now == words.processor_time.data() ? 1 : 0];
+  std::string& next =
+      words.processor_time[words.current_message == words.processor_time.data() ? 1 : 0];
   const std::string place = name.empty() ? "" : fmt::format(", in `{}`", name);
   next = format(
-      {out_of_time(fmt::format("{} s of processor time are used up{}", words.seconds, place))},
+      {time_limit_error(fmt::format("{} s of processor time are used up{}", words.seconds, place))},
       words.style);
-  words.stage_now = &next;
+  words.current_message = &next;
 }
 
 void renew_time_limit(const Limits& limits) {
   rusage used{};
   ::getrusage(RUSAGE_SELF, &used);
   const auto seconds = static_cast<std::uint64_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
-  limit(RLIMIT_CPU, seconds + limits.seconds);
+  set_limit(RLIMIT_CPU, seconds + limits.seconds);
 }
 
-WaitingLimit::WaitingLimit(const Limits& limits, const std::string& path) {
+InputTimeout::InputTimeout(const Limits& limits, const std::string& path) {
   const Diagnostic late =
-      out_of_time(fmt::format("`{}` could not be read within {} s", path, limits.seconds));
-  last_words().waiting = format({late}, last_words().style);
+      time_limit_error(fmt::format("`{}` could not be read within {} s", path, limits.seconds));
+  final_messages().waiting = format({late}, final_messages().style);
   set_alarm(limits.seconds);
 }
 
-WaitingLimit::~WaitingLimit() { ::alarm(0); }
+InputTimeout::~InputTimeout() { ::alarm(0); }
 
-Diagnostic out_of_memory(const Limits& limits) {
+Diagnostic memory_limit_error(const Limits& limits) {
   return {Code::E910,
           {},
           fmt::format("{} MiB of memory are used up", limits.memory_mib),

@@ -24,23 +24,23 @@ namespace {
 constexpr std::size_t usual_columns = 80;
 constexpr std::size_t least_columns = 40;  ///< narrower terminals wrap lines
 
-std::string variable(const char* name) {
+std::string environment_variable(const char* name) {
   const char* const value = std::getenv(name);
   return value == nullptr ? "" : value;
 }
 
 /// True if the locale is UTF-8. The first variable that is set decides, as in setlocale(3).
-bool is_utf8() {
+bool has_utf8_locale() {
   for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
-    std::string value = variable(name);
+    std::string value = environment_variable(name);
     if (value.empty()) continue;
-    std::ranges::transform(value, value.begin(), in_lower_case);
+    std::ranges::transform(value, value.begin(), to_lower_case);
     return value.find("utf-8") != std::string::npos || value.find("utf8") != std::string::npos;
   }
   return false;
 }
 
-constexpr std::chrono::milliseconds patience{500};
+constexpr std::chrono::milliseconds display_delay{500};
 constexpr std::chrono::milliseconds refresh{200};
 
 }  // namespace
@@ -53,38 +53,38 @@ Screen screen_of(std::FILE* stream) {
   winsize size{};
   const bool is_known = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
   if (is_known) screen.columns = std::max<std::size_t>(size.ws_col, least_columns);
-  const std::string kind = variable("TERM");
-  if (is_utf8() && kind != "dumb" && kind != "linux") screen.alphabet = Alphabet::unicode;
+  const std::string kind = environment_variable("TERM");
+  if (has_utf8_locale() && kind != "dumb" && kind != "linux") screen.alphabet = Alphabet::unicode;
   return screen;
 }
 
-Progress::Progress(const std::string& subject) : subject_(shown_path(subject)) {
+Progress::Progress(const std::string& subject) : subject_(printable_path(subject)) {
   if (!is_terminal(stderr)) return;
-  const NoInterrupts inherited;  // the new thread inherits the blocked signals, so only the first
-                                 // thread handles them
-  watcher_ = std::thread([this] { watch(); });
+  const SignalBlocker inherited;  // the new thread inherits the blocked signals, so only the first
+                                  // thread handles them
+  watcher_ = std::thread([this] { run_display(); });
 }
 
 Progress::~Progress() {
-  name_stage("");
+  set_stage_name("");
   {
     const std::lock_guard lock(mutex_);
-    done_ = true;
+    is_done_ = true;
   }
   changed_.notify_all();
   if (watcher_.joinable()) watcher_.join();
 }
 
-void Progress::stage(const std::string& name) const {
-  name_stage(name);
+void Progress::show_stage(const std::string& name) const {
+  set_stage_name(name);
   const std::lock_guard lock(mutex_);
   stage_ = name;
 }
 
-void Progress::watch() {
+void Progress::run_display() {
   std::unique_lock lock(mutex_);
-  const auto is_done = [this] { return done_; };
-  if (changed_.wait_for(lock, patience, is_done)) return;
+  const auto is_done = [this] { return is_done_; };
+  if (changed_.wait_for(lock, display_delay, is_done)) return;
   do {
     fmt::print(stderr, "\r\x1b[K{}: {} …", subject_, stage_);
     std::fflush(stderr);

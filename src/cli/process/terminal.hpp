@@ -25,16 +25,16 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void stage(const std::string& name) const;
+  void show_stage(const std::string& name) const;
 
  private:
-  void watch();
+  void run_display();
 
   std::string subject_;
   mutable std::mutex mutex_;
   mutable std::condition_variable changed_;
   mutable std::string stage_;
-  bool done_ = false;
+  bool is_done_ = false;
   std::thread watcher_;
 };
 

@@ -32,16 +32,16 @@ constexpr std::string_view link_mode = "120000";
 constexpr std::string_view submodule = "160000";
 
 Diagnostic git_error(const std::string& what, const ProcessResult& result) {
-  std::string words = plain_text(result.errors);
+  std::string words = sanitize_output(result.errors);
   while (words.ends_with('\n')) words.pop_back();
-  if (result.ending == Ending::not_started) words = "git could not be run";
-  if (result.ending == Ending::out_of_time) {
+  if (result.ending == ProcessEnding::not_started) words = "git could not be run";
+  if (result.ending == ProcessEnding::out_of_time) {
     words = fmt::format("git did not end within {} s", seconds_of_git);
   }
   return {Code::E713, {}, words.empty() ? what : fmt::format("{}: {}", what, words)};
 }
 
-ProcessResult git(std::vector<std::string> words, std::size_t most_output = longest_list) {
+ProcessResult run_git(std::vector<std::string> words, std::size_t most_output = longest_list) {
   words.insert(words.begin(), "git");
   return run_with_input(words, seconds_of_git, most_output);
 }
@@ -60,8 +60,8 @@ bool is_object_id(const std::string& text) {
 
 /// The root of the working tree. E713 if only $GIT_DIR is set, because then git takes the working
 /// directory as root.
-Result<std::string> root_of_tree() {
-  const ProcessResult top = git({"rev-parse", "--show-toplevel"});
+Result<std::string> find_working_tree_root() {
+  const ProcessResult top = run_git({"rev-parse", "--show-toplevel"});
   if (!top.succeeded()) return git_error("the working directory is in no repository", top);
   std::string root = line_of(top);
   std::error_code error;
@@ -71,7 +71,7 @@ Result<std::string> root_of_tree() {
     return Diagnostic{
         Code::E713,
         {},
-        fmt::format("git takes {} for the root, because $GIT_DIR is set", in_backticks(root)),
+        fmt::format("git takes {} for the root, because $GIT_DIR is set", quote_text(root)),
         "set $GIT_WORK_TREE, too"};
   }
   return root;
@@ -79,24 +79,25 @@ Result<std::string> root_of_tree() {
 
 /// Choosing forms takes little time for programs of at most this many instructions. The model
 /// panda7 has 29 000 instructions.
-constexpr std::size_t most_chosen = 2'000;
+constexpr std::size_t max_chosen_instructions = 2'000;
 
 /// True if an output is an integration step, which calls functions in their chosen forms.
 bool needs_forms(const Scene& scene) {
   return std::ranges::any_of(
-      scene.outputs, [](const OutputRequest& output) { return output_row(output.kind).steps; });
+      scene.outputs, [](const OutputRequest& output) { return output_row(output.kind).is_step; });
 }
 
 bool is_small(const Program& program) {
   std::size_t instructions = 0;
   for (const Function& function : program.functions) instructions += function.instructions.size();
-  return instructions <= most_chosen;
+  return instructions <= max_chosen_instructions;
 }
 
-Products run_stages(const Inputs& inputs, const Limits& limits, Goal goal) {
+Products run_stages(const PipelineSources& inputs, const Limits& limits, Goal goal) {
   renew_time_limit(limits);
-  Products all = run_pipeline(inputs, {.limits = limits, .goals = {goal}, .on_stage = name_stage});
-  name_stage("");
+  Products all =
+      run_pipeline(inputs, {.limits = limits, .goals = {goal}, .on_stage = set_stage_name});
+  set_stage_name("");
   return all;
 }
 
@@ -111,17 +112,17 @@ OperationsByName operations_of(const Program& program) {
 }  // namespace
 
 Result<Revision> Revision::open(const std::string& name) {
-  const Result<std::string> root = root_of_tree();
+  const Result<std::string> root = find_working_tree_root();
   if (!root) return root.diagnostics;
-  const ProcessResult known = git({"rev-parse", "--verify", name + "^{commit}"});
+  const ProcessResult known = run_git({"rev-parse", "--verify", name + "^{commit}"});
   const std::string commit = line_of(known);
-  const std::string no_revision = fmt::format("{} is no revision", in_backticks(name));
+  const std::string no_revision = fmt::format("{} is no revision", quote_text(name));
   if (!known.succeeded()) return git_error(no_revision, known);
   // rev-parse also accepts "^HEAD", which is no commit.
   if (!is_object_id(commit)) return Diagnostic{Code::E713, {}, no_revision};
-  const ProcessResult list = git({"ls-tree", "-r", "-z", "--full-tree", commit});
+  const ProcessResult list = run_git({"ls-tree", "-r", "-z", "--full-tree", commit});
   if (!list.succeeded() || list.output.size() == longest_list) {
-    return git_error(fmt::format("{} was not read", in_backticks(name)), list);
+    return git_error(fmt::format("{} was not read", quote_text(name)), list);
   }
   // Each row: MODE TYPE ID<tab>PATH<null>.
   Revision revision(name, *root);
@@ -138,7 +139,7 @@ Result<Revision> Revision::open(const std::string& name) {
   return revision;
 }
 
-Result<std::string> Revision::path_of(const std::string& path) const {
+Result<std::string> Revision::repository_path(const std::string& path) const {
   std::error_code error;
   const fs::path root = fs::weakly_canonical(root_, error);
   // A link is itself a file of the tree, wherever it points; links among its parent folders are
@@ -152,8 +153,8 @@ Result<std::string> Revision::path_of(const std::string& path) const {
   if (error || inside.empty() || *inside.begin() == "..") {
     return Diagnostic{Code::E713,
                       {},
-                      fmt::format("{} is outside of the repository {}", in_backticks(path),
-                                  in_backticks(root.string()))};
+                      fmt::format("{} is outside of the repository {}", quote_text(path),
+                                  quote_text(root.string()))};
   }
   fs::path above;
   for (const fs::path& part : inside) {
@@ -163,12 +164,12 @@ Result<std::string> Revision::path_of(const std::string& path) const {
     return Diagnostic{Code::E713,
                       {},
                       fmt::format("{} is in the submodule {}, which has its own revisions",
-                                  in_backticks(path), in_backticks(above.generic_string()))};
+                                  quote_text(path), quote_text(above.generic_string()))};
   }
   return inside == "." ? "" : inside.generic_string();
 }
 
-std::vector<std::string> Revision::files_below(const std::string& folder) const {
+std::vector<std::string> Revision::list_files(const std::string& folder) const {
   const std::string start = folder.empty() ? "" : folder + "/";
   std::vector<std::string> files;
   for (auto at = objects_.lower_bound(start); at != objects_.end(); ++at) {
@@ -185,30 +186,30 @@ Result<const Revision::Object*> Revision::resolve_links(const std::string& path)
     const auto object = objects_.find(at);
     if (object == objects_.end() || object->second.mode == submodule) break;
     if (object->second.mode != link_mode) return &object->second;
-    const Result<std::string> target = bytes(object->second, at, longest_path);
+    const Result<std::string> target = read_bytes(object->second, at, longest_path);
     if (!target) return target.diagnostics;
     at = (fs::path(at).parent_path() / *target).lexically_normal().generic_string();
   }
   return nullptr;
 }
 
-Result<std::string> Revision::bytes(const Object& object, const std::string& path,
-                                    std::size_t most) const {
-  ProcessResult blob = git({"cat-file", "blob", object.id}, most);
+Result<std::string> Revision::read_bytes(const Object& object, const std::string& path,
+                                         std::size_t most) const {
+  ProcessResult blob = run_git({"cat-file", "blob", object.id}, most);
   if (blob.succeeded()) return std::move(blob.output);
-  return git_error(fmt::format("{} was not read", in_backticks(name_ + ":" + path)), blob);
+  return git_error(fmt::format("{} was not read", quote_text(name_ + ":" + path)), blob);
 }
 
-Result<SourcePointer> Revision::read(const std::string& path, const Limits& limits) const {
+Result<SourcePointer> Revision::read_source(const std::string& path, const Limits& limits) const {
   const std::string shown = name_ + ":" + path;
   const Result<const Object*> object = resolve_links(path);
   if (!object) return object.diagnostics;
   if (*object == nullptr) {
-    return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", shown_path(shown))};
+    return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", printable_path(shown))};
   }
-  Result<std::string> text = bytes(**object, path, std::size_t{limits.file_bytes} + 1);
+  Result<std::string> text = read_bytes(**object, path, std::size_t{limits.file_bytes} + 1);
   if (!text) return text.diagnostics;
-  return kept_source(shown, *std::move(text), limits);
+  return make_limited_source(shown, *std::move(text), limits);
 }
 
 Version LoadedVersion::version() const {
@@ -220,16 +221,16 @@ Version LoadedVersion::version() const {
           operations.empty() ? nullptr : &operations};
 }
 
-std::string system_name(const Inputs& inputs, const Limits& limits) {
+std::string system_name(const PipelineSources& inputs, const Limits& limits) {
   const Products checked = run_stages(inputs, limits, Goal::check);
   return checked.checked ? checked.checked->scene.base_name : std::string();
 }
 
-Diagnostics mistakes(const Inputs& inputs, const Limits& limits) {
+Diagnostics inspection_diagnostics(const PipelineSources& inputs, const Limits& limits) {
   return run_stages(inputs, limits, Goal::inspect).diagnostics;
 }
 
-Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits) {
+Result<LoadedVersion> load_version(const PipelineSources& inputs, const Limits& limits) {
   LoadedVersion loaded{inputs};
   loaded.products = run_stages(inputs, limits, Goal::lower);
   if (!loaded.products.lowered) return loaded.products.diagnostics;

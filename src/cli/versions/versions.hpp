@@ -23,17 +23,18 @@ class Revision {
 
   /// The path in the repository of a file or folder of the working tree. E713 if it is outside of
   /// the tree or in a submodule.
-  [[nodiscard]] Result<std::string> path_of(const std::string& path) const;
+  [[nodiscard]] Result<std::string> repository_path(const std::string& path) const;
 
-  [[nodiscard]] bool has(const std::string& path) const { return objects_.count(path) > 0; }
+  [[nodiscard]] bool contains(const std::string& path) const { return objects_.count(path) > 0; }
 
   /// The files below a folder ("": the root), with paths relative to it. Omits links that point to
   /// no file of the revision.
-  [[nodiscard]] std::vector<std::string> files_below(const std::string& folder) const;
+  [[nodiscard]] std::vector<std::string> list_files(const std::string& folder) const;
 
   /// Reads a file. Messages call it NAME:PATH. Links are followed inside the revision. E111 if
   /// there is no such file.
-  [[nodiscard]] Result<SourcePointer> read(const std::string& path, const Limits& limits) const;
+  [[nodiscard]] Result<SourcePointer> read_source(const std::string& path,
+                                                  const Limits& limits) const;
 
  private:
   struct Object {
@@ -45,8 +46,8 @@ class Revision {
   [[nodiscard]] Result<const Object*> resolve_links(const std::string& path) const;
 
   /// The first `most` bytes of the object; `path` is for messages.
-  [[nodiscard]] Result<std::string> bytes(const Object& object, const std::string& path,
-                                          std::size_t most) const;
+  [[nodiscard]] Result<std::string> read_bytes(const Object& object, const std::string& path,
+                                               std::size_t most) const;
 
   Revision(std::string name, std::string root) : name_(std::move(name)), root_(std::move(root)) {}
 
@@ -57,7 +58,7 @@ class Revision {
 
 /// A model or scene with its equations, and the syntax trees into which their diagnostics point.
 struct LoadedVersion {
-  Inputs inputs = {};
+  PipelineSources inputs = {};
   FileSyntax model = {};
   std::optional<FileSyntax> scene = {};
   Products products = {};
@@ -67,12 +68,14 @@ struct LoadedVersion {
 };
 
 /// The base name of the system's files: MODEL or MODEL_SCENE. "" if the system has errors.
-[[nodiscard]] std::string system_name(const Inputs& inputs, const Limits& limits);
+[[nodiscard]] std::string system_name(const PipelineSources& inputs, const Limits& limits);
 
 /// The diagnostics of the stages before the derivation.
-[[nodiscard]] Diagnostics mistakes(const Inputs& inputs, const Limits& limits);
+[[nodiscard]] Diagnostics inspection_diagnostics(const PipelineSources& inputs,
+                                                 const Limits& limits);
 
 /// Loads a system and lowers its equations. Fails with the diagnostics of the stages up to lower.
-[[nodiscard]] Result<LoadedVersion> load_version(const Inputs& inputs, const Limits& limits);
+[[nodiscard]] Result<LoadedVersion> load_version(const PipelineSources& inputs,
+                                                 const Limits& limits);
 
 }  // namespace elgen::cli

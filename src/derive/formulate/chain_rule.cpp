@@ -11,15 +11,15 @@ using GiNaC::ex;
 
 namespace {
 
-LeafSet mask_of(const Definitions& definitions, const Seeds& seeds) {
+LeafSet seed_dependence(const Definitions& definitions, const Seeds& seeds) {
   LeafSet mask;
-  for (const auto& [leaf, seed] : seeds) mask |= definitions.places.at(leaf).depends;
+  for (const auto& [leaf, seed] : seeds) mask |= definitions.places.at(leaf).leaf_dependence;
   return mask;
 }
 
 template <class IsWanted>
 void append_partials(const Definitions& definitions, const ex& term, const IsWanted& is_wanted,
-                     std::vector<Partial>& result) {
+                     std::vector<PartialDerivative>& result) {
   for (const ex& symbol : symbols_of(definitions, term)) {
     if (!is_wanted(symbol)) continue;
     const ex partial = term.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
@@ -31,9 +31,9 @@ bool is_sum(const ex& value) { return GiNaC::is_a<GiNaC::add>(value); }
 
 /// The partial derivatives of `value` by its symbols for which `is_wanted` is true.
 template <class IsWanted>
-std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& value,
-                                     const IsWanted& is_wanted) {
-  std::vector<Partial> result;
+std::vector<PartialDerivative> wanted_partials(const Definitions& definitions, const ex& value,
+                                               const IsWanted& is_wanted) {
+  std::vector<PartialDerivative> result;
   if (!is_sum(value)) {
     append_partials(definitions, value, is_wanted, result);
     return result;
@@ -42,9 +42,10 @@ std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& v
   // n^2.
   ExpressionMap<GiNaC::exvector> by_symbol;
   for (std::size_t i = 0; i < value.nops(); ++i) {
-    std::vector<Partial> of_term;
+    std::vector<PartialDerivative> of_term;
     append_partials(definitions, value.op(i), is_wanted, of_term);
-    for (const Partial& partial : of_term) by_symbol[partial.variable].push_back(partial.value);
+    for (const PartialDerivative& partial : of_term)
+      by_symbol[partial.variable].push_back(partial.value);
   }
   for (const ex& symbol : symbols_of(definitions, value)) {
     const auto terms = by_symbol.find(symbol);
@@ -58,11 +59,13 @@ std::vector<Partial> wanted_partials(const Definitions& definitions, const ex& v
 /// The partial derivatives of a definition by the symbols for which `is_wanted` is true. If the
 /// value of the definition is a leaf, its derivatives are in `slopes`.
 template <class IsWanted>
-std::vector<Partial> wanted_partials(const Definitions& definitions, const Definition& definition,
-                                     const IsWanted& is_wanted) {
-  if (definition.slopes.empty()) return wanted_partials(definitions, definition.value, is_wanted);
-  std::vector<Partial> result;
-  for (const auto& [leaf, slope] : definition.slopes) {
+std::vector<PartialDerivative> wanted_partials(const Definitions& definitions,
+                                               const Definition& definition,
+                                               const IsWanted& is_wanted) {
+  if (definition.derivatives.empty())
+    return wanted_partials(definitions, definition.value, is_wanted);
+  std::vector<PartialDerivative> result;
+  for (const auto& [leaf, slope] : definition.derivatives) {
     if (is_wanted(leaf)) result.push_back({leaf, slope});
   }
   return result;
@@ -71,16 +74,18 @@ std::vector<Partial> wanted_partials(const Definitions& definitions, const Defin
 /// The partial derivatives of `value`, an expression or a definition, by its symbols that depend on
 /// a leaf in `mask`.
 template <class Value>
-std::vector<Partial> partials_of(const Definitions& definitions, const Value& value, LeafSet mask) {
+std::vector<PartialDerivative> partials_by_leaves(const Definitions& definitions,
+                                                  const Value& value, LeafSet mask) {
   return wanted_partials(definitions, value, [&](const ex& symbol) {
-    return definitions.places.at(symbol).depends.has_any(mask);
+    return definitions.places.at(symbol).leaf_dependence.has_any(mask);
   });
 }
 
 }  // namespace
 
-std::vector<Partial> partials(const Definitions& definitions, const ex& value, LeafSet mask) {
-  return partials_of(definitions, value, mask);
+std::vector<PartialDerivative> partial_derivatives(const Definitions& definitions, const ex& value,
+                                                   LeafSet mask) {
+  return partials_by_leaves(definitions, value, mask);
 }
 
 void add_seeds(Seeds& seeds, const std::vector<ex>& leaves, const std::vector<ex>& values) {
@@ -107,27 +112,29 @@ Seeds motion_seeds(const Symbols& symbols) {
 
 Tangent::Tangent(Definitions& definitions, Seeds seeds, std::string suffix)
     : definitions_(definitions), tangents_(std::move(seeds)), suffix_(std::move(suffix)) {
-  mask_ = mask_of(definitions_, tangents_);
+  mask_ = seed_dependence(definitions_, tangents_);
 }
 
 template <class Value>
-ex Tangent::from_known(const Value& value) const {
+ex Tangent::differentiate_value(const Value& value) const {
   GiNaC::exvector terms;
   // Differentiates only by symbols that have a tangent. Differentiating by all n symbols would cost
   // n^2 derivatives for the n columns of a matrix.
-  const auto moves = [this](const ex& symbol) { return tangents_.find(symbol) != tangents_.end(); };
-  for (const Partial& partial : wanted_partials(definitions_, value, moves)) {
+  const auto has_tangent = [this](const ex& symbol) {
+    return tangents_.find(symbol) != tangents_.end();
+  };
+  for (const PartialDerivative& partial : wanted_partials(definitions_, value, has_tangent)) {
     terms.push_back(partial.value * tangents_.at(partial.variable));
   }
   return GiNaC::add(terms);
 }
 
-void Tangent::differentiate(std::uint32_t definition) {
+void Tangent::differentiate_definition(std::uint32_t definition) {
   const ex symbol = definitions_.list[definition].symbol;
   const std::string& base = definitions_.list[definition].name;
   Label label{base.empty() || suffix_.empty() ? std::string() : base + suffix_,
               definitions_.list[definition].origin};
-  const ex rate = from_known(definitions_.list[definition]);
+  const ex rate = differentiate_value(definitions_.list[definition]);
   const ex defined = define(definitions_, rate, std::move(label));
   if (!defined.is_zero()) tangents_.emplace(symbol, defined);
 }
@@ -135,10 +142,11 @@ void Tangent::differentiate(std::uint32_t definition) {
 ex Tangent::operator()(const ex& value) {
   // Outputs share the definitions of rates, so rates get no names from the current output.
   ValueMeaning wording = std::exchange(definitions_.meaning, {});
-  visit_needed(definitions_, value, mask_, known_,
-               [this](std::uint32_t definition) { differentiate(definition); });
+  visit_needed_definitions(definitions_, value, mask_, visited_, [this](std::uint32_t definition) {
+    differentiate_definition(definition);
+  });
   definitions_.meaning = std::move(wording);
-  return from_known(value);
+  return differentiate_value(value);
 }
 
 namespace {
@@ -146,19 +154,20 @@ namespace {
 /// The summands of each adjoint: for definitions that are not processed yet (latest first), and for
 /// variables.
 struct Adjoints {
-  std::map<std::uint32_t, GiNaC::exvector, std::greater<>> of_definitions;
-  ExpressionMap<GiNaC::exvector> of_variables;
+  std::map<std::uint32_t, GiNaC::exvector, std::greater<>> by_definition;
+  ExpressionMap<GiNaC::exvector> by_variable;
 };
 
-void accumulate(const Definitions& definitions, const std::vector<Partial>& factors,
-                const ex& weight, Adjoints& adjoints) {
-  for (const Partial& factor : factors) {
+void accumulate_adjoints(const Definitions& definitions,
+                         const std::vector<PartialDerivative>& factors, const ex& weight,
+                         Adjoints& adjoints) {
+  for (const PartialDerivative& factor : factors) {
     const SymbolPlace& at = definitions.places.at(factor.variable);
     const ex term = weight * factor.value;
     if (at.is_definition) {
-      adjoints.of_definitions[at.index].push_back(term);
-    } else if (const auto found = adjoints.of_variables.find(factor.variable);
-               found != adjoints.of_variables.end()) {
+      adjoints.by_definition[at.index].push_back(term);
+    } else if (const auto found = adjoints.by_variable.find(factor.variable);
+               found != adjoints.by_variable.end()) {
       found->second.push_back(term);
     }
   }
@@ -166,41 +175,43 @@ void accumulate(const Definitions& definitions, const std::vector<Partial>& fact
 
 }  // namespace
 
-std::vector<ex> gradient(Definitions& definitions, const std::vector<Weighted>& sum,
+std::vector<ex> gradient(Definitions& definitions, const std::vector<WeightedTerm>& sum,
                          const std::vector<ex>& variables) {
   Adjoints adjoints;
   LeafSet mask;
   for (const ex& variable : variables) {
-    adjoints.of_variables.emplace(variable, GiNaC::exvector());
-    mask |= definitions.places.at(variable).depends;
+    adjoints.by_variable.emplace(variable, GiNaC::exvector());
+    mask |= definitions.places.at(variable).leaf_dependence;
   }
-  for (const Weighted& term : sum) {
+  for (const WeightedTerm& term : sum) {
     if (term.weight.is_zero()) continue;
-    accumulate(definitions, partials(definitions, term.value, mask), term.weight, adjoints);
+    accumulate_adjoints(definitions, partial_derivatives(definitions, term.value, mask),
+                        term.weight, adjoints);
   }
-  while (!adjoints.of_definitions.empty()) {
-    const auto latest = adjoints.of_definitions.begin();
+  while (!adjoints.by_definition.empty()) {
+    const auto latest = adjoints.by_definition.begin();
     const std::uint32_t index = latest->first;
     const ex adjoint = define(definitions, GiNaC::add(latest->second));
-    adjoints.of_definitions.erase(latest);
+    adjoints.by_definition.erase(latest);
     if (adjoint.is_zero()) continue;
-    const std::vector<Partial> factors = partials_of(definitions, definitions.list[index], mask);
-    accumulate(definitions, factors, adjoint, adjoints);
+    const std::vector<PartialDerivative> factors =
+        partials_by_leaves(definitions, definitions.list[index], mask);
+    accumulate_adjoints(definitions, factors, adjoint, adjoints);
   }
   std::vector<ex> result;
   result.reserve(variables.size());
   for (const ex& variable : variables) {
-    result.emplace_back(GiNaC::add(adjoints.of_variables.at(variable)));
+    result.emplace_back(GiNaC::add(adjoints.by_variable.at(variable)));
   }
   return result;
 }
 
 Substitution::Substitution(Definitions& definitions, Seeds values)
     : definitions_(definitions), values_(std::move(values)) {
-  mask_ = mask_of(definitions_, values_);
+  mask_ = seed_dependence(definitions_, values_);
 }
 
-ex Substitution::from_known(const ex& value) const {
+ex Substitution::substitute_value(const ex& value) const {
   GiNaC::exmap replacements;
   for (const ex& symbol : symbols_of(definitions_, value)) {
     const auto found = values_.find(symbol);
@@ -209,22 +220,22 @@ ex Substitution::from_known(const ex& value) const {
   return replacements.empty() ? value : value.subs(replacements, GiNaC::subs_options::no_pattern);
 }
 
-void Substitution::substitute(std::uint32_t definition) {
+void Substitution::substitute_definition(std::uint32_t definition) {
   const Definition& old = definitions_.list[definition];
   const ex symbol = old.symbol;
   Label label{old.name, old.origin};
-  const ex replaced = define(definitions_, from_known(old.value), std::move(label));
+  const ex replaced = define(definitions_, substitute_value(old.value), std::move(label));
   if (!replaced.is_equal(symbol)) values_.emplace(symbol, replaced);
   auto& names = definitions_.value_names.names;
-  if (const auto told = names.find(symbol); told != names.end()) {
-    names.emplace(replaced, told->second);
+  if (const auto old_name = names.find(symbol); old_name != names.end()) {
+    names.emplace(replaced, old_name->second);
   }
 }
 
 ex Substitution::operator()(const ex& value) {
-  visit_needed(definitions_, value, mask_, known_,
-               [this](std::uint32_t definition) { substitute(definition); });
-  return from_known(value);
+  visit_needed_definitions(definitions_, value, mask_, visited_,
+                           [this](std::uint32_t definition) { substitute_definition(definition); });
+  return substitute_value(value);
 }
 
 }  // namespace elgen

@@ -19,12 +19,12 @@ namespace elgen {
 /// first. Skips definitions that are `known` or do not depend on a leaf in `mask`; marks visited
 /// definitions as known. Iterative, because chains of definitions may be long.
 template <class Visit>
-void visit_needed(const Definitions& definitions, const GiNaC::ex& value, LeafSet mask,
-                  std::vector<bool>& known, const Visit& visit) {
+void visit_needed_definitions(const Definitions& definitions, const GiNaC::ex& value, LeafSet mask,
+                              std::vector<bool>& known, const Visit& visit) {
   std::vector<std::pair<std::uint32_t, bool>> stack;
   const auto push = [&](std::uint32_t index) {
     const bool is_known = index < known.size() && known[index];
-    if (!is_known && definitions.list[index].depends.has_any(mask))
+    if (!is_known && definitions.list[index].leaf_dependence.has_any(mask))
       stack.emplace_back(index, false);
   };
   for (const GiNaC::ex& symbol : symbols_of(definitions, value)) {
@@ -37,7 +37,7 @@ void visit_needed(const Definitions& definitions, const GiNaC::ex& value, LeafSe
       stack.pop_back();
     } else if (!operands_done) {
       stack.back().second = true;
-      for (const std::uint32_t used : definitions.list[index].uses) push(used);
+      for (const std::uint32_t used : definitions.list[index].used_definitions) push(used);
     } else {
       stack.pop_back();
       if (known.size() <= index) known.resize(index + 1, false);
@@ -48,15 +48,16 @@ void visit_needed(const Definitions& definitions, const GiNaC::ex& value, LeafSe
 }
 
 /// One factor of the chain rule: `value` is the partial derivative of an expression by `variable`.
-struct Partial {
+struct PartialDerivative {
   GiNaC::ex variable;
   GiNaC::ex value;
 };
 
 /// The non-zero partial derivatives of `value` by each of its symbols that depends on a leaf in
 /// `mask`, in elgen's order. A sum of n terms costs n small derivatives.
-[[nodiscard]] std::vector<Partial> partials(const Definitions& definitions, const GiNaC::ex& value,
-                                            LeafSet mask);
+[[nodiscard]] std::vector<PartialDerivative> partial_derivatives(const Definitions& definitions,
+                                                                 const GiNaC::ex& value,
+                                                                 LeafSet mask);
 
 /// A value for each listed leaf. For a Tangent, the rate of the leaf along the direction; leaves
 /// that are not listed have rate 0. For a Substitution, the new value of the leaf; leaves that are
@@ -96,18 +97,18 @@ class Tangent {
   /// The derivative of `value` (an expression or a definition) along the direction, from the
   /// tangents that are known so far.
   template <class Value>
-  [[nodiscard]] GiNaC::ex from_known(const Value& value) const;
-  void differentiate(std::uint32_t definition);
+  [[nodiscard]] GiNaC::ex differentiate_value(const Value& value) const;
+  void differentiate_definition(std::uint32_t definition);
 
   Definitions& definitions_;
   Seeds tangents_;  // of leaves, and of the definitions differentiated so far
-  std::vector<bool> known_;
+  std::vector<bool> visited_;
   std::string suffix_;
   LeafSet mask_ = {};
 };
 
 /// The summand weight * value.
-struct Weighted {
+struct WeightedTerm {
   GiNaC::ex value;
   GiNaC::ex weight;
 };
@@ -119,7 +120,7 @@ struct Weighted {
 ///
 /// Each definition is differentiated once, whatever the number of variables.
 [[nodiscard]] std::vector<GiNaC::ex> gradient(Definitions& definitions,
-                                              const std::vector<Weighted>& sum,
+                                              const std::vector<WeightedTerm>& sum,
                                               const std::vector<GiNaC::ex>& variables);
 
 /// Replaces leaves by values in all definitions that an expression needs.
@@ -133,12 +134,12 @@ class Substitution {
   [[nodiscard]] GiNaC::ex operator()(const GiNaC::ex& value);
 
  private:
-  [[nodiscard]] GiNaC::ex from_known(const GiNaC::ex& value) const;
-  void substitute(std::uint32_t definition);
+  [[nodiscard]] GiNaC::ex substitute_value(const GiNaC::ex& value) const;
+  void substitute_definition(std::uint32_t definition);
 
   Definitions& definitions_;
   Seeds values_;
-  std::vector<bool> known_;
+  std::vector<bool> visited_;
   LeafSet mask_ = {};
 };
 

@@ -17,7 +17,7 @@ bool is_atomic(const ex& value) {
   return GiNaC::is_a<GiNaC::mul>(value) && GiNaC::is_a<GiNaC::symbol>(-value);
 }
 
-const SymbolPlace& place(const Definitions& definitions, const ex& symbol) {
+const SymbolPlace& symbol_place(const Definitions& definitions, const ex& symbol) {
   return definitions.places.at(symbol);
 }
 
@@ -36,7 +36,7 @@ void collect_symbols(const ex& value, std::vector<ex>& symbols) {
 
 /// If `value` is the symbol of a definition without a name, names it after `definitions.meaning`.
 /// Returns `value`.
-ex add_name(Definitions& definitions, const ex& value) {
+ex name_after_meaning(Definitions& definitions, const ex& value) {
   const auto& [kind, frame, axis] = definitions.meaning;
   if (kind.empty() || definitions.value_names.names.contains(value)) return value;
   const auto place = definitions.places.find(value);
@@ -57,7 +57,7 @@ std::vector<ex> symbols_of(const Definitions& definitions, const ex& value) {
   collect_symbols(value, symbols);
   // GiNaC's order of operands depends on addresses, so sort by elgen's order.
   std::sort(symbols.begin(), symbols.end(), [&](const ex& a, const ex& b) {
-    return precedes(place(definitions, a), place(definitions, b));
+    return precedes(symbol_place(definitions, a), symbol_place(definitions, b));
   });
   symbols.erase(std::unique(symbols.begin(), symbols.end(), ExpressionEqual{}), symbols.end());
   return symbols;
@@ -66,7 +66,7 @@ std::vector<ex> symbols_of(const Definitions& definitions, const ex& value) {
 LeafSet dependence(const Definitions& definitions, const ex& value) {
   LeafSet depends;
   for (const ex& symbol : symbols_of(definitions, value)) {
-    depends |= place(definitions, symbol).depends;
+    depends |= symbol_place(definitions, symbol).leaf_dependence;
   }
   return depends;
 }
@@ -77,24 +77,26 @@ void add_leaf(Definitions& definitions, const ex& symbol, Opcode kind) {
 }
 
 ex define(Definitions& definitions, const ex& value, Label label) {
-  if (is_atomic(value)) return add_name(definitions, value);
+  if (is_atomic(value)) return name_after_meaning(definitions, value);
   const auto known = definitions.known_values.find(value);
-  if (known != definitions.known_values.end()) return add_name(definitions, known->second);
+  if (known != definitions.known_values.end())
+    return name_after_meaning(definitions, known->second);
 
   Definition definition{GiNaC::realsymbol(), value, std::move(label.name), label.origin, {}, {}};
   for (const ex& symbol : symbols_of(definitions, value)) {
-    const SymbolPlace& at = place(definitions, symbol);
-    if (at.is_definition) definition.uses.push_back(at.index);
-    definition.depends |= at.depends;
+    const SymbolPlace& at = symbol_place(definitions, symbol);
+    if (at.is_definition) definition.used_definitions.push_back(at.index);
+    definition.leaf_dependence |= at.leaf_dependence;
   }
   const auto index = static_cast<std::uint32_t>(definitions.list.size());
-  definitions.places.emplace(definition.symbol, SymbolPlace{true, index, definition.depends});
+  definitions.places.emplace(definition.symbol,
+                             SymbolPlace{true, index, definition.leaf_dependence});
   definitions.known_values.emplace(value, definition.symbol);
   definitions.list.push_back(std::move(definition));
-  return add_name(definitions, definitions.list.back().symbol);
+  return name_after_meaning(definitions, definitions.list.back().symbol);
 }
 
-void name(Definitions& definitions, const ex& symbol, const std::string& text) {
+void name_definition(Definitions& definitions, const ex& symbol, const std::string& text) {
   const auto found = definitions.places.find(symbol);
   if (found == definitions.places.end() || !found->second.is_definition) return;
   std::string& known = definitions.list[found->second.index].name;
@@ -103,7 +105,7 @@ void name(Definitions& definitions, const ex& symbol, const std::string& text) {
 
 namespace {
 
-std::string plain(const ex& value) {
+std::string ginac_text(const ex& value) {
   std::ostringstream text;
   text << GiNaC::dflt << value;
   return text.str();
@@ -117,27 +119,27 @@ class ExpressionWriter {
   Summand print(const ex& value) const {
     if (GiNaC::is_a<GiNaC::symbol>(value)) {
       const SymbolPlace& at = definitions_.places.at(value);
-      return {{at.is_definition ? "d" + std::to_string(at.index) : plain(value)}};
+      return {{at.is_definition ? "d" + std::to_string(at.index) : ginac_text(value)}};
     }
     if (GiNaC::is_a<GiNaC::numeric>(value)) {
       const bool is_negative = value.info(GiNaC::info_flags::negative);
-      return {{plain(is_negative ? -value : value)}, is_negative};
+      return {{ginac_text(is_negative ? -value : value)}, is_negative};
     }
-    if (GiNaC::is_a<GiNaC::add>(value)) return total(value);
-    if (GiNaC::is_a<GiNaC::mul>(value)) return product_of(value);
-    if (GiNaC::is_a<GiNaC::power>(value)) return raised(value);
-    if (GiNaC::is_a<GiNaC::function>(value)) return {call_of(value)};
-    return {{plain(value)}};
+    if (GiNaC::is_a<GiNaC::add>(value)) return print_sum(value);
+    if (GiNaC::is_a<GiNaC::mul>(value)) return print_product(value);
+    if (GiNaC::is_a<GiNaC::power>(value)) return print_power(value);
+    if (GiNaC::is_a<GiNaC::function>(value)) return {print_call(value)};
+    return {{ginac_text(value)}};
   }
 
-  FormulaText whole(const ex& value) const { return sum_text({print(value)}); }
+  FormulaText formula_text(const ex& value) const { return sum_text({print(value)}); }
 
  private:
-  std::vector<Summand> sorted(const ex& value, Binding least) const {
+  std::vector<Summand> sorted_summands(const ex& value, Binding least) const {
     std::vector<Summand> parts;
     for (const ex& part : value) {
       const auto [term, is_negative] = print(part);
-      parts.push_back({bind_at_least(term, least), is_negative});
+      parts.push_back({bracket_if_weaker(term, least), is_negative});
     }
     std::sort(parts.begin(), parts.end(), [](const Summand& left, const Summand& right) {
       return left.term.text < right.term.text;
@@ -146,37 +148,37 @@ class ExpressionWriter {
   }
 
   /// If the first term is negative, the negated sum is printed with the sign outside.
-  Summand total(const ex& value) const {
-    std::vector<Summand> terms = sorted(value, Binding::sum);
+  Summand print_sum(const ex& value) const {
+    std::vector<Summand> terms = sorted_summands(value, Binding::sum);
     const bool is_negative = terms.front().is_subtracted;
     for (Summand& term : terms) term.is_subtracted = term.is_subtracted != is_negative;
     return {sum_text(terms), is_negative};
   }
 
-  Summand product_of(const ex& value) const {
+  Summand print_product(const ex& value) const {
     bool is_negative = false;
     std::vector<FormulaText> factors;
-    for (const Summand& part : sorted(value, Binding::product)) {
+    for (const Summand& part : sorted_summands(value, Binding::product)) {
       is_negative = is_negative != part.is_subtracted;
       if (part.term.text != "1") factors.push_back(part.term);
     }
     return {product_text(model_spelling, factors), is_negative};
   }
 
-  Summand raised(const ex& value) const {
+  Summand print_power(const ex& value) const {
     const ex exponent = value.op(1);
     Summand base = print(value.op(0));
-    if (!exponent.info(GiNaC::info_flags::integer)) base = {whole(value.op(0))};
-    FormulaText above = whole(exponent);
+    if (!exponent.info(GiNaC::info_flags::integer)) base = {formula_text(value.op(0))};
+    FormulaText above = formula_text(exponent);
     if (!exponent.info(GiNaC::info_flags::posint)) above.binding = Binding::sum;
     const bool is_negative = base.is_subtracted && exponent.info(GiNaC::info_flags::odd);
-    return {power(base.term, above), is_negative};
+    return {power_text(base.term, above), is_negative};
   }
 
-  FormulaText call_of(const ex& value) const {
+  FormulaText print_call(const ex& value) const {
     std::vector<FormulaText> arguments;
-    for (const ex& argument : value) arguments.push_back(whole(argument));
-    return called(GiNaC::ex_to<GiNaC::function>(value).get_name(), arguments);
+    for (const ex& argument : value) arguments.push_back(formula_text(argument));
+    return named_call_text(GiNaC::ex_to<GiNaC::function>(value).get_name(), arguments);
   }
 
   const Definitions& definitions_;
@@ -185,7 +187,7 @@ class ExpressionWriter {
 }  // namespace
 
 std::string expression_text(const Definitions& definitions, const ex& value) {
-  return ExpressionWriter(definitions).whole(value).text;
+  return ExpressionWriter(definitions).formula_text(value).text;
 }
 
 std::string dump(const Definitions& definitions) {

@@ -11,15 +11,15 @@ namespace elgen {
 
 /// Translates each expression of a Model once. A result beyond a small size becomes a definition;
 /// named entries of the model (definitions, points, prescribed motions) always become definitions.
-class Translation {
+class ExpressionTranslator {
  public:
-  Translation(const Model& model, Lagrangian& lagrangian);
+  ExpressionTranslator(const Model& model, Lagrangian& lagrangian);
 
   /// Translates all definitions, prescribed motions and points outside frames under their names, so
   /// that errors in unused entries are reported. If the model is expanded, also points in frames.
   /// Also names the poses of the frames that forces refer to, because the tree computes the same
   /// values without names.
-  void define_named();
+  void define_named_entries();
 
   /// The expression over definitions. If GiNaC rejects a part, the error (E312 or E313) is kept,
   /// and this call and all later calls return 0.
@@ -27,30 +27,31 @@ class Translation {
   [[nodiscard]] const Diagnostics& errors() const { return errors_; }
 
   /// Defines the value under `name`. Returns the symbol, which keeps later expressions small.
-  [[nodiscard]] GiNaC::ex named(ExpressionId id, const std::string& name, Entity origin);
+  [[nodiscard]] GiNaC::ex define_value(ExpressionId id, const std::string& name, Entity origin);
   /// Defines the three components. Returns the symbols name_x, name_y, name_z.
-  [[nodiscard]] ExVector3 vector(const Vector3& values, const std::string& name, Entity origin);
+  [[nodiscard]] ExVector3 define_vector(const Vector3& values, const std::string& name,
+                                        Entity origin);
 
  private:
-  struct Sized {
+  struct SizedExpression {
     GiNaC::ex value;
     unsigned size = 0;  ///< number of leaves and operations in `value`; 0: not translated yet
   };
 
   [[nodiscard]] bool translate(ExpressionId id);
-  [[nodiscard]] Sized compose(const Expression& expression);
-  [[nodiscard]] Sized leaf(const Expression& expression) const;
-  [[nodiscard]] Sized open(const Expression& expression) const;
-  [[nodiscard]] Sized component(const Expression& expression);
-  [[nodiscard]] Sized sum(const std::vector<ExpressionId>& operands);
-  [[nodiscard]] Sized product(const std::vector<ExpressionId>& operands);
-  [[nodiscard]] Sized function(const Expression& expression);
-  [[nodiscard]] Sized define_if_large(const Sized& sized);
+  [[nodiscard]] SizedExpression translate_operation(const Expression& expression);
+  [[nodiscard]] SizedExpression translate_leaf(const Expression& expression) const;
+  [[nodiscard]] SizedExpression translate_open_value(const Expression& expression) const;
+  [[nodiscard]] SizedExpression define_component(const Expression& expression);
+  [[nodiscard]] SizedExpression translate_sum(const std::vector<ExpressionId>& operands);
+  [[nodiscard]] SizedExpression translate_product(const std::vector<ExpressionId>& operands);
+  [[nodiscard]] SizedExpression translate_call(const Expression& expression);
+  [[nodiscard]] SizedExpression define_if_large(const SizedExpression& sized);
 
   const Model& model_;
   Lagrangian& lagrangian_;
-  std::optional<Tangent> along_motion_;  // d/dt for dot(…); set by define_named()
-  std::vector<Sized> translated_;
+  std::optional<Tangent> motion_rate_;  // d/dt for dot(…); set by define_named_entries()
+  std::vector<SizedExpression> translated_values_;
   Diagnostics errors_ = {};
 };
 
@@ -60,12 +61,12 @@ class Translation {
 
 /// True if energies and forces must be sums in world coordinates: for an expansion or for [routh].
 [[nodiscard]] inline bool needs_energy_sums(const Model& model) {
-  return model.approximation.has_value() || !model.variant.cyclic.empty();
+  return model.approximation.has_value() || !model.reduction.cyclic.empty();
 }
 
 /// Fills lagrangian.tree (transforms, bodies, wrenches) and the twists of the outputs. Omits
 /// identity transforms, and frames whose subtree has no body, torque, force or output. If
 /// needs_energy_sums(), only outputs use the tree. Errors are kept in translation.errors().
-void add_frame_tree(const Model& model, Translation& translation, Lagrangian& lagrangian);
+void add_frame_tree(const Model& model, ExpressionTranslator& translation, Lagrangian& lagrangian);
 
 }  // namespace elgen

@@ -23,13 +23,13 @@ namespace {
 const ex one_half = GiNaC::numeric(1, 2);
 
 /// A real symbol; for a positive parameter a positive symbol x, so that sqrt(x^2) becomes x.
-ex symbol_of(const Parameter& parameter, const std::string& name) {
+ex make_symbol(const Parameter& parameter, const std::string& name) {
   if (parameter.assumption == Assumption::positive) return GiNaC::possymbol(name);
   return GiNaC::realsymbol(name);
 }
 
 template <class Entry>
-ex symbol_of(const Entry& /*entry*/, const std::string& name) {
+ex make_symbol(const Entry& /*entry*/, const std::string& name) {
   return GiNaC::realsymbol(name);
 }
 
@@ -58,11 +58,11 @@ void add_coordinate_rates(const Model& model, Lagrangian& lagrangian) {
 
 void add_symbols(const Model& model, Lagrangian& lagrangian) {
   LeafValues<ex>& symbols = lagrangian.symbols;
-  symbols = leaves_of<ex>(
+  symbols = make_leaf_values<ex>(
       model,
       [](Opcode kind, const auto& entry) {
-        return symbol_of(entry,
-                         fmt::format(fmt::runtime(leaf_row(kind).identifier), entry.identifier));
+        return make_symbol(entry,
+                           fmt::format(fmt::runtime(leaf_row(kind).identifier), entry.identifier));
       },
       [](Opcode kind) { return GiNaC::realsymbol(std::string(leaf_row(kind).symbol)); });
   for_each_leaf([&](Opcode kind, std::uint32_t,
@@ -78,17 +78,17 @@ bool is_in_tree(const Model& model, const Placed& placed) {
 }
 
 /// Adds 1/2 w.I w, with I = [xx xy xz; xy yy yz; xz yz zz] in the axes of w.
-void add_rotation(const Body& body, Entity origin, Translation& translation,
-                  Lagrangian& lagrangian) {
+void add_rotational_energy(const Body& body, Entity origin, ExpressionTranslator& translation,
+                           Lagrangian& lagrangian) {
   if (body.inertia.empty() || body.spin.empty()) return;
   constexpr std::array<const char*, 3> axes{"_x", "_y", "_z"};
   std::vector<ex> inertia;
   for (const ExpressionId id : body.inertia)
-    inertia.push_back(translation.named(id, body.identifier + "_inertia", origin));
+    inertia.push_back(translation.define_value(id, body.identifier + "_inertia", origin));
   std::vector<ex> spin;
   for (const ExpressionId id : body.spin) {
     const std::string axis = body.spin.size() == 1 ? "" : axes[spin.size()];
-    spin.push_back(translation.named(id, body.identifier + "_spin" + axis, origin));
+    spin.push_back(translation.define_value(id, body.identifier + "_spin" + axis, origin));
   }
   const auto add = [&](const ex& term) {
     lagrangian.kinetic.push_back({term, EnergyOrigin::spin});
@@ -104,50 +104,55 @@ void add_rotation(const Body& body, Entity origin, Translation& translation,
 
 /// Collects the forces outside the tree of frames: forces on velocities, on points, and torques on
 /// frames.
-class Forces {
+class ForceCollector {
  public:
-  Forces(const Model& model, Translation& translation, Lagrangian& lagrangian)
+  ForceCollector(const Model& model, ExpressionTranslator& translation, Lagrangian& lagrangian)
       : model_(model),
         translation_(translation),
         lagrangian_(lagrangian),
-        on_(model.velocities.size()) {}
+        terms_by_velocity_(model.velocities.size()) {}
 
-  void add_all() {
+  void add_all_forces() {
     for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
-      if (model_.inputs[i].on) on_[*model_.inputs[i].on].push_back(lagrangian_.symbols.u[i]);
+      if (model_.inputs[i].velocity)
+        terms_by_velocity_[*model_.inputs[i].velocity].push_back(lagrangian_.symbols.u[i]);
     }
     for (const Force& force : model_.forces) {
-      if (force.on) {
-        on_[*force.on].push_back(translation_.value(force.value.front()));
-      } else if (force.at) {
+      if (force.velocity) {
+        terms_by_velocity_[*force.velocity].push_back(translation_.value(force.value.front()));
+      } else if (force.point) {
         add_point_force(force);
       } else if (needs_energy_sums(model_)) {
         add_torque(force);
       }
     }
-    for (const GiNaC::exvector& terms : on_) lagrangian_.forces.emplace_back(GiNaC::add(terms));
+    for (const GiNaC::exvector& terms : terms_by_velocity_)
+      lagrangian_.forces.emplace_back(GiNaC::add(terms));
   }
 
  private:
   void add_point_force(const Force& force) {
     const auto at = [&](std::uint32_t point) {
-      return translation_.vector(model_.points[point].at, model_.points[point].identifier,
-                                 {EntityKind::point, point});
+      return translation_.define_vector(model_.points[point].position,
+                                        model_.points[point].identifier,
+                                        {EntityKind::point, point});
     };
-    const bool acts_in_world = !is_in_tree(model_, model_.points[*force.at]);
-    const bool reacts_in_world = force.from && !is_in_tree(model_, model_.points[*force.from]);
+    const bool acts_in_world = !is_in_tree(model_, model_.points[*force.point]);
+    const bool reacts_in_world =
+        force.reaction_point && !is_in_tree(model_, model_.points[*force.reaction_point]);
     if (!acts_in_world && !reacts_in_world) return;
     const std::array<ex, 3> value{translation_.value(force.value[0]),
                                   translation_.value(force.value[1]),
                                   translation_.value(force.value[2])};
-    if (acts_in_world) lagrangian_.point_forces.push_back({at(*force.at), value});
+    if (acts_in_world) lagrangian_.point_forces.push_back({at(*force.point), value});
     if (!reacts_in_world) return;
-    lagrangian_.point_forces.push_back({at(*force.from), {-value[0], -value[1], -value[2]}});
+    lagrangian_.point_forces.push_back(
+        {at(*force.reaction_point), {-value[0], -value[1], -value[2]}});
   }
 
   /// Adds torque.dw/dv_i to the force on each v_i; the angular velocity w is affine in v.
   void add_torque(const Force& force) {
-    std::vector<Weighted> work;
+    std::vector<WeightedTerm> work;
     const auto add = [&](std::uint32_t frame, const std::vector<ExpressionId>& torque, int sign) {
       for (std::size_t i = 0; i < torque.size(); ++i) {
         const ex spin = translation_.value(model_.frames[frame].spin[i]);
@@ -155,19 +160,19 @@ class Forces {
       }
     };
     add(*force.frame, force.value, 1);
-    if (force.from_frame) add(*force.from_frame, force.reaction, -1);
+    if (force.reaction_frame) add(*force.reaction_frame, force.reaction, -1);
     const std::vector<ex> forces = gradient(lagrangian_.definitions, work, lagrangian_.symbols.v);
-    for (std::size_t i = 0; i < forces.size(); ++i) on_[i].push_back(forces[i]);
+    for (std::size_t i = 0; i < forces.size(); ++i) terms_by_velocity_[i].push_back(forces[i]);
   }
 
   const Model& model_;
-  Translation& translation_;
+  ExpressionTranslator& translation_;
   Lagrangian& lagrangian_;
-  std::vector<GiNaC::exvector> on_;  ///< terms of the force on each velocity
+  std::vector<GiNaC::exvector> terms_by_velocity_;  ///< terms of the force on each velocity
 };
 
 /// Adds 1/2 J v^2 of each armature.
-void add_armatures(const Model& model, Translation& translation, Lagrangian& lagrangian) {
+void add_armatures(const Model& model, ExpressionTranslator& translation, Lagrangian& lagrangian) {
   lagrangian.armatures.resize(lagrangian.symbols.v.size(), 0);
   auto& kinetic = lagrangian.lagrangian.empty() ? lagrangian.kinetic : lagrangian.lagrangian;
   for (const Coordinate& coordinate : model.coordinates) {
@@ -184,17 +189,18 @@ class Formulation {
  public:
   explicit Formulation(const Model& model) : model_(model), translation_(model, lagrangian_) {
     lagrangian_.leaves = leaf_names(model);
-    lagrangian_.quadratic = model.quadratic;
+    lagrangian_.is_quadratic = model.is_quadratic;
     add_symbols(model, lagrangian_);
   }
 
-  Result<WholeLagrangian> build() && {
-    translation_.define_named();
+  Result<UnreducedLagrangian> build() && {
+    translation_.define_named_entries();
     if (!translation_.errors().empty()) return translation_.errors().front();
     using F = Formulation;
     for (void (F::*const add)() :
          {&F::add_gravity, &F::add_points, &F::add_bodies, &F::add_energies, &F::add_forces,
-          &F::add_constraints, &F::add_outputs, &F::add_held, &F::add_expansion, &F::add_tree}) {
+          &F::add_constraints, &F::add_outputs, &F::add_held_variables, &F::add_expansion,
+          &F::add_tree}) {
       (this->*add)();
       if (!translation_.errors().empty()) return translation_.errors();
     }
@@ -202,7 +208,7 @@ class Formulation {
   }
 
  private:
-  void add_forces() { Forces(model_, translation_, lagrangian_).add_all(); }
+  void add_forces() { ForceCollector(model_, translation_, lagrangian_).add_all_forces(); }
 
   void add_tree() { add_frame_tree(model_, translation_, lagrangian_); }
 
@@ -218,9 +224,9 @@ class Formulation {
       const Point& point = model_.points[i];
       if (!point.mass || is_in_tree(model_, point)) continue;
       const Entity origin{EntityKind::point, i};
-      const ex mass = translation_.named(*point.mass, point.identifier + "_mass", origin);
+      const ex mass = translation_.define_value(*point.mass, point.identifier + "_mass", origin);
       lagrangian_.masses.push_back(
-          {mass, translation_.vector(point.at, point.identifier, origin), origin});
+          {mass, translation_.define_vector(point.position, point.identifier, origin), origin});
     }
   }
 
@@ -230,11 +236,11 @@ class Formulation {
       if (is_in_tree(model_, body)) continue;
       const Entity origin{EntityKind::body, i};
       if (body.mass) {
-        const ex mass = translation_.named(*body.mass, body.identifier + "_mass", origin);
+        const ex mass = translation_.define_value(*body.mass, body.identifier + "_mass", origin);
         lagrangian_.masses.push_back(
-            {mass, translation_.vector(body.com, body.identifier, origin), origin});
+            {mass, translation_.define_vector(body.com, body.identifier, origin), origin});
       }
-      add_rotation(body, origin, translation_, lagrangian_);
+      add_rotational_energy(body, origin, translation_, lagrangian_);
     }
   }
 
@@ -268,7 +274,7 @@ class Formulation {
       expansion.small.push_back({symbols.q[i], translation_.value(*approximation.coordinates[i])});
       expansion.small.push_back({symbols.v[model_.coordinates[i].velocity], 0});
     }
-    for (std::size_t i = 0; approximation.small_inputs && i < symbols.u.size(); ++i) {
+    for (std::size_t i = 0; approximation.has_small_inputs && i < symbols.u.size(); ++i) {
       const std::optional<ExpressionId>& value = approximation.inputs[i];
       expansion.small.push_back({symbols.u[i], value ? translation_.value(*value) : ex(0)});
     }
@@ -284,7 +290,7 @@ class Formulation {
       };
       const ex omega = gain(constraint.omega);
       const ex stiffness = constraint.is_position ? omega * omega : ex(0);
-      const ex value = translation_.named(constraint.value, constraint.identifier, origin);
+      const ex value = translation_.define_value(constraint.value, constraint.identifier, origin);
       lagrangian_.constraints.push_back(
           {value, constraint.is_position, 2 * gain(constraint.zeta) * omega, stiffness, origin});
     }
@@ -292,34 +298,35 @@ class Formulation {
 
   void add_outputs() {
     for (const UserOutput& output : model_.outputs) {
-      NamedOutput named{output.name, {}, {}, output.motion};
+      NamedOutput named{output.name, {}, {}, output.solves_motion};
       for (const ExpressionId id : output.values) named.values.push_back(translation_.value(id));
       lagrangian_.outputs.push_back(std::move(named));
     }
   }
 
-  void add_held() {
-    for (const Lock& lock : model_.variant.locks) {
-      HeldVariable locked{lock, {}};
+  void add_held_variables() {
+    for (const LockedCoordinate& lock : model_.reduction.locks) {
+      HeldCoordinateMotion locked{lock, {}};
       for (std::uint32_t i = 0; i < lock.values.size(); ++i) {
         const Coordinate& coordinate = model_.coordinates[lock.coordinate + i];
         const Entity origin{EntityKind::coordinate, lock.coordinate + i};
-        locked.values.push_back(translation_.named(lock.values[i], coordinate.identifier, origin));
+        locked.values.push_back(
+            translation_.define_value(lock.values[i], coordinate.identifier, origin));
       }
       lagrangian_.locked.push_back(std::move(locked));
     }
-    const RemainingPositions inputs = remaining_variables(model_).inputs;
+    const RemainingIndices inputs = remaining_variables(model_).inputs;
     for (std::uint32_t i = 0; i < model_.inputs.size(); ++i) {
       if (!inputs[i]) lagrangian_.held_inputs.push_back(i);
     }
-    for (const Cyclic& cyclic : model_.variant.cyclic) {
+    for (const CyclicCoordinate& cyclic : model_.reduction.cyclic) {
       lagrangian_.cyclic.push_back({cyclic, {lagrangian_.symbols.parameters[cyclic.parameter]}});
     }
   }
 
   const Model& model_;
-  WholeLagrangian lagrangian_;
-  Translation translation_;
+  UnreducedLagrangian lagrangian_;
+  ExpressionTranslator translation_;
 };
 
 }  // namespace
@@ -330,10 +337,10 @@ std::vector<ex> values_of(const EnergyTerms& terms) {
   return values;
 }
 
-Result<WholeLagrangian> formulate(const Model& model) {
-  Result<WholeLagrangian> lagrangian = Formulation(whole_model(model)).build();
-  // Passes `model`, not whole_model(model), because held velocities are not eliminated.
-  if (lagrangian) lagrangian->eliminates_last_first = eliminates_last_first(model);
+Result<UnreducedLagrangian> formulate(const Model& model) {
+  Result<UnreducedLagrangian> lagrangian = Formulation(unreduced_model(model)).build();
+  // Passes `model`, not unreduced_model(model), because held velocities are not eliminated.
+  if (lagrangian) lagrangian->eliminates_last_first = eliminates_backward(model);
   if (lagrangian) lagrangian->inertial = inertial_parameters(model);
   return lagrangian;
 }

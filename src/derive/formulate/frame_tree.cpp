@@ -35,18 +35,19 @@ std::vector<bool> needed_frames(const Model& model) {
   }
   for (const Force& force : model.forces) {
     mark(force.frame);
-    mark(force.from_frame);
-    mark_point(force.at);
-    mark_point(force.from);
-    const bool uses_axes = force.frame || (force.at && model.points[*force.at].local) ||
-                           (force.from && model.points[*force.from].local);
-    if (uses_axes) mark(force.axes);
+    mark(force.reaction_frame);
+    mark_point(force.point);
+    mark_point(force.reaction_point);
+    const bool uses_axes = force.frame || (force.point && model.points[*force.point].local) ||
+                           (force.reaction_point && model.points[*force.reaction_point].local);
+    if (uses_axes) mark(force.declared_axes);
   }
   return needed;
 }
 
 /// The wanted frames in the order of declaration, but each after its parent.
-std::vector<std::uint32_t> parents_first(const Model& model, const std::vector<bool>& wanted) {
+std::vector<std::uint32_t> order_parents_first(const Model& model,
+                                               const std::vector<bool>& wanted) {
   std::vector<std::uint32_t> order;
   std::vector<bool> done(model.frames.size(), false);
   for (std::uint32_t i = 0; i < model.frames.size(); ++i) {
@@ -101,7 +102,7 @@ std::optional<std::size_t> single_axis(const ExVector3& x) {
 ///
 ///     before    shift (a, d, 0), turn -pi/2 about x, turn q about z
 ///     after     shift (a, 0, 0), turn -pi/2 about x, turn q about z, shift (0, 0, d)
-std::vector<TreeTransform> with_slides_last(std::vector<TreeTransform> transforms) {
+std::vector<TreeTransform> with_translation_last(std::vector<TreeTransform> transforms) {
   if (transforms.size() < 2 || transforms.front().kind != TransformKind::translation)
     return transforms;
   const TreeTransform& turn = transforms.back();
@@ -130,15 +131,16 @@ std::vector<TreeTransform> with_slides_last(std::vector<TreeTransform> transform
   return transforms;
 }
 
-TreeTransform make_transform(const Model& model, Translation& translation, Definitions& definitions,
-                             std::uint32_t index, const ElementaryTransform& transform) {
+TreeTransform make_transform(const Model& model, ExpressionTranslator& translation,
+                             Definitions& definitions, std::uint32_t index,
+                             const ElementaryTransform& transform) {
   const std::string& name = model.frames[index].identifier;
   TreeTransform result;
   result.kind = transform.kind;
   if (transform.rotation) result.rotation = model.rotations[*transform.rotation].first_velocity;
   result.name = name;
   result.origin = {EntityKind::frame, index};
-  result.vector = translation.vector(transform.vector, name + "_offset", result.origin);
+  result.vector = translation.define_vector(transform.vector, name + "_offset", result.origin);
   if (transform.kind == TransformKind::turn) {
     result.angle = translation.value(transform.angle);
     // A constant gets no symbol, because GiNaC evaluates the sine of a number, not of a symbol.
@@ -148,21 +150,23 @@ TreeTransform make_transform(const Model& model, Translation& translation, Defin
   }
   for (std::size_t i = 0; transform.kind == TransformKind::quaternion && i < 4; ++i) {
     result.quaternion[i] =
-        translation.named(transform.quaternion[i], name + "_quaternion", result.origin);
+        translation.define_value(transform.quaternion[i], name + "_quaternion", result.origin);
   }
   return result;
 }
 
-RigidBody rigid_body(const Model& model, Translation& translation, std::uint32_t index) {
+RigidBody make_rigid_body(const Model& model, ExpressionTranslator& translation,
+                          std::uint32_t index) {
   const Body& body = model.bodies[index];
   const Entity origin{EntityKind::body, index};
   RigidBody rigid;
   rigid.origin = origin;
-  rigid.about_origin = body.local->about_origin;
-  if (body.mass) rigid.mass = translation.named(*body.mass, body.identifier + "_mass", origin);
-  rigid.com = translation.vector(body.local->com.at, body.identifier + "_com", origin);
+  rigid.is_about_origin = body.local->is_about_origin;
+  if (body.mass)
+    rigid.mass = translation.define_value(*body.mass, body.identifier + "_mass", origin);
+  rigid.com = translation.define_vector(body.local->com.position, body.identifier + "_com", origin);
   for (const ExpressionId id : body.local->inertia) {
-    rigid.inertia.push_back(translation.named(id, body.identifier + "_inertia", origin));
+    rigid.inertia.push_back(translation.define_value(id, body.identifier + "_inertia", origin));
   }
   if (rigid.inertia.size() == 1) rigid.inertia = {0, 0, rigid.inertia.front(), 0, 0, 0};
   return rigid;
@@ -170,7 +174,7 @@ RigidBody rigid_body(const Model& model, Translation& translation, std::uint32_t
 
 class TreeFormulation {
  public:
-  TreeFormulation(const Model& model, Translation& translation, Lagrangian& lagrangian)
+  TreeFormulation(const Model& model, ExpressionTranslator& translation, Lagrangian& lagrangian)
       : model_(model),
         translation_(translation),
         definitions_(lagrangian.definitions),
@@ -180,21 +184,22 @@ class TreeFormulation {
         point_places_(model.points.size()) {}
 
   void build() {
-    for (const std::uint32_t frame : parents_first(model_, needed_frames(model_))) add_frame(frame);
+    for (const std::uint32_t frame : order_parents_first(model_, needed_frames(model_)))
+      add_frame(frame);
     if (!needs_energy_sums(model_)) add_bodies_and_wrenches();
-    add_twists();
+    add_twist_outputs();
   }
 
  private:
-  using Transform = std::optional<std::uint32_t>;
+  using TransformIndex = std::optional<std::uint32_t>;
 
   void add_bodies_and_wrenches() {
     for (std::uint32_t i = 0; i < model_.bodies.size(); ++i) {
-      const std::optional<BodyInFrame>& local = model_.bodies[i].local;
+      const std::optional<LocalBody>& local = model_.bodies[i].local;
       if (local)
-        append_body(last_transform_[local->com.frame], rigid_body(model_, translation_, i));
+        append_body(last_transform_[local->com.frame], make_rigid_body(model_, translation_, i));
     }
-    for (std::uint32_t i = 0; i < model_.points.size(); ++i) add_mass(i);
+    for (std::uint32_t i = 0; i < model_.points.size(); ++i) add_point_mass(i);
     for (const Force& force : model_.forces) add_wrenches(force);
   }
 
@@ -206,38 +211,38 @@ class TreeFormulation {
           make_transform(model_, translation_, definitions_, index, transform);
       if (!is_identity(translated_step)) transforms.push_back(std::move(translated_step));
     }
-    Transform last = frame.parent ? last_transform_[*frame.parent] : Transform{};
-    for (TreeTransform& transform : with_slides_last(std::move(transforms))) {
+    TransformIndex last = frame.parent ? last_transform_[*frame.parent] : TransformIndex{};
+    for (TreeTransform& transform : with_translation_last(std::move(transforms))) {
       transform.parent = last;
-      last = append(std::move(transform));
+      last = append_transform(std::move(transform));
     }
     last_transform_[index] = last;
   }
 
-  Transform append(TreeTransform transform) {
+  TransformIndex append_transform(TreeTransform transform) {
     tree_.transforms.push_back(std::move(transform));
     return static_cast<std::uint32_t>(tree_.transforms.size() - 1);
   }
 
-  void append_body(Transform transform, RigidBody body) {
+  void append_body(TransformIndex transform, RigidBody body) {
     body.transform = transform;
     tree_.bodies.push_back(std::move(body));
   }
 
   /// The transform that a point is fixed to, and its position in the child frame of that transform.
   struct PointPlace {
-    Transform transform;
+    TransformIndex transform;
     ExVector3 at;
   };
 
   /// The place of a point. A point that moves relative to its frame gets an additional translation.
-  const PointPlace& place_of(std::uint32_t index) {
+  const PointPlace& place_of_point(std::uint32_t index) {
     std::optional<PointPlace>& known = point_places_[index];
     if (known) return *known;
     const Point& point = model_.points[index];
     const Entity origin{EntityKind::point, index};
     known = PointPlace{last_transform_[point.local->frame],
-                       translation_.vector(point.local->at, point.identifier, origin)};
+                       translation_.define_vector(point.local->position, point.identifier, origin)};
     const bool moves = std::any_of(known->at.begin(), known->at.end(), [&](const ex& x) {
       return dependence(definitions_, x).has_any(Opcode::coordinate | Opcode::time);
     });
@@ -247,18 +252,18 @@ class TreeFormulation {
     shift.vector = std::exchange(known->at, {0, 0, 0});
     shift.name = point.identifier;
     shift.origin = origin;
-    known->transform = append(std::move(shift));
+    known->transform = append_transform(std::move(shift));
     return *known;
   }
 
-  void add_mass(std::uint32_t index) {
+  void add_point_mass(std::uint32_t index) {
     const Point& point = model_.points[index];
     if (!point.mass || !point.local) return;
     const Entity origin{EntityKind::point, index};
     RigidBody rigid;
     rigid.origin = origin;
-    rigid.mass = translation_.named(*point.mass, point.identifier + "_mass", origin);
-    const PointPlace& place = place_of(index);
+    rigid.mass = translation_.define_value(*point.mass, point.identifier + "_mass", origin);
+    const PointPlace& place = place_of_point(index);
     rigid.com = place.at;
     append_body(place.transform, std::move(rigid));
   }
@@ -267,53 +272,55 @@ class TreeFormulation {
     ExVector3 components;
     const auto translate_components = [&] {
       for (std::size_t i = 0; i < 3; ++i) {
-        const bool given = i < force.written.size();
-        components[i] = given ? translation_.value(force.written[i]) : ex(0);
+        const bool given = i < force.declared_value.size();
+        components[i] = given ? translation_.value(force.declared_value[i]) : ex(0);
       }
     };
-    const Transform axes = force.axes ? last_transform_[*force.axes] : Transform{};
+    const TransformIndex axes =
+        force.declared_axes ? last_transform_[*force.declared_axes] : TransformIndex{};
     const auto negative = [&] { return ExVector3{-components[0], -components[1], -components[2]}; };
     if (force.frame) {
       translate_components();
       tree_.wrenches.push_back(
           {last_transform_[*force.frame], axes, {0, 0, 0}, {0, 0, 0}, components});
-      if (!force.from_frame) return;
-      const Transform from = last_transform_[*force.from_frame];
+      if (!force.reaction_frame) return;
+      const TransformIndex from = last_transform_[*force.reaction_frame];
       tree_.wrenches.push_back({from, axes, {0, 0, 0}, {0, 0, 0}, negative()});
-    } else if (force.at) {
+    } else if (force.point) {
       translate_components();
-      add_force_at(*force.at, axes, components);
-      if (force.from) add_force_at(*force.from, axes, negative());
+      add_force_at(*force.point, axes, components);
+      if (force.reaction_point) add_force_at(*force.reaction_point, axes, negative());
     }
   }
 
-  void add_force_at(std::uint32_t index, Transform axes, const ExVector3& components) {
+  void add_force_at(std::uint32_t index, TransformIndex axes, const ExVector3& components) {
     if (!model_.points[index].local) return;  // formulate.cpp adds it as a PointForce
-    const PointPlace& place = place_of(index);
+    const PointPlace& place = place_of_point(index);
     tree_.wrenches.push_back({place.transform, axes, place.at, components, {0, 0, 0}});
   }
 
-  void add_twists() {
+  void add_twist_outputs() {
     for (std::size_t i = 0; i < model_.outputs.size(); ++i) {
       const UserOutput& output = model_.outputs[i];
       if (!output.frame) continue;
-      lagrangian_.outputs[i].twist = TwistOutput{last_transform_[*output.frame], output.in_world};
+      lagrangian_.outputs[i].twist =
+          TwistOutput{last_transform_[*output.frame], output.is_in_world};
     }
   }
 
   const Model& model_;
-  Translation& translation_;
+  ExpressionTranslator& translation_;
   Definitions& definitions_;
   Lagrangian& lagrangian_;
   FrameTree& tree_;
-  std::vector<Transform>
+  std::vector<TransformIndex>
       last_transform_;  ///< of each frame; none if the frame coincides with the world
   std::vector<std::optional<PointPlace>> point_places_;  ///< by point, filled by place_of()
 };
 
 }  // namespace
 
-void add_frame_tree(const Model& model, Translation& translation, Lagrangian& lagrangian) {
+void add_frame_tree(const Model& model, ExpressionTranslator& translation, Lagrangian& lagrangian) {
   TreeFormulation(model, translation, lagrangian).build();
 }
 

@@ -17,18 +17,18 @@ class NameScope {
   /// `kind` is appended to the kind of the enclosing NameScope. If `frame` is empty, the frame of
   /// the enclosing NameScope is kept.
   NameScope(Definitions& definitions, const std::string& kind, const std::string& frame = {})
-      : wording_(definitions.meaning), around_(definitions.meaning) {
-    if (!wording_.kind.empty() && !kind.empty()) wording_.kind += "_";
-    wording_.kind += kind;
-    if (!frame.empty()) wording_.frame = frame;
+      : meaning_(definitions.meaning), outer_meaning_(definitions.meaning) {
+    if (!meaning_.kind.empty() && !kind.empty()) meaning_.kind += "_";
+    meaning_.kind += kind;
+    if (!frame.empty()) meaning_.frame = frame;
   }
   NameScope(const NameScope&) = delete;
   NameScope& operator=(const NameScope&) = delete;
-  ~NameScope() { wording_ = std::move(around_); }
+  ~NameScope() { meaning_ = std::move(outer_meaning_); }
 
  private:
-  ValueMeaning& wording_;
-  ValueMeaning around_;
+  ValueMeaning& meaning_;
+  ValueMeaning outer_meaning_;
 };
 
 }  // namespace elgen

@@ -11,7 +11,7 @@ using GiNaC::ex;
 
 namespace {
 
-Seeds seeds(const Symbols& symbols, bool coordinates_move, bool time_passes) {
+Seeds direction_seeds(const Symbols& symbols, bool coordinates_move, bool time_passes) {
   Seeds result;
   if (coordinates_move) add_seeds(result, symbols.q, symbols.q_rates);
   if (time_passes) result.emplace(symbols.t, 1);
@@ -26,28 +26,28 @@ Seeds seeds(const Symbols& symbols, bool coordinates_move, bool time_passes) {
 ///
 ///     before    w = dot(q) + N, T = 1/2*J*w^2
 ///     after     w0 = N, w1 = dot(q);  T2 = 1/2*J*w1^2, T1 = J*w0*w1, T0 = 1/2*J*w0^2
-class RateGrades {
+class DegreeSplitter {
  public:
-  RateGrades(Definitions& definitions, const std::vector<ex>& rates);
+  DegreeSplitter(Definitions& definitions, const std::vector<ex>& rates);
 
   /// Throws GiNaC's pole_error if the expression has no value at v = 0.
   [[nodiscard]] std::array<ex, 3> operator()(const ex& value);
 
  private:
-  [[nodiscard]] std::array<ex, 3> from_known(const ex& value) const;
-  void split(std::uint32_t definition);
+  [[nodiscard]] std::array<ex, 3> split_value(const ex& value) const;
+  void split_definition(std::uint32_t definition);
 
   Definitions& definitions_;
   ExpressionMap<std::array<ex, 3>> parts_;  // of symbols that depend on the velocities
   std::vector<bool> known_;
 };
 
-RateGrades::RateGrades(Definitions& definitions, const std::vector<ex>& rates)
+DegreeSplitter::DegreeSplitter(Definitions& definitions, const std::vector<ex>& rates)
     : definitions_(definitions) {
   for (const ex& rate : rates) parts_.emplace(rate, std::array<ex, 3>{0, rate, 0});
 }
 
-std::array<ex, 3> RateGrades::from_known(const ex& value) const {
+std::array<ex, 3> DegreeSplitter::split_value(const ex& value) const {
   GiNaC::exmap at_rest;
   for (const ex& symbol : symbols_of(definitions_, value)) {
     const auto found = parts_.find(symbol);
@@ -59,12 +59,14 @@ std::array<ex, 3> RateGrades::from_known(const ex& value) const {
   };
   GiNaC::exvector linear;
   GiNaC::exvector quadratic;
-  for (const Partial& first : partials(definitions_, value, Opcode::velocity)) {
+  for (const PartialDerivative& first :
+       partial_derivatives(definitions_, value, Opcode::velocity)) {
     const std::array<ex, 3>& x = parts_.at(first.variable);
     const ex slope = resting(first.value);
     linear.push_back(slope * x[1]);
     quadratic.push_back(slope * x[2]);
-    for (const Partial& second : partials(definitions_, first.value, Opcode::velocity)) {
+    for (const PartialDerivative& second :
+         partial_derivatives(definitions_, first.value, Opcode::velocity)) {
       const ex curvature = resting(second.value) / 2;
       quadratic.push_back(curvature * x[1] * parts_.at(second.variable)[1]);
     }
@@ -72,10 +74,10 @@ std::array<ex, 3> RateGrades::from_known(const ex& value) const {
   return {resting(value), GiNaC::add(linear), GiNaC::add(quadratic)};
 }
 
-void RateGrades::split(std::uint32_t definition) {
+void DegreeSplitter::split_definition(std::uint32_t definition) {
   static constexpr std::array<const char*, 3> suffixes{"_rest", "_linear", "_quadratic"};
   const Definition old = definitions_.list[definition];
-  std::array<ex, 3> parts = from_known(old.value);
+  std::array<ex, 3> parts = split_value(old.value);
   // A definition with a single non-zero part keeps its symbol.
   for (std::size_t grade = 0; grade < parts.size(); ++grade) {
     const bool is_whole = parts[grade].is_equal(old.value);
@@ -85,10 +87,10 @@ void RateGrades::split(std::uint32_t definition) {
   parts_.emplace(old.symbol, parts);
 }
 
-std::array<ex, 3> RateGrades::operator()(const ex& value) {
-  visit_needed(definitions_, value, Opcode::velocity, known_,
-               [this](std::uint32_t definition) { split(definition); });
-  return from_known(value);
+std::array<ex, 3> DegreeSplitter::operator()(const ex& value) {
+  visit_needed_definitions(definitions_, value, Opcode::velocity, known_,
+                           [this](std::uint32_t definition) { split_definition(definition); });
+  return split_value(value);
 }
 
 void append_nonzero(Terms& terms, const ex& term) {
@@ -97,32 +99,33 @@ void append_nonzero(Terms& terms, const ex& term) {
 
 }  // namespace
 
-std::vector<Weighted> weighted(const Terms& terms, int weight) {
-  std::vector<Weighted> result;
+std::vector<WeightedTerm> weighted_terms(const Terms& terms, int weight) {
+  std::vector<WeightedTerm> result;
   for (const ex& term : terms) result.push_back({term, weight});
   return result;
 }
 
-std::vector<Weighted> weighted(const EnergyTerms& terms, int weight) {
-  return weighted(values_of(terms), weight);
+std::vector<WeightedTerm> weighted_terms(const EnergyTerms& terms, int weight) {
+  return weighted_terms(values_of(terms), weight);
 }
 
-void append(std::vector<Weighted>& to, const std::vector<Weighted>& from) {
+void append_terms(std::vector<WeightedTerm>& to, const std::vector<WeightedTerm>& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-Vector negative(Vector values) {
+RealVector negate(RealVector values) {
   for (ex& value : values) value = -value;
   return values;
 }
 
-Vector plus(Vector left, const Vector& right) {
+RealVector vector_sum(RealVector left, const RealVector& right) {
   for (std::size_t i = 0; i < left.size(); ++i) left[i] += right[i];
   return left;
 }
 
-Vector substituted(Substitution& leaves, Definitions& definitions, const Vector& values) {
-  Vector result;
+RealVector define_and_substitute(Substitution& leaves, Definitions& definitions,
+                                 const RealVector& values) {
+  RealVector result;
   for (const ex& value : values) {
     const ex entry = define(definitions, value);
     result.push_back(leaves(entry));
@@ -134,20 +137,20 @@ Derivation::Derivation(const Lagrangian& source)
     : lagrangian(source),
       definitions(lagrangian.definitions),
       symbols(lagrangian.symbols),
-      motion(definitions, motion_seeds(symbols), "_dot"),
-      zero_acceleration(definitions, seeds(symbols, true, true), "_dot"),
-      fixed_time(definitions, seeds(symbols, true, false), "_dot"),
-      time_partial(definitions, seeds(symbols, false, true), "_by_t") {
-  append(other_, weighted(lagrangian.kinetic, 1));
-  append(other_, weighted(lagrangian.potential, -1));
-  append(other_, weighted(lagrangian.lagrangian, 1));
+      motion_rate(definitions, motion_seeds(symbols), "_dot"),
+      rate_without_acceleration(definitions, direction_seeds(symbols, true, true), "_dot"),
+      rate_at_fixed_time(definitions, direction_seeds(symbols, true, false), "_dot"),
+      time_partial(definitions, direction_seeds(symbols, false, true), "_by_t") {
+  append_terms(lagrangian_terms_, weighted_terms(lagrangian.kinetic, 1));
+  append_terms(lagrangian_terms_, weighted_terms(lagrangian.potential, -1));
+  append_terms(lagrangian_terms_, weighted_terms(lagrangian.lagrangian, 1));
 }
 
-Tangent Derivation::displacement(std::size_t velocity) {
+Tangent Derivation::displacement_tangent(std::size_t velocity) {
   return {definitions, displacement_seeds(symbols, velocity)};
 }
 
-Tangent Derivation::unit_velocity(std::size_t velocity) {
+Tangent Derivation::velocity_tangent(std::size_t velocity) {
   return {definitions, Seeds{{symbols.v[velocity], 1}}};
 }
 
@@ -155,10 +158,10 @@ std::string Derivation::velocity_identifier(std::size_t velocity) const {
   return identifier_of(lagrangian.leaves.v[velocity]);
 }
 
-const GradedEnergies& Derivation::graded() {
+const GradedEnergies& Derivation::graded_energies() {
   if (graded_) return *graded_;
   GradedEnergies energies;
-  RateGrades grades(definitions, symbols.v);
+  DegreeSplitter grades(definitions, symbols.v);
   for (const EnergyTerm& term : lagrangian.kinetic) {
     const auto parts = grades(term.value);
     append_nonzero(energies.kinetic0, parts[0]);
@@ -180,12 +183,12 @@ const GradedEnergies& Derivation::graded() {
   return *graded_;
 }
 
-Vector Derivation::by_position(const std::vector<Weighted>& sum) {
-  return along_velocities(*this, gradient(definitions, sum, symbols.q));
+RealVector Derivation::gradient_by_position(const std::vector<WeightedTerm>& sum) {
+  return project_to_velocities(*this, gradient(definitions, sum, symbols.q));
 }
 
-Vector Derivation::by_velocity(const std::vector<Weighted>& sum) {
-  Vector momentum = gradient(definitions, sum, symbols.v);
+RealVector Derivation::gradient_by_velocity(const std::vector<WeightedTerm>& sum) {
+  RealVector momentum = gradient(definitions, sum, symbols.v);
   for (ex& entry : momentum) entry = define(definitions, entry);
   return momentum;
 }

@@ -22,7 +22,7 @@
 namespace elgen {
 
 using Terms = std::vector<GiNaC::ex>;
-using Vector = std::vector<GiNaC::ex>;
+using RealVector = std::vector<GiNaC::ex>;
 
 /// Terms of the energies without point masses and bodies in frames, by degree in v. If the model
 /// gives L, then V1 = -L1 and V0 = -L0.
@@ -34,7 +34,7 @@ struct GradedEnergies {
   Terms potential0 = {};
 };
 
-class Tree;
+class KinematicTree;
 
 class Derivation {
  public:
@@ -46,29 +46,31 @@ class Derivation {
   Definitions& definitions;  ///< of `lagrangian`
   const Symbols& symbols;
 
-  Tangent motion;             ///< d/dt along the motion: q -> dq/dt, v -> a, t -> 1
-  Tangent zero_acceleration;  ///< q -> dq/dt, v -> 0, t -> 1
-  Tangent fixed_time;         ///< q -> dq/dt, v -> 0, t -> 0
-  Tangent time_partial;       ///< q -> 0, v -> 0, t -> 1: partial d/dt
+  Tangent motion_rate;                ///< d/dt along the motion: q -> dq/dt, v -> a, t -> 1
+  Tangent rate_without_acceleration;  ///< q -> dq/dt, v -> 0, t -> 1
+  Tangent rate_at_fixed_time;         ///< q -> dq/dt, v -> 0, t -> 0
+  Tangent time_partial;               ///< q -> 0, v -> 0, t -> 1: partial d/dt
 
   /// Terms of T - V, or of L, without point masses and bodies in frames.
-  [[nodiscard]] const std::vector<Weighted>& other_lagrangian() const { return other_; }
+  [[nodiscard]] const std::vector<WeightedTerm>& lagrangian_without_bodies() const {
+    return lagrangian_terms_;
+  }
 
-  [[nodiscard]] const GradedEnergies& graded();
+  [[nodiscard]] const GradedEnergies& graded_energies();
 
   /// N^T sum weight dvalue/dq with dq/dt = N v: one entry per velocity.
-  [[nodiscard]] Vector by_position(const std::vector<Weighted>& sum);
+  [[nodiscard]] RealVector gradient_by_position(const std::vector<WeightedTerm>& sum);
   /// sum weight dvalue/dv; each entry is a definition.
-  [[nodiscard]] Vector by_velocity(const std::vector<Weighted>& sum);
+  [[nodiscard]] RealVector gradient_by_velocity(const std::vector<WeightedTerm>& sum);
 
   /// The position components of all point masses, each with the weight force(mass, axis).
   template <class Force>
-  [[nodiscard]] std::vector<Weighted> weighted_positions(const Force& force);
+  [[nodiscard]] std::vector<WeightedTerm> weighted_positions(const Force& force);
 
-  /// The directions dq = N e_j (`displacement`) and dv = e_j (`unit_velocity`); e_j is the unit
-  /// vector of velocity j.
-  [[nodiscard]] Tangent displacement(std::size_t velocity);
-  [[nodiscard]] Tangent unit_velocity(std::size_t velocity);
+  /// The directions dq = N e_j (`displacement_tangent`) and dv = e_j (`velocity_tangent`); e_j is
+  /// the unit vector of velocity j.
+  [[nodiscard]] Tangent displacement_tangent(std::size_t velocity);
+  [[nodiscard]] Tangent velocity_tangent(std::size_t velocity);
 
   /// C++ identifier of a velocity.
   [[nodiscard]] std::string velocity_identifier(std::size_t velocity) const;
@@ -76,16 +78,16 @@ class Derivation {
   [[nodiscard]] std::size_t size() const { return symbols.v.size(); }
 
  private:
-  friend Tree& tree_of(Derivation& derivation);
+  friend KinematicTree& tree_of(Derivation& derivation);
 
-  std::vector<Weighted> other_;
+  std::vector<WeightedTerm> lagrangian_terms_;
   std::optional<GradedEnergies> graded_;
-  std::shared_ptr<Tree> tree_;  ///< not a unique_ptr, because Tree is incomplete here
+  std::shared_ptr<KinematicTree> tree_;  ///< not a unique_ptr, because Tree is incomplete here
 };
 
 template <class Force>
-std::vector<Weighted> Derivation::weighted_positions(const Force& force) {
-  std::vector<Weighted> result;
+std::vector<WeightedTerm> Derivation::weighted_positions(const Force& force) {
+  std::vector<WeightedTerm> result;
   for (const PointMass& mass : lagrangian.masses) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       result.push_back({mass.position[axis], force(mass, axis)});
@@ -95,31 +97,31 @@ std::vector<Weighted> Derivation::weighted_positions(const Force& force) {
 }
 
 /// The terms, each with the weight `weight`.
-[[nodiscard]] std::vector<Weighted> weighted(const Terms& terms, int weight);
-[[nodiscard]] std::vector<Weighted> weighted(const EnergyTerms& terms, int weight);
+[[nodiscard]] std::vector<WeightedTerm> weighted_terms(const Terms& terms, int weight);
+[[nodiscard]] std::vector<WeightedTerm> weighted_terms(const EnergyTerms& terms, int weight);
 
-void append(std::vector<Weighted>& to, const std::vector<Weighted>& from);
+void append_terms(std::vector<WeightedTerm>& to, const std::vector<WeightedTerm>& from);
 
-[[nodiscard]] Vector negative(Vector values);
+[[nodiscard]] RealVector negate(RealVector values);
 
 /// left + right. If both arguments append definitions, evaluate them in separate statements:
 /// compilers evaluate arguments in different orders.
-[[nodiscard]] Vector plus(Vector left, const Vector& right);
+[[nodiscard]] RealVector vector_sum(RealVector left, const RealVector& right);
 
 /// The result of `derive` for a Derivation of `other` that appends its definitions to the list of
 /// `derivation`. Earlier results of `derivation` stay valid, because definitions are only appended.
 template <class Derive>
-[[nodiscard]] Vector derive_with_shared_definitions(Derivation& derivation, Lagrangian other,
-                                                    const Derive& derive) {
+[[nodiscard]] RealVector derive_with_shared_definitions(Derivation& derivation, Lagrangian other,
+                                                        const Derive& derive) {
   other.definitions = derivation.definitions;
-  Derivation apart(other);
-  Vector result = derive(apart);
-  derivation.definitions = std::move(apart.definitions);
+  Derivation other_derivation(other);
+  RealVector result = derive(other_derivation);
+  derivation.definitions = std::move(other_derivation.definitions);
   return result;
 }
 
 /// The values after a substitution of leaves. Each value becomes a definition first.
-[[nodiscard]] Vector substituted(Substitution& leaves, Definitions& definitions,
-                                 const Vector& values);
+[[nodiscard]] RealVector define_and_substitute(Substitution& leaves, Definitions& definitions,
+                                               const RealVector& values);
 
 }  // namespace elgen

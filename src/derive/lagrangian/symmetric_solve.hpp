@@ -17,42 +17,44 @@
 namespace elgen {
 
 /// The kind of rows of a symmetric system, for error messages.
-enum class RowsOf : std::uint8_t { velocities, constraints, inputs };
+enum class RowKind : std::uint8_t { velocities, constraints, inputs };
 
 /// Thrown if a pivot is identically 0, so that the matrix is singular in every state.
 struct ZeroPivot : std::domain_error {
-  ZeroPivot(RowsOf the_rows, std::size_t the_row, bool diagonal)
+  ZeroPivot(RowKind the_rows, std::size_t the_row, bool diagonal)
       : std::domain_error("zero pivot"), rows(the_rows), row(the_row), is_diagonal(diagonal) {}
-  RowsOf rows;
+  RowKind rows;
   std::size_t row;
   bool is_diagonal;  ///< true: M_ii itself is 0, not only the pivot D_i
 };
 
-class SymmetricSolve {
+class SymmetricSolver {
  public:
   /// `matrix` is n x n, row-major, positive definite, so that no pivoting is needed. `order` lists
   /// its rows in the order of elimination. Throws ZeroPivot.
-  SymmetricSolve(Definitions& definitions, const Vector& matrix, std::vector<std::size_t> order,
-                 RowsOf rows);
+  SymmetricSolver(Definitions& definitions, const RealVector& matrix,
+                  std::vector<std::size_t> order, RowKind rows);
 
   /// x with M x = r; entries are definitions.
-  [[nodiscard]] Vector solve(const Vector& right_side) { return backward(forward(right_side)); }
+  [[nodiscard]] RealVector solve(const RealVector& right_side) {
+    return backward_substitution(forward_substitution(right_side));
+  }
 
   /// L^-1 r, in the order of elimination; entries are definitions.
-  [[nodiscard]] Vector forward(const Vector& right_side);
+  [[nodiscard]] RealVector forward_substitution(const RealVector& right_side);
   /// L^-T D^-1 z, indexed by row; z is in the order of elimination.
-  [[nodiscard]] Vector backward(const Vector& z);
+  [[nodiscard]] RealVector backward_substitution(const RealVector& z);
 
   /// 1 / D, in the order of elimination.
-  [[nodiscard]] const Vector& reciprocal_pivots() const { return reciprocals_; }
+  [[nodiscard]] const RealVector& reciprocal_pivots() const { return reciprocals_; }
 
   /// D_i / M_ii, indexed by row: 1 if row i is decoupled, <= 0 or about epsilon if M is singular.
-  [[nodiscard]] Vector relative_pivots() const;
-  [[nodiscard]] Vector diagonal() const;
+  [[nodiscard]] RealVector relative_pivots() const;
+  [[nodiscard]] RealVector diagonal() const;
 
  private:
-  [[nodiscard]] std::string row_of(std::size_t i) const;
-  [[nodiscard]] GiNaC::ex entry(std::size_t i, std::size_t j);
+  [[nodiscard]] std::string row_number(std::size_t i) const;
+  [[nodiscard]] GiNaC::ex eliminated_entry(std::size_t i, std::size_t j);
   [[nodiscard]] const GiNaC::ex& matrix(std::size_t i, std::size_t j) const {
     return matrix_[order_[i] * order_.size() + order_[j]];
   }
@@ -65,19 +67,19 @@ class SymmetricSolve {
 
   Definitions& definitions_;
   std::vector<std::size_t> order_;  ///< rows in the order of elimination
-  Vector matrix_;                   ///< M, row-major
-  Vector lower_;                    ///< L without its unit diagonal; L, W and D follow order_
-  Vector unscaled_;                 ///< W = L D
-  Vector pivots_;                   ///< D
-  Vector reciprocals_;              ///< 1 / D
+  RealVector matrix_;               ///< M, row-major
+  RealVector lower_;                ///< L without its unit diagonal; L, W and D follow order_
+  RealVector unscaled_;             ///< W = L D
+  RealVector pivots_;               ///< D
+  RealVector reciprocals_;          ///< 1 / D
 };
 
 /// 0 … size - 1.
-[[nodiscard]] std::vector<std::size_t> in_order(std::size_t size);
+[[nodiscard]] std::vector<std::size_t> identity_order(std::size_t size);
 
 /// The velocities in the order in which M is eliminated: from the last to the first if
 /// eliminates_last_first() (model/elimination.hpp), so that entries between limbs do not fill in.
-[[nodiscard]] std::vector<std::size_t> order_of_velocities(const Derivation& derivation);
+[[nodiscard]] std::vector<std::size_t> velocity_elimination_order(const Derivation& derivation);
 
 /// Solves M x = r + A^T y, A x = s (motion under constraints) without pivoting.
 ///
@@ -87,32 +89,32 @@ class SymmetricSolve {
 /// Without constraints it solves M x = r. The rounding error grows with the product of the
 /// condition numbers of M and of the whole system, because S inherits the condition of M. Benzi,
 /// Golub, Liesen, Numerical solution of saddle point problems, Acta Numerica 14 (2005), sec. 5.
-class ConstrainedSolve {
+class ConstrainedSolver {
  public:
   /// `mass` is n x n, `jacobian` m x n, row-major. Throws ZeroPivot.
-  ConstrainedSolve(Derivation& derivation, const Vector& mass, const Vector& jacobian);
+  ConstrainedSolver(Derivation& derivation, const RealVector& mass, const RealVector& jacobian);
 
   struct Solution {
-    Vector x;  ///< n
-    Vector y;  ///< m, the multipliers
+    RealVector x;  ///< n
+    RealVector y;  ///< m, the multipliers
   };
 
   /// x and y for the right-hand sides r and s; entries are definitions.
-  [[nodiscard]] Solution solve(const Vector& r, const Vector& s);
+  [[nodiscard]] Solution solve(const RealVector& r, const RealVector& s);
 
   /// The relative pivots of M by velocity, then the relative pivots of S by constraint.
-  [[nodiscard]] Vector relative_pivots() const;
-  [[nodiscard]] Vector relative_pivots_of_constraints() const;
-  [[nodiscard]] Vector diagonal() const;
+  [[nodiscard]] RealVector relative_pivots() const;
+  [[nodiscard]] RealVector relative_pivots_of_constraints() const;
+  [[nodiscard]] RealVector diagonal() const;
 
  private:
-  [[nodiscard]] Vector complement(const Vector& jacobian);
+  [[nodiscard]] RealVector schur_complement(const RealVector& jacobian);
 
   Definitions& definitions_;
-  SymmetricSolve mass_;
-  std::vector<Vector> columns_ = {};  ///< W, a vector for each constraint
-  std::vector<Vector> scaled_ = {};   ///< D^-1 W
-  SymmetricSolve constraints_;        ///< S; declared after W, from which it is computed
+  SymmetricSolver mass_;
+  std::vector<RealVector> columns_ = {};  ///< W, a vector for each constraint
+  std::vector<RealVector> scaled_ = {};   ///< D^-1 W
+  SymmetricSolver constraints_;           ///< S; declared after W, from which it is computed
 };
 
 }  // namespace elgen

@@ -8,10 +8,10 @@ namespace elgen {
 
 using GiNaC::ex;
 
-Vector along_velocities(Derivation& derivation, const Vector& by_coordinates) {
+RealVector project_to_velocities(Derivation& derivation, const RealVector& by_coordinates) {
   const Symbols& symbols = derivation.symbols;
   if (symbols.rotations.empty()) return by_coordinates;
-  Vector result(symbols.v.size());
+  RealVector result(symbols.v.size());
   for (std::size_t i = 0, j = 0, next = 0; i < symbols.q.size();) {
     const bool is_rotation =
         next < symbols.rotations.size() && symbols.rotations[next].first_coordinate == i;
@@ -50,8 +50,8 @@ Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity) {
   return seeds;
 }
 
-Vector hamel_force(Derivation& derivation, const Vector& momentum) {
-  Vector result(momentum.size());
+RealVector hamel_force(Derivation& derivation, const RealVector& momentum) {
+  RealVector result(momentum.size());
   for (const RotationPlace& rotation : derivation.symbols.rotations) {
     const std::size_t first = rotation.first_velocity;
     for (const auto& [k, i, j] : cyclic_axes) {
@@ -62,7 +62,7 @@ Vector hamel_force(Derivation& derivation, const Vector& momentum) {
   return result;
 }
 
-void add_turning(Derivation& derivation, const Vector& mass, Vector& entries) {
+void add_rotation_terms(Derivation& derivation, const RealVector& mass, RealVector& entries) {
   const std::size_t n = derivation.size();
   for (const RotationPlace& rotation : derivation.symbols.rotations) {
     const std::size_t first = rotation.first_velocity;
@@ -77,10 +77,10 @@ void add_turning(Derivation& derivation, const Vector& mass, Vector& entries) {
   }
 }
 
-Vector coordinate_rates(const Derivation& derivation) { return derivation.symbols.q_rates; }
+RealVector coordinate_rates(const Derivation& derivation) { return derivation.symbols.q_rates; }
 
-Vector normalized(Derivation& derivation) {
-  Vector result = derivation.symbols.q;
+RealVector normalized(Derivation& derivation) {
+  RealVector result = derivation.symbols.q;
   for (const RotationPlace& rotation : derivation.symbols.rotations) {
     const auto begin = result.begin() + rotation.first_coordinate;
     GiNaC::exvector squares;

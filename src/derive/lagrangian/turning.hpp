@@ -15,21 +15,22 @@
 namespace elgen {
 
 /// N^T g for a derivative g by q (`by_coordinates`); one entry per velocity.
-[[nodiscard]] Vector along_velocities(Derivation& derivation, const Vector& by_coordinates);
+[[nodiscard]] RealVector project_to_velocities(Derivation& derivation,
+                                               const RealVector& by_coordinates);
 
 /// dq = N e_j for a unit displacement along velocity j.
 [[nodiscard]] Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity);
 
 /// [w]x dL/dw on the velocities of rotations, 0 elsewhere: Hamel's term. `momentum` is dL/dv.
-[[nodiscard]] Vector hamel_force(Derivation& derivation, const Vector& momentum);
+[[nodiscard]] RealVector hamel_force(Derivation& derivation, const RealVector& momentum);
 
 /// Adds 1/2 M [w]x to the columns of rotations; `mass` and `entries` are n x n.
-void add_turning(Derivation& derivation, const Vector& mass, Vector& entries);
+void add_rotation_terms(Derivation& derivation, const RealVector& mass, RealVector& entries);
 
 /// dq/dt = N v
-[[nodiscard]] Vector coordinate_rates(const Derivation& derivation);
+[[nodiscard]] RealVector coordinate_rates(const Derivation& derivation);
 
 /// q with every quaternion divided by its length.
-[[nodiscard]] Vector normalized(Derivation& derivation);
+[[nodiscard]] RealVector normalized(Derivation& derivation);
 
 }  // namespace elgen

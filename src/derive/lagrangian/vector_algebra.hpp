@@ -60,7 +60,7 @@ class VectorAlgebra {
     return define(ExVector3{a[0] + b[0], a[1] + b[1], a[2] + b[2]});
   }
 
-  [[nodiscard]] ExVector3 scaled(const GiNaC::ex& factor, const ExVector3& a) {
+  [[nodiscard]] ExVector3 scale(const GiNaC::ex& factor, const ExVector3& a) {
     return define(ExVector3{factor * a[0], factor * a[1], factor * a[2]});
   }
 

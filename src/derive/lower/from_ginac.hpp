@@ -16,11 +16,11 @@ struct EquationsOfMotion;
 struct ImportedOutput {
   Graph graph = {};
   std::vector<Field> fields = {};               ///< entries are indices into `values`
-  std::vector<Ref> values = {};                 ///< every entry of every field
+  std::vector<SignedNode> values = {};          ///< every entry of every field
   std::vector<std::uint32_t> elimination = {};  ///< order of elimination of M, for compose.hpp
   /// Nodes with names for readers of the code, given by the stage derive, and these names. For
   /// `dynamics`, a name starts with the name of the repeated output.
-  std::vector<Ref> intermediate_values = {};
+  std::vector<SignedNode> intermediate_values = {};
   std::vector<std::string> value_names = {};
 };
 
@@ -34,11 +34,11 @@ struct ImportedOutput {
 
 /// The equations of every route by which the output was derived. `equations` comes first, unless
 /// only `equations.alternatives` have the output.
-[[nodiscard]] std::vector<const EquationsOfMotion*> routes_to(const EquationsOfMotion& equations,
-                                                              const OutputRequest& request);
+[[nodiscard]] std::vector<const EquationsOfMotion*> find_routes(const EquationsOfMotion& equations,
+                                                                const OutputRequest& request);
 
 /// E908, for too many definitions in derive and for too many nodes in lower.
-[[nodiscard]] Diagnostic too_many_nodes(const OutputRequest& request, std::uint64_t limit);
+[[nodiscard]] Diagnostic too_many_nodes_error(const OutputRequest& request, std::uint64_t limit);
 
 [[nodiscard]] LeafNames leaf_names(const EquationsOfMotion& equations);
 

@@ -8,13 +8,14 @@ using GiNaC::ex;
 
 namespace {
 
-void append(GiNaC::exvector& to, const Terms& from, int sign) {
+void append_terms(GiNaC::exvector& to, const Terms& from, int sign) {
   for (const ex& term : from) to.push_back(sign * term);
 }
 
 /// Appends sign * T of the point masses and of the bodies in frames, with velocities dp/ds along a
 /// direction.
-void append_squares(GiNaC::exvector& terms, Derivation& derivation, Tangent& along, int sign) {
+void append_kinetic_energy(GiNaC::exvector& terms, Derivation& derivation, Tangent& along,
+                           int sign) {
   for (const PointMass& mass : derivation.lagrangian.masses) {
     GiNaC::exvector squares;
     for (const ex& component : mass.position) {
@@ -23,16 +24,16 @@ void append_squares(GiNaC::exvector& terms, Derivation& derivation, Tangent& alo
     }
     terms.push_back(GiNaC::numeric(sign, 2) * mass.mass * GiNaC::add(squares));
   }
-  Tree& tree = tree_of(derivation);
-  append(terms, tree_kinetic_energy(tree, along), sign);
+  KinematicTree& tree = tree_of(derivation);
+  append_terms(terms, tree_kinetic_energy(tree, along), sign);
 }
 
 /// Appends V = -sum m gravity.p of the point masses and of the bodies in frames.
-void append_weights(GiNaC::exvector& terms, Derivation& derivation) {
+void append_gravity_energy(GiNaC::exvector& terms, Derivation& derivation) {
   const Lagrangian& lagrangian = derivation.lagrangian;
   if (!lagrangian.gravity) return;
-  Tree& tree = tree_of(derivation);
-  append(terms, tree_potential_energy(tree), 1);
+  KinematicTree& tree = tree_of(derivation);
+  append_terms(terms, tree_potential_energy(tree), 1);
   for (const PointMass& mass : lagrangian.masses) {
     GiNaC::exvector heights;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -44,9 +45,11 @@ void append_weights(GiNaC::exvector& terms, Derivation& derivation) {
 
 GiNaC::exvector kinetic_terms(Derivation& derivation) {
   GiNaC::exvector terms;
-  append_squares(terms, derivation, derivation.zero_acceleration, 1);
+  append_kinetic_energy(terms, derivation, derivation.rate_without_acceleration, 1);
   const bool whole = !derivation.lagrangian.lagrangian.empty();
-  append(terms, whole ? derivation.graded().kinetic2 : values_of(derivation.lagrangian.kinetic), 1);
+  append_terms(
+      terms,
+      whole ? derivation.graded_energies().kinetic2 : values_of(derivation.lagrangian.kinetic), 1);
   return terms;
 }
 
@@ -54,13 +57,13 @@ GiNaC::exvector kinetic_terms(Derivation& derivation) {
 
 ex kinetic_energy_of_masses(Derivation& derivation) {
   GiNaC::exvector terms;
-  append_squares(terms, derivation, derivation.zero_acceleration, 1);
+  append_kinetic_energy(terms, derivation, derivation.rate_without_acceleration, 1);
   return GiNaC::add(terms);
 }
 
-ex weight_of_masses(Derivation& derivation) {
+ex potential_energy_of_masses(Derivation& derivation) {
   GiNaC::exvector terms;
-  append_weights(terms, derivation);
+  append_gravity_energy(terms, derivation);
   return GiNaC::add(terms);
 }
 
@@ -68,41 +71,42 @@ ex kinetic_energy(Derivation& derivation) { return GiNaC::add(kinetic_terms(deri
 
 ex potential_energy(Derivation& derivation) {
   GiNaC::exvector terms;
-  append_weights(terms, derivation);
-  append(terms, derivation.graded().potential0, 1);
+  append_gravity_energy(terms, derivation);
+  append_terms(terms, derivation.graded_energies().potential0, 1);
   return GiNaC::add(terms);
 }
 
 ex total_energy(Derivation& derivation) {
   GiNaC::exvector terms = kinetic_terms(derivation);
-  append_weights(terms, derivation);
-  append(terms, derivation.graded().potential0, 1);
-  append(terms, derivation.graded().potential1, 1);
+  append_gravity_energy(terms, derivation);
+  append_terms(terms, derivation.graded_energies().potential0, 1);
+  append_terms(terms, derivation.graded_energies().potential1, 1);
   return GiNaC::add(terms);
 }
 
 ex energy_at_rest(Derivation& derivation) {
   GiNaC::exvector terms;
-  append_squares(terms, derivation, derivation.time_partial, -1);
-  append(terms, derivation.graded().kinetic0, -1);
-  append_weights(terms, derivation);
-  append(terms, derivation.graded().potential0, 1);
+  append_kinetic_energy(terms, derivation, derivation.time_partial, -1);
+  append_terms(terms, derivation.graded_energies().kinetic0, -1);
+  append_gravity_energy(terms, derivation);
+  append_terms(terms, derivation.graded_energies().potential0, 1);
   return GiNaC::add(terms);
 }
 
 ex energy_function(Derivation& derivation) {
   GiNaC::exvector terms;
-  if (!derivation.lagrangian.quadratic) {
-    const Vector momentum = derivation.by_velocity(derivation.other_lagrangian());
+  if (!derivation.lagrangian.is_quadratic) {
+    const RealVector momentum =
+        derivation.gradient_by_velocity(derivation.lagrangian_without_bodies());
     for (std::size_t i = 0; i < momentum.size(); ++i) {
       terms.push_back(derivation.symbols.v[i] * momentum[i]);
     }
-    append(terms, values_of(derivation.lagrangian.lagrangian), -1);
+    append_terms(terms, values_of(derivation.lagrangian.lagrangian), -1);
     return GiNaC::add(terms);
   }
-  append_squares(terms, derivation, derivation.fixed_time, 1);
+  append_kinetic_energy(terms, derivation, derivation.rate_at_fixed_time, 1);
   terms.push_back(energy_at_rest(derivation));
-  append(terms, derivation.graded().kinetic2, 1);
+  append_terms(terms, derivation.graded_energies().kinetic2, 1);
   return GiNaC::add(terms);
 }
 

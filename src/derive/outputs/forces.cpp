@@ -11,18 +11,18 @@ using GiNaC::ex;
 namespace {
 
 /// The derivative of each entry along a direction.
-Vector rates(const Vector& values, Tangent& along) {
-  Vector result;
+RealVector rates_along(const RealVector& values, Tangent& along) {
+  RealVector result;
   for (const ex& value : values) result.push_back(along(value));
   return result;
 }
 
 /// The rate of `momentum` = dL/dv along a motion, plus Hamel's term [w]x dL/dw for angular
 /// velocities w.
-Vector momentum_rates(Derivation& derivation, const Vector& momentum, Tangent& along) {
-  Vector result = rates(momentum, along);
-  const Vector turning = hamel_force(derivation, momentum);
-  return plus(std::move(result), turning);
+RealVector momentum_rates(Derivation& derivation, const RealVector& momentum, Tangent& along) {
+  RealVector result = rates_along(momentum, along);
+  const RealVector turning = hamel_force(derivation, momentum);
+  return vector_sum(std::move(result), turning);
 }
 
 std::array<ex, 3> gravity_vector(const Derivation& derivation) {
@@ -39,11 +39,11 @@ std::string force_name(const PointMass& mass, const Derivation& derivation, std:
 }
 
 /// m (p'' - gravity) of each point mass. `second` differentiates the velocity dp/dt.
-std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent& second) {
+std::vector<WeightedTerm> inertial_forces_of_masses(Derivation& derivation, Tangent& second) {
   const std::array<ex, 3> g = gravity_vector(derivation);
   return derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
     const ex velocity =
-        define(derivation.definitions, derivation.zero_acceleration(mass.position[axis]));
+        define(derivation.definitions, derivation.rate_without_acceleration(mass.position[axis]));
     const ex acceleration = second(velocity);
     const ex force = mass.mass * (acceleration - g[axis]);
     return define(derivation.definitions, force, {force_name(mass, derivation, axis), mass.origin});
@@ -51,7 +51,7 @@ std::vector<Weighted> inertial_forces_of_masses(Derivation& derivation, Tangent&
 }
 
 /// The substitution u = 0 if the inputs are absent; else an empty substitution.
-Substitution acting(Derivation& derivation, InputForces inputs) {
+Substitution input_substitution(Derivation& derivation, InputForces inputs) {
   Seeds values;
   if (inputs == InputForces::absent) {
     for (const ex& input : derivation.symbols.u) values.emplace(input, 0);
@@ -60,9 +60,9 @@ Substitution acting(Derivation& derivation, InputForces inputs) {
 }
 
 /// -F of each point force, as part of the left-hand side M a + bias.
-std::vector<Weighted> negative_point_forces(Derivation& derivation, InputForces inputs) {
-  std::vector<Weighted> result;
-  Substitution force = acting(derivation, inputs);
+std::vector<WeightedTerm> negative_point_forces(Derivation& derivation, InputForces inputs) {
+  std::vector<WeightedTerm> result;
+  Substitution force = input_substitution(derivation, inputs);
   for (const PointForce& applied : derivation.lagrangian.point_forces) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       result.push_back({applied.position[axis], -force(applied.force[axis])});
@@ -71,181 +71,189 @@ std::vector<Weighted> negative_point_forces(Derivation& derivation, InputForces 
   return result;
 }
 
-Vector direct_forces(Derivation& derivation, InputForces inputs) {
-  Substitution force = acting(derivation, inputs);
-  Vector result = derivation.lagrangian.forces;
+RealVector direct_forces(Derivation& derivation, InputForces inputs) {
+  Substitution force = input_substitution(derivation, inputs);
+  RealVector result = derivation.lagrangian.forces;
   for (ex& entry : result) entry = force(entry);
   return result;
 }
 
-TreeForces opposite(TreeForces forces) {
-  for (Weighted& term : forces.on_variables) term.weight = -term.weight;
+TreeForces negate_forces(TreeForces forces) {
+  for (WeightedTerm& term : forces.on_variables) term.weight = -term.weight;
   for (auto& [velocity, force] : forces.on_velocities) force = -force;
   return forces;
 }
 
-TreeForces negative_wrenches(Derivation& derivation, InputForces inputs) {
-  Substitution force = acting(derivation, inputs);
-  return opposite(tree_of(derivation).wrench_forces(std::ref(force)));
+TreeForces negative_wrench_forces(Derivation& derivation, InputForces inputs) {
+  Substitution force = input_substitution(derivation, inputs);
+  return negate_forces(tree_of(derivation).wrench_forces(std::ref(force)));
 }
 
 /// Inertial forces minus weights of bodies in frames: the base has the acceleration -gravity.
 TreeForces tree_forces(Derivation& derivation, Tangent& second) {
-  return inertial_forces(tree_of(derivation), {derivation.zero_acceleration, second, true});
+  return inertial_forces(tree_of(derivation), {derivation.rate_without_acceleration, second, true});
 }
 
 /// M a + bias - B u; without B u if the inputs are absent. `second` differentiates velocities: with
-/// `zero_acceleration`, a is 0.
-Vector left_side(Derivation& derivation, Tangent& second, InputForces inputs, Bodies bodies) {
+/// `rate_without_acceleration`, a is 0.
+RealVector left_side(Derivation& derivation, Tangent& second, InputForces inputs,
+                     BodySelection bodies) {
   TreeForces forces{inertial_forces_of_masses(derivation, second)};
-  append(forces.on_variables, negative_point_forces(derivation, inputs));
-  if (bodies == Bodies::all) append(forces, tree_forces(derivation, second));
-  append(forces, negative_wrenches(derivation, inputs));
-  for (const Weighted& term : derivation.other_lagrangian()) {
+  append_terms(forces.on_variables, negative_point_forces(derivation, inputs));
+  if (bodies == BodySelection::all) append(forces, tree_forces(derivation, second));
+  append(forces, negative_wrench_forces(derivation, inputs));
+  for (const WeightedTerm& term : derivation.lagrangian_without_bodies()) {
     forces.on_variables.push_back({term.value, -term.weight});
   }
-  Vector result = by_velocities(derivation, forces);
-  const Vector momentum = derivation.by_velocity(derivation.other_lagrangian());
-  result = plus(result, momentum_rates(derivation, momentum, second));
-  result = plus(result, dissipation(derivation));
-  const Vector direct = direct_forces(derivation, inputs);
+  RealVector result = generalised_forces(derivation, forces);
+  const RealVector momentum =
+      derivation.gradient_by_velocity(derivation.lagrangian_without_bodies());
+  result = vector_sum(result, momentum_rates(derivation, momentum, second));
+  result = vector_sum(result, dissipation(derivation));
+  const RealVector direct = direct_forces(derivation, inputs);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] -= direct[i];
   return result;
 }
 
 }  // namespace
 
-Vector inverse_dynamics(Derivation& derivation) {
-  return left_side(derivation, derivation.motion, InputForces::absent, Bodies::all);
+RealVector inverse_dynamics(Derivation& derivation) {
+  return left_side(derivation, derivation.motion_rate, InputForces::absent, BodySelection::all);
 }
 
-Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies) {
-  return left_side(derivation, derivation.motion, inputs, bodies);
+RealVector dynamics_residual(Derivation& derivation, InputForces inputs, BodySelection bodies) {
+  return left_side(derivation, derivation.motion_rate, inputs, bodies);
 }
 
-Vector bias(Derivation& derivation, InputForces inputs, Bodies bodies) {
-  return left_side(derivation, derivation.zero_acceleration, inputs, bodies);
+RealVector bias(Derivation& derivation, InputForces inputs, BodySelection bodies) {
+  return left_side(derivation, derivation.rate_without_acceleration, inputs, bodies);
 }
 
-Vector velocity_force(Derivation& derivation, Bodies bodies) {
+RealVector velocity_force(Derivation& derivation, BodySelection bodies) {
   Definitions& definitions = derivation.definitions;
   TreeForces forces{derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
-    const ex velocity = define(definitions, derivation.fixed_time(mass.position[axis]));
-    return define(definitions, mass.mass * derivation.fixed_time(velocity));
+    const ex velocity = define(definitions, derivation.rate_at_fixed_time(mass.position[axis]));
+    return define(definitions, mass.mass * derivation.rate_at_fixed_time(velocity));
   })};
-  const Terms& kinetic = derivation.graded().kinetic2;
-  append(forces.on_variables, weighted(kinetic, -1));
-  if (bodies == Bodies::all) {
-    append(forces,
-           inertial_forces(tree_of(derivation), {derivation.fixed_time, derivation.fixed_time}));
+  const Terms& kinetic = derivation.graded_energies().kinetic2;
+  append_terms(forces.on_variables, weighted_terms(kinetic, -1));
+  if (bodies == BodySelection::all) {
+    append(forces, inertial_forces(tree_of(derivation),
+                                   {derivation.rate_at_fixed_time, derivation.rate_at_fixed_time}));
   }
-  const Vector momentum = derivation.by_velocity(weighted(kinetic, 1));
-  Vector result = by_velocities(derivation, forces);
-  return plus(result, momentum_rates(derivation, momentum, derivation.fixed_time));
+  const RealVector momentum = derivation.gradient_by_velocity(weighted_terms(kinetic, 1));
+  RealVector result = generalised_forces(derivation, forces);
+  return vector_sum(result, momentum_rates(derivation, momentum, derivation.rate_at_fixed_time));
 }
 
-Vector drift(Derivation& derivation) {
+RealVector drift(Derivation& derivation) {
   Definitions& definitions = derivation.definitions;
   // p'' at a = 0, without its part quadratic in v: 2 (d2p/dq dt) dq/dt + d2p/dt2.
   TreeForces forces{derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
     const ex passing = define(definitions, derivation.time_partial(mass.position[axis]));
     const ex at_rest = derivation.time_partial(passing);
-    const ex acceleration = at_rest + 2 * derivation.fixed_time(passing);
+    const ex acceleration = at_rest + 2 * derivation.rate_at_fixed_time(passing);
     return define(definitions, mass.mass * acceleration);
   })};
-  const GradedEnergies& energies = derivation.graded();
-  std::vector<Weighted> linear = weighted(energies.kinetic1, 1);
-  append(linear, weighted(energies.potential1, -1));
-  for (const Weighted& term : linear) forces.on_variables.push_back({term.value, -term.weight});
-  append(forces.on_variables, weighted(energies.kinetic0, -1));
+  const GradedEnergies& energies = derivation.graded_energies();
+  std::vector<WeightedTerm> linear = weighted_terms(energies.kinetic1, 1);
+  append_terms(linear, weighted_terms(energies.potential1, -1));
+  for (const WeightedTerm& term : linear) forces.on_variables.push_back({term.value, -term.weight});
+  append_terms(forces.on_variables, weighted_terms(energies.kinetic0, -1));
   // For bodies in frames: all inertial forces at a = 0, minus the inertial forces at frozen time.
-  Tree& tree = tree_of(derivation);
-  append(forces,
-         inertial_forces(tree, {derivation.zero_acceleration, derivation.zero_acceleration}));
-  append(forces, opposite(inertial_forces(tree, {derivation.fixed_time, derivation.fixed_time})));
-  Vector result = by_velocities(derivation, forces);
-  const Vector momentum = derivation.by_velocity(linear);
-  result = plus(result, momentum_rates(derivation, momentum, derivation.zero_acceleration));
-  const Vector quadratic = derivation.by_velocity(weighted(energies.kinetic2, 1));
-  return plus(result, rates(quadratic, derivation.time_partial));
+  KinematicTree& tree = tree_of(derivation);
+  append(forces, inertial_forces(tree, {derivation.rate_without_acceleration,
+                                        derivation.rate_without_acceleration}));
+  append(forces, negate_forces(inertial_forces(
+                     tree, {derivation.rate_at_fixed_time, derivation.rate_at_fixed_time})));
+  RealVector result = generalised_forces(derivation, forces);
+  const RealVector momentum = derivation.gradient_by_velocity(linear);
+  result = vector_sum(result,
+                      momentum_rates(derivation, momentum, derivation.rate_without_acceleration));
+  const RealVector quadratic =
+      derivation.gradient_by_velocity(weighted_terms(energies.kinetic2, 1));
+  return vector_sum(result, rates_along(quadratic, derivation.time_partial));
 }
 
-Vector gravity(Derivation& derivation) {
+RealVector gravity(Derivation& derivation) {
   const std::array<ex, 3> g = gravity_vector(derivation);
   TreeForces forces{derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
     return define(derivation.definitions, -mass.mass * g[axis]);
   })};
-  append(forces.on_variables, weighted(derivation.graded().potential0, 1));
-  append(forces, tree_gravity(tree_of(derivation)));
-  return by_velocities(derivation, forces);
+  append_terms(forces.on_variables, weighted_terms(derivation.graded_energies().potential0, 1));
+  append(forces, tree_gravity_forces(tree_of(derivation)));
+  return generalised_forces(derivation, forces);
 }
 
-Vector dissipation(Derivation& derivation) {
-  return gradient(derivation.definitions, weighted(derivation.lagrangian.dissipation, 1),
+RealVector dissipation(Derivation& derivation) {
+  return gradient(derivation.definitions, weighted_terms(derivation.lagrangian.dissipation, 1),
                   derivation.symbols.v);
 }
 
-Vector applied_force(Derivation& derivation, InputForces inputs) {
+RealVector applied_force(Derivation& derivation, InputForces inputs) {
   TreeForces forces{negative_point_forces(derivation, inputs)};
-  append(forces, negative_wrenches(derivation, inputs));
-  Vector result = by_velocities(derivation, forces);
-  const Vector direct = direct_forces(derivation, inputs);
+  append(forces, negative_wrench_forces(derivation, inputs));
+  RealVector result = generalised_forces(derivation, forces);
+  const RealVector direct = direct_forces(derivation, inputs);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = direct[i] - result[i];
   return result;
 }
 
-Vector momentum_of_frames(Derivation& derivation) {
-  return by_velocities(derivation, tree_momentum(tree_of(derivation)));
+RealVector momentum_of_frames(Derivation& derivation) {
+  return generalised_forces(derivation, tree_momentum(tree_of(derivation)));
 }
 
-Vector momentum(Derivation& derivation) {
-  const std::vector<Weighted> of_masses =
+RealVector momentum(Derivation& derivation) {
+  const std::vector<WeightedTerm> of_masses =
       derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
-        const ex velocity =
-            define(derivation.definitions, derivation.zero_acceleration(mass.position[axis]));
+        const ex velocity = define(derivation.definitions,
+                                   derivation.rate_without_acceleration(mass.position[axis]));
         return define(derivation.definitions, mass.mass * velocity);
       });
-  Vector result = derivation.by_position(of_masses);
-  result = plus(result, momentum_of_frames(derivation));
-  return plus(result, derivation.by_velocity(derivation.other_lagrangian()));
+  RealVector result = derivation.gradient_by_position(of_masses);
+  result = vector_sum(result, momentum_of_frames(derivation));
+  return vector_sum(result,
+                    derivation.gradient_by_velocity(derivation.lagrangian_without_bodies()));
 }
 
-Vector position_gradient(Derivation& derivation) {
+RealVector position_gradient(Derivation& derivation) {
   const std::array<ex, 3> g = gravity_vector(derivation);
-  std::vector<Weighted> sum;
+  std::vector<WeightedTerm> sum;
   for (const PointMass& mass : derivation.lagrangian.masses) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const ex velocity =
-          define(derivation.definitions, derivation.zero_acceleration(mass.position[axis]));
+          define(derivation.definitions, derivation.rate_without_acceleration(mass.position[axis]));
       sum.push_back({velocity, define(derivation.definitions, mass.mass * velocity)});
       sum.push_back({mass.position[axis], define(derivation.definitions, mass.mass * g[axis])});
     }
   }
-  Tree& tree = tree_of(derivation);
-  append(sum, weighted(tree_kinetic_energy(tree, derivation.zero_acceleration), 1));
-  append(sum, weighted(tree_potential_energy(tree), -1));
-  append(sum, derivation.other_lagrangian());
-  return derivation.by_position(sum);
+  KinematicTree& tree = tree_of(derivation);
+  append_terms(sum,
+               weighted_terms(tree_kinetic_energy(tree, derivation.rate_without_acceleration), 1));
+  append_terms(sum, weighted_terms(tree_potential_energy(tree), -1));
+  append_terms(sum, derivation.lagrangian_without_bodies());
+  return derivation.gradient_by_position(sum);
 }
 
-Vector cyclic_rates(Derivation& derivation) { return derivation.lagrangian.cyclic_rates; }
+RealVector cyclic_rates(Derivation& derivation) { return derivation.lagrangian.cyclic_rates; }
 
 /// The rows of the locked coordinates in the equations before locking, at the locked values.
 ///
 ///     before    row of q1: (I1 + I2 + ...)*q1_ddot + ... - tau1
 ///     after     the same with q1 = s(t), q1_dot = ds/dt, q1_ddot = d2s/dt2
-Vector reaction(Derivation& derivation) {
+RealVector reaction(Derivation& derivation) {
   const ReactionSource& holding = *derivation.lagrangian.reaction_source;
-  return derive_with_shared_definitions(derivation, *holding.whole, [&holding](Derivation& moving) {
-    const Vector rows = residual(moving, InputForces::acting, Bodies::all);
-    Substitution at_locked_values(moving.definitions, holding.values);
-    Vector result;
-    for (const std::uint32_t velocity : holding.velocities) {
-      const ex row = define(moving.definitions, rows[velocity]);
-      result.push_back(at_locked_values(row));
-    }
-    return result;
-  });
+  return derive_with_shared_definitions(
+      derivation, *holding.unreduced, [&holding](Derivation& moving) {
+        const RealVector rows = dynamics_residual(moving, InputForces::acting, BodySelection::all);
+        Substitution at_locked_values(moving.definitions, holding.values);
+        RealVector result;
+        for (const std::uint32_t velocity : holding.velocities) {
+          const ex row = define(moving.definitions, rows[velocity]);
+          result.push_back(at_locked_values(row));
+        }
+        return result;
+      });
 }
 
 }  // namespace elgen

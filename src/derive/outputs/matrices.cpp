@@ -9,21 +9,23 @@ using GiNaC::ex;
 
 namespace {
 
-bool has_columns(Derivation& derivation) { return tree_variables(tree_of(derivation)).is_complete; }
+bool has_complete_variables(Derivation& derivation) {
+  return tree_variables(tree_of(derivation)).is_complete;
+}
 
 /// M, or its part without the bodies in frames.
-Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
+RealVector mass_matrix_of(Derivation& derivation, BodySelection bodies) {
   const std::size_t n = derivation.size();
-  const Vector other = derivation.by_velocity(derivation.lagrangian.quadratic
-                                                  ? weighted(derivation.graded().kinetic2, 1)
-                                                  : derivation.other_lagrangian());
-  const Vector of_frames =
-      bodies == Bodies::without_frames ? Vector(n) : momentum_of_frames(derivation);
-  Vector entries(n * n);
+  const RealVector other = derivation.gradient_by_velocity(
+      derivation.lagrangian.is_quadratic ? weighted_terms(derivation.graded_energies().kinetic2, 1)
+                                         : derivation.lagrangian_without_bodies());
+  const RealVector of_frames =
+      bodies == BodySelection::outside_frames ? RealVector(n) : momentum_of_frames(derivation);
+  RealVector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
-    Tangent position = derivation.displacement(j);
-    Tangent velocity = derivation.unit_velocity(j);
-    const Vector column = derivation.by_position(
+    Tangent position = derivation.displacement_tangent(j);
+    Tangent velocity = derivation.velocity_tangent(j);
+    const RealVector column = derivation.gradient_by_position(
         derivation.weighted_positions([&](const PointMass& mass, std::size_t axis) {
           const ex direction = define(derivation.definitions, position(mass.position[axis]));
           return define(derivation.definitions, mass.mass * direction);
@@ -38,36 +40,36 @@ Vector mass_matrix_of(Derivation& derivation, Bodies bodies) {
 
 }  // namespace
 
-Vector mass_matrix(Derivation& derivation) {
-  if (!has_columns(derivation)) return mass_matrix_of(derivation, Bodies::all);
-  Vector entries = mass_matrix_of(derivation, Bodies::without_frames);
+RealVector mass_matrix(Derivation& derivation) {
+  if (!has_complete_variables(derivation)) return mass_matrix_of(derivation, BodySelection::all);
+  RealVector entries = mass_matrix_of(derivation, BodySelection::outside_frames);
   add_to_dense(tree_mass_matrix(tree_of(derivation)), entries, derivation.size());
   return entries;
 }
 
-Vector coriolis_matrix(Derivation& derivation) {
+RealVector coriolis_matrix(Derivation& derivation) {
   const std::size_t n = derivation.size();
-  const bool by_columns = has_columns(derivation);
-  const Bodies bodies = by_columns ? Bodies::without_frames : Bodies::all;
-  Vector force = velocity_force(derivation, bodies);
+  const bool by_columns = has_complete_variables(derivation);
+  const BodySelection bodies = by_columns ? BodySelection::outside_frames : BodySelection::all;
+  RealVector force = velocity_force(derivation, bodies);
   for (ex& entry : force) entry = define(derivation.definitions, entry);
-  Vector entries(n * n);
+  RealVector entries(n * n);
   for (std::size_t j = 0; j < n; ++j) {
-    Tangent velocity = derivation.unit_velocity(j);
+    Tangent velocity = derivation.velocity_tangent(j);
     for (std::size_t i = 0; i < n; ++i) entries[i * n + j] = velocity(force[i]) / 2;
   }
   if (!derivation.symbols.rotations.empty()) {
-    const Vector mass = mass_matrix_of(derivation, bodies);
-    add_turning(derivation, mass, entries);
+    const RealVector mass = mass_matrix_of(derivation, bodies);
+    add_rotation_terms(derivation, mass, entries);
   }
   if (by_columns) add_to_dense(tree_coriolis_matrix(tree_of(derivation)), entries, n);
   return entries;
 }
 
-Vector input_matrix(Derivation& derivation) {
+RealVector input_matrix(Derivation& derivation) {
   const std::size_t n = derivation.size();
   const std::size_t inputs = derivation.symbols.u.size();
-  Vector entries(n * inputs);
+  RealVector entries(n * inputs);
   for (std::size_t j = 0; j < inputs; ++j) {
     Tangent input(derivation.definitions, Seeds{{derivation.symbols.u[j], 1}});
     TreeForces forces;
@@ -77,7 +79,7 @@ Vector input_matrix(Derivation& derivation) {
       }
     }
     append(forces, tree_of(derivation).wrench_forces(std::ref(input)));
-    const Vector column = by_velocities(derivation, forces);
+    const RealVector column = generalised_forces(derivation, forces);
     for (std::size_t i = 0; i < n; ++i) {
       entries[i * inputs + j] = column[i] + input(derivation.lagrangian.forces[i]);
     }
@@ -88,41 +90,41 @@ Vector input_matrix(Derivation& derivation) {
 namespace {
 
 /// The twist (angular velocity; velocity of the origin) of the frame of `output`, 0 for the world.
-Vector twist_of(Derivation& derivation, const TwistOutput& output) {
-  if (!output.transform) return Vector(6, 0);
-  Tree& tree = tree_of(derivation);
-  const Twist twist = tree_twists(tree, derivation.zero_acceleration)[*output.transform];
-  const auto axes = output.in_world ? std::optional<std::uint32_t>() : output.transform;
-  const ExVector3 spin = tree.turned(twist.spin, output.transform, axes);
-  const ExVector3 velocity = tree.turned(twist.velocity, output.transform, axes);
-  Vector result(spin.begin(), spin.end());
+RealVector frame_twist(Derivation& derivation, const TwistOutput& output) {
+  if (!output.transform) return RealVector(6, 0);
+  KinematicTree& tree = tree_of(derivation);
+  const Twist twist = tree_twists(tree, derivation.rate_without_acceleration)[*output.transform];
+  const auto axes = output.is_in_world ? std::optional<std::uint32_t>() : output.transform;
+  const ExVector3 spin = tree.change_axes(twist.spin, output.transform, axes);
+  const ExVector3 velocity = tree.change_axes(twist.velocity, output.transform, axes);
+  RealVector result(spin.begin(), spin.end());
   result.insert(result.end(), velocity.begin(), velocity.end());
   return result;
 }
 
 }  // namespace
 
-Vector twist_jacobian(Derivation& derivation, const TwistOutput& output) {
-  Vector entries;
-  for (const ex& rate : twist_of(derivation, output)) {
-    const Vector row = gradient(derivation.definitions, {{rate, 1}}, derivation.symbols.v);
+RealVector twist_jacobian(Derivation& derivation, const TwistOutput& output) {
+  RealVector entries;
+  for (const ex& rate : frame_twist(derivation, output)) {
+    const RealVector row = gradient(derivation.definitions, {{rate, 1}}, derivation.symbols.v);
     entries.insert(entries.end(), row.begin(), row.end());
   }
   return entries;
 }
 
-Vector twist_bias(Derivation& derivation, const TwistOutput& output) {
-  Vector entries;
-  for (const ex& rate : twist_of(derivation, output)) {
-    entries.push_back(derivation.zero_acceleration(rate));
+RealVector twist_bias(Derivation& derivation, const TwistOutput& output) {
+  RealVector entries;
+  for (const ex& rate : frame_twist(derivation, output)) {
+    entries.push_back(derivation.rate_without_acceleration(rate));
   }
   return entries;
 }
 
-Vector jacobian(Derivation& derivation, const Terms& values) {
-  Vector entries;
+RealVector jacobian(Derivation& derivation, const Terms& values) {
+  RealVector entries;
   for (const ex& value : values) {
-    const Vector row = derivation.by_position({{value, 1}});
+    const RealVector row = derivation.gradient_by_position({{value, 1}});
     entries.insert(entries.end(), row.begin(), row.end());
   }
   return entries;
@@ -131,9 +133,9 @@ Vector jacobian(Derivation& derivation, const Terms& values) {
 OutputDerivatives output_derivatives(Derivation& derivation, const Terms& values) {
   OutputDerivatives result;
   result.by_position = jacobian(derivation, values);
-  const auto by = [&](const Vector& leaves, Vector& entries) {
+  const auto by = [&](const RealVector& leaves, RealVector& entries) {
     for (const ex& value : values) {
-      const Vector row = gradient(derivation.definitions, {{value, 1}}, leaves);
+      const RealVector row = gradient(derivation.definitions, {{value, 1}}, leaves);
       entries.insert(entries.end(), row.begin(), row.end());
     }
   };
@@ -143,11 +145,11 @@ OutputDerivatives output_derivatives(Derivation& derivation, const Terms& values
   return result;
 }
 
-Vector second_rate(Derivation& derivation, const Terms& values) {
-  Vector entries;
+RealVector second_rate(Derivation& derivation, const Terms& values) {
+  RealVector entries;
   for (const ex& value : values) {
-    const ex rate = define(derivation.definitions, derivation.zero_acceleration(value));
-    entries.push_back(derivation.zero_acceleration(rate));
+    const ex rate = define(derivation.definitions, derivation.rate_without_acceleration(value));
+    entries.push_back(derivation.rate_without_acceleration(rate));
   }
   return entries;
 }

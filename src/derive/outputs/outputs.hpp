@@ -14,52 +14,54 @@ namespace elgen {
 // momenta J s per unit.
 
 enum class InputForces : unsigned char { absent, acting };
-enum class Bodies : unsigned char { all, without_frames };
+enum class BodySelection : unsigned char { all, outside_frames };
 
 /// tau = M a + bias.
-[[nodiscard]] Vector inverse_dynamics(Derivation& derivation);
+[[nodiscard]] RealVector inverse_dynamics(Derivation& derivation);
 
-/// tau - B u; tau if the inputs are absent. Bodies::without_frames omits the inertial forces and
+/// tau - B u; tau if the inputs are absent. Bodies::outside_frames omits the inertial forces and
 /// weights of bodies in frames.
-[[nodiscard]] Vector residual(Derivation& derivation, InputForces inputs, Bodies bodies);
+[[nodiscard]] RealVector dynamics_residual(Derivation& derivation, InputForces inputs,
+                                           BodySelection bodies);
 
 /// C v + drift + g + dD/dv - Q - B u; without B u if the inputs are absent.
-[[nodiscard]] Vector bias(Derivation& derivation, InputForces inputs = InputForces::absent,
-                          Bodies bodies = Bodies::all);
+[[nodiscard]] RealVector bias(Derivation& derivation, InputForces inputs = InputForces::absent,
+                              BodySelection bodies = BodySelection::all);
 
 /// C v: the part quadratic in v. Requires L quadratic in v.
-[[nodiscard]] Vector velocity_force(Derivation& derivation, Bodies bodies = Bodies::all);
+[[nodiscard]] RealVector velocity_force(Derivation& derivation,
+                                        BodySelection bodies = BodySelection::all);
 
 /// dT/dv of the bodies in frames.
-[[nodiscard]] Vector momentum_of_frames(Derivation& derivation);
+[[nodiscard]] RealVector momentum_of_frames(Derivation& derivation);
 
 /// (dM/dt) v + (db/dq - (db/dq)^T) v + db/dt - dT0/dq with b.v = T1 - V1, d/dt at fixed q.
 /// Requires L quadratic in v.
-[[nodiscard]] Vector drift(Derivation& derivation);
+[[nodiscard]] RealVector drift(Derivation& derivation);
 
 /// g = dV0/dq. Requires L quadratic in v.
-[[nodiscard]] Vector gravity(Derivation& derivation);
+[[nodiscard]] RealVector gravity(Derivation& derivation);
 
 /// dD/dv.
-[[nodiscard]] Vector dissipation(Derivation& derivation);
+[[nodiscard]] RealVector dissipation(Derivation& derivation);
 
 /// Q, the declared forces at u = 0; Q + B u if the inputs act.
-[[nodiscard]] Vector applied_force(Derivation& derivation,
-                                   InputForces inputs = InputForces::absent);
+[[nodiscard]] RealVector applied_force(Derivation& derivation,
+                                       InputForces inputs = InputForces::absent);
 
 /// dL/dv = M v + b.
-[[nodiscard]] Vector momentum(Derivation& derivation);
+[[nodiscard]] RealVector momentum(Derivation& derivation);
 
 /// N^T dL/dq. For a rotation, the entries are derivatives of L along the rotation vector.
-[[nodiscard]] Vector position_gradient(Derivation& derivation);
+[[nodiscard]] RealVector position_gradient(Derivation& derivation);
 
 /// For each locked coordinate whose reaction is requested, the force that holds it in addition to
 /// the inputs: d/dt dL/dv - dL/dq + dD/dv - Q - B u with L before locking, at q = s(t), v = ds/dt,
 /// a = d2s/dt2.
-[[nodiscard]] Vector reaction(Derivation& derivation);
+[[nodiscard]] RealVector reaction(Derivation& derivation);
 
 /// v_c, the velocities of the cyclic coordinates that specialise removed.
-[[nodiscard]] Vector cyclic_rates(Derivation& derivation);
+[[nodiscard]] RealVector cyclic_rates(Derivation& derivation);
 
 // Energies, in J.
 
@@ -73,7 +75,7 @@ enum class Bodies : unsigned char { all, without_frames };
 [[nodiscard]] GiNaC::ex kinetic_energy_of_masses(Derivation& derivation);
 
 /// V = -sum m gravity.p of the point masses and of the bodies in frames.
-[[nodiscard]] GiNaC::ex weight_of_masses(Derivation& derivation);
+[[nodiscard]] GiNaC::ex potential_energy_of_masses(Derivation& derivation);
 
 /// T + V = T + V0 + V1.v. Requires L quadratic in v.
 [[nodiscard]] GiNaC::ex total_energy(Derivation& derivation);
@@ -88,20 +90,20 @@ enum class Bodies : unsigned char { all, without_frames };
 
 /// M = d2L/dv2, n_v x n_v, symmetric: entries ij and ji are the same expression. A point mass adds
 /// m dp/dq_i . dp/dq_j. Cost: one forward and one reverse pass per column.
-[[nodiscard]] Vector mass_matrix(Derivation& derivation);
+[[nodiscard]] RealVector mass_matrix(Derivation& derivation);
 
 /// C_ij = 1/2 d(C v)_i/dv_j, the Christoffel form: (sum dM/dq_k v_k) - 2 C is skew. For rotations
 /// see turning.hpp. Cost: n_v forward passes over C v; for bodies in frames, columns of the tree.
-[[nodiscard]] Vector coriolis_matrix(Derivation& derivation);
+[[nodiscard]] RealVector coriolis_matrix(Derivation& derivation);
 
 /// B = dQ/du, n_v x n_u.
-[[nodiscard]] Vector input_matrix(Derivation& derivation);
+[[nodiscard]] RealVector input_matrix(Derivation& derivation);
 
 /// tau = Y pi + rest with the inertial parameters pi. Y is n_v x n_pi; column k is the part of tau
 /// per unit of parameter k. `rest` is tau at pi = 0. Cost: a reverse pass per parameter of a body.
 struct Regressor {
-  Vector matrix;
-  Vector rest;
+  RealVector matrix;
+  RealVector rest;
 };
 [[nodiscard]] Regressor regressor(Derivation& derivation);
 
@@ -110,25 +112,25 @@ struct Regressor {
 [[nodiscard]] Regressor regressor_reference(Derivation& derivation);
 
 /// pi, the values of the inertial parameters.
-[[nodiscard]] Vector regressor_parameters(Derivation& derivation);
+[[nodiscard]] RealVector regressor_parameters(Derivation& derivation);
 
 /// dy/dq N of each value y. Cost: one reverse pass per row.
-[[nodiscard]] Vector jacobian(Derivation& derivation, const Terms& values);
+[[nodiscard]] RealVector jacobian(Derivation& derivation, const Terms& values);
 
 /// dy/dq N, dy/dv, dy/da and dy/du of each value y. Cost: one reverse pass per value and field.
 struct OutputDerivatives {
-  Vector by_position;
-  Vector by_velocity;
-  Vector by_acceleration;
-  Vector by_input;
+  RealVector by_position;
+  RealVector by_velocity;
+  RealVector by_acceleration;
+  RealVector by_input;
 };
 [[nodiscard]] OutputDerivatives output_derivatives(Derivation& derivation, const Terms& values);
 
 /// d(B u)/dq N, n_v x n_v. Cost: one forward pass per velocity.
-[[nodiscard]] Vector input_force_derivatives(Derivation& derivation);
+[[nodiscard]] RealVector input_force_derivatives(Derivation& derivation);
 
 /// M^-1, n_v x n_v; entries are definitions. Throws ZeroPivot.
-[[nodiscard]] Vector inverse_mass_matrix(Derivation& derivation);
+[[nodiscard]] RealVector inverse_mass_matrix(Derivation& derivation);
 
 /// Operational-space dynamics of a task y with k entries, J = dy/dq N:
 ///
@@ -139,54 +141,54 @@ struct OutputDerivatives {
 ///
 /// One factorisation of M and one of S. Throws ZeroPivot.
 struct OperationalDynamics {
-  Vector inertia;
-  Vector inverse_jacobian;
-  Vector bias;
-  Vector relative_pivots;
+  RealVector inertia;
+  RealVector inverse_jacobian;
+  RealVector bias;
+  RealVector relative_pivots;
 };
 [[nodiscard]] OperationalDynamics operational_dynamics(Derivation& derivation,
-                                                       const Vector& jacobian,
-                                                       const Vector& bias_of_task);
+                                                       const RealVector& jacobian,
+                                                       const RealVector& bias_of_task);
 
 /// d2y/dt2 at a = 0.
-[[nodiscard]] Vector second_rate(Derivation& derivation, const Terms& values);
+[[nodiscard]] RealVector second_rate(Derivation& derivation, const Terms& values);
 
 /// The twist of a frame is (angular velocity; velocity of its origin). twist_jacobian() is
 /// d twist/dv, 6 x n_v; twist_bias() is d twist/dt at a = 0.
-[[nodiscard]] Vector twist_jacobian(Derivation& derivation, const TwistOutput& output);
-[[nodiscard]] Vector twist_bias(Derivation& derivation, const TwistOutput& output);
+[[nodiscard]] RealVector twist_jacobian(Derivation& derivation, const TwistOutput& output);
+[[nodiscard]] RealVector twist_bias(Derivation& derivation, const TwistOutput& output);
 
 // Constraints f(q, t) = 0 with r = df/dt, and phi(q, v, t) = 0 with r = phi (elgen/outputs.hpp).
 
 /// r of each constraint.
-[[nodiscard]] Vector constraint_rates(Derivation& derivation);
+[[nodiscard]] RealVector constraint_rates(Derivation& derivation);
 
 /// f of the position constraints, and r of all constraints.
 struct ConstraintResidual {
-  Vector position;
-  Vector rate;
+  RealVector position;
+  RealVector rate;
 };
 [[nodiscard]] ConstraintResidual constraint_residual(Derivation& derivation);
 
 /// A = dr/dv, n_c x n_v; for a position constraint this is df/dq N.
-[[nodiscard]] Vector constraint_jacobian(Derivation& derivation);
+[[nodiscard]] RealVector constraint_jacobian(Derivation& derivation);
 
 /// gamma = dr/dt at a = 0.
-[[nodiscard]] Vector constraint_bias(Derivation& derivation);
+[[nodiscard]] RealVector constraint_bias(Derivation& derivation);
 
 /// A^T lambda.
-[[nodiscard]] Vector constraint_force(Derivation& derivation, const Vector& multipliers);
+[[nodiscard]] RealVector constraint_force(Derivation& derivation, const RealVector& multipliers);
 
 /// `rates_of_rates` + 2 zeta omega r + omega^2 f. Along the motion, this sum is 0 if
 /// `rates_of_rates` is dr/dt, and -A a if `rates_of_rates` is gamma = dr/dt at a = 0.
-[[nodiscard]] Vector stabilised(Derivation& derivation, Vector rates_of_rates);
+[[nodiscard]] RealVector with_stabilisation(Derivation& derivation, RealVector rates_of_rates);
 
 /// One Newton step onto the constraints, with S = A M^-1 A^T. The position constraints change q to
 /// q - N M^-1 A^T S^-1 f. Then all constraints, at the new q, change v to v - M^-1 A^T S^-1 r.
 /// Throws ZeroPivot.
 struct ProjectedState {
-  Vector coordinates;
-  Vector rates;
+  RealVector coordinates;
+  RealVector rates;
 };
 [[nodiscard]] ProjectedState projected(Derivation& derivation);
 
@@ -198,22 +200,22 @@ struct ProjectedState {
 ///     unbalanced  tau - B u - A^T lambda
 ///
 /// Throws ZeroPivot.
-struct ConstrainedInverse {
-  Vector inputs;
-  Vector multipliers;
-  Vector unbalanced;
+struct ConstrainedInverseDynamics {
+  RealVector inputs;
+  RealVector multipliers;
+  RealVector unbalanced;
 };
-[[nodiscard]] ConstrainedInverse constrained_inverse_dynamics(Derivation& derivation);
+[[nodiscard]] ConstrainedInverseDynamics constrained_inverse_dynamics(Derivation& derivation);
 
 /// All velocities and accelerations, from the entries with independent indices i
 /// (OutputRequest::independent). The entries with dependent indices d solve A_d v_d = -r(v_d = 0)
 /// and A_d a_d = -(A_i a_i + gamma); A_d is square. The solution factorises A_d A_d^T, whose
 /// condition number is cond(A_d)^2. Throws ZeroPivot.
-struct Completed {
-  Vector rates;
-  Vector accelerations;
+struct CompletedMotion {
+  RealVector rates;
+  RealVector accelerations;
 };
-[[nodiscard]] Completed completed(Derivation& derivation, const OutputRequest& request);
+[[nodiscard]] CompletedMotion completed(Derivation& derivation, const OutputRequest& request);
 
 // Forward dynamics M a = B u - bias + A^T lambda, A a = -gamma - 2 zeta omega r - omega^2 f, and
 // derivatives of the dynamics. With constraints these equations are differentiated for all (q, v),
@@ -234,10 +236,10 @@ struct Completed {
 // Everything else is differentiated by one forward pass per unit direction.
 
 struct ForwardDynamics {
-  Vector acceleration;
-  Vector relative_pivots;  ///< of M, then of S = A M^-1 A^T
-  Vector multipliers;
-  Vector diagonal;  ///< of M and S; if an entry is 0, its relative pivot is undefined
+  RealVector acceleration;
+  RealVector relative_pivots;  ///< of M, then of S = A M^-1 A^T
+  RealVector multipliers;
+  RealVector diagonal;  ///< of M and S; if an entry is 0, its relative pivot is undefined
 };
 [[nodiscard]] ForwardDynamics forward_dynamics(Derivation& derivation);
 
@@ -248,46 +250,46 @@ struct ForwardDynamics {
 /// would differ). If `has_pivots` is false, M_ii and the relative pivots are not computed.
 struct ArticulatedDynamics {
   ForwardDynamics solution;
-  std::size_t operations_of_factorisation = 0;
+  std::size_t factorisation_operations = 0;
 };
 [[nodiscard]] std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation,
                                                                       bool has_pivots = true);
 
 /// The values with a and lambda replaced by the solution of the forward dynamics.
-[[nodiscard]] Vector along_motion(Derivation& derivation, const Vector& values);
+[[nodiscard]] RealVector values_along_motion(Derivation& derivation, const RealVector& values);
 
 /// n_v x n_v each, row-major.
 struct InverseDerivatives {
-  Vector by_position;
-  Vector by_velocity;
+  RealVector by_position;
+  RealVector by_velocity;
 };
 [[nodiscard]] InverseDerivatives inverse_dynamics_derivatives(Derivation& derivation);
 
 /// Row-major; n_v x n_v, n_v x n_v and n_v x n_u.
 struct ForwardDerivatives {
-  Vector by_position;
-  Vector by_velocity;
-  Vector by_input;
+  RealVector by_position;
+  RealVector by_velocity;
+  RealVector by_input;
 };
 [[nodiscard]] ForwardDerivatives forward_dynamics_derivatives(Derivation& derivation);
 
 /// The parts from which elgen/compose.hpp computes derivatives of forward dynamics and the
 /// linearization.
-struct ResponseParts {
-  Vector mass;
-  Vector force;
+struct ForwardDynamicsTerms {
+  RealVector mass;
+  RealVector force;
   ForwardDerivatives forces;  ///< with r = M a + bias - B u: -dr/dq, -dr/dv, B
-  Vector rates;               ///< the upper rows of A
+  RealVector rates;           ///< the upper rows of A
 };
 
 /// The parts; none if the model has constraints or fewer than min_composed_velocities velocities.
 /// Throws ZeroPivot if an M_ii is 0.
-[[nodiscard]] std::optional<ResponseParts> response_parts(Derivation& derivation);
+[[nodiscard]] std::optional<ForwardDynamicsTerms> forward_dynamics_terms(Derivation& derivation);
 
 /// Row-major: A is 2 n_v x 2 n_v, and B is 2 n_v x n_u.
 struct Linearization {
-  Vector a;
-  Vector b;
+  RealVector a;
+  RealVector b;
 };
 [[nodiscard]] Linearization linearization(Derivation& derivation);
 
@@ -303,12 +305,12 @@ struct Linearization {
 [[nodiscard]] GiNaC::ex hamiltonian(Derivation& derivation);
 
 /// v = M^-1 (p - b).
-[[nodiscard]] Vector velocities_of_momenta(Derivation& derivation);
+[[nodiscard]] RealVector velocities_of_momenta(Derivation& derivation);
 
 /// `coordinate_rates` has n_q entries, `momentum_rates` n_v entries.
 struct HamiltonEquations {
-  Vector coordinate_rates;
-  Vector momentum_rates;
+  RealVector coordinate_rates;
+  RealVector momentum_rates;
 };
 [[nodiscard]] HamiltonEquations hamilton_equations(Derivation& derivation);
 

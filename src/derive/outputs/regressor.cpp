@@ -25,7 +25,7 @@ Lagrangian kinematics_of(const Lagrangian& all) {
   motion.gravity = all.gravity;
   motion.tree.transforms = all.tree.transforms;
   motion.forces.assign(all.forces.size(), 0);
-  motion.quadratic = all.quadratic;
+  motion.is_quadratic = all.is_quadratic;
   return motion;
 }
 
@@ -51,9 +51,9 @@ void add_forces(const Lagrangian& all, Lagrangian& to) {
 }
 
 /// The inverse dynamics of `other`; new definitions are appended to the list of `derivation`.
-Vector forces_of(Derivation& derivation, Lagrangian other) {
+RealVector inverse_dynamics_of(Derivation& derivation, Lagrangian other) {
   return derive_with_shared_definitions(derivation, std::move(other), [](Derivation& apart) {
-    Vector forces = inverse_dynamics(apart);
+    RealVector forces = inverse_dynamics(apart);
     for (ex& force : forces) force = define(apart.definitions, force);
     return forces;
   });
@@ -67,7 +67,7 @@ bool is_owner(const Entity& origin, const InertialParameter& parameter) {
 
 /// The entry of the parameter's owner in `list`, or null.
 template <class List>
-auto* entry_of(List& list, const InertialParameter& parameter) {
+auto* find_owner_entry(List& list, const InertialParameter& parameter) {
   const auto found = std::ranges::find_if(
       list, [&](const auto& entry) { return is_owner(entry.origin, parameter); });
   return found == list.end() ? nullptr : &*found;
@@ -85,7 +85,7 @@ RigidBody unit_body(const RigidBody& body, const InertialParameter& parameter) {
     unit.com = body.com;
     return unit;
   }
-  unit.about_origin = true;
+  unit.is_about_origin = true;
   unit.moment = ExVector3{0, 0, 0};
   if (parameter.component >= first_inertia_component) {
     unit.inertia.assign(6, 0);
@@ -107,7 +107,7 @@ ex unit_energy(const RotatingBody& body, std::uint32_t component) {
 
 /// The velocity index of a coordinate with an armature. A rotation has four coordinates, three
 /// velocities and no armature.
-std::uint32_t velocity_of(const Derivation& derivation, std::uint32_t coordinate) {
+std::uint32_t velocity_index(const Derivation& derivation, std::uint32_t coordinate) {
   std::uint32_t velocity = coordinate;
   for (const RotationPlace& rotation : derivation.symbols.rotations) {
     if (rotation.first_coordinate < coordinate) --velocity;
@@ -133,7 +133,7 @@ class Polarisation {
       : definitions_(derivation.definitions),
         along_(definitions_, reference_seeds(derivation.symbols)),
         at_rest_(definitions_, rest_seeds(derivation.symbols)),
-        turned_(definitions_, acceleration_seeds(derivation)) {}
+        turned_accelerations_(definitions_, acceleration_seeds(derivation)) {}
 
   ex operator()(const ex& value) {
     const ex known = define(definitions_, value);
@@ -143,10 +143,10 @@ class Polarisation {
     const ex value_at_rest = at_rest_(known);
     const ex slope_at_rest = at_rest_(slope);
     const ex sum = value_at_rest + (slope + slope_at_rest) / 2;
-    return turned_(define(definitions_, sum));
+    return turned_accelerations_(define(definitions_, sum));
   }
   template <class List>
-  [[nodiscard]] List of(List values) {
+  [[nodiscard]] List polarise_all(List values) {
     for (ex& value : values) value = (*this)(value);
     return values;
   }
@@ -154,7 +154,7 @@ class Polarisation {
  private:
   static Seeds rest_seeds(const Symbols& symbols) {
     Seeds seeds;
-    add_seeds(seeds, symbols.v, Vector(symbols.v.size(), 0));
+    add_seeds(seeds, symbols.v, RealVector(symbols.v.size(), 0));
     return seeds;
   }
   static Seeds acceleration_seeds(Derivation& derivation) {
@@ -175,7 +175,7 @@ class Polarisation {
   Definitions& definitions_;
   Tangent along_;
   Substitution at_rest_;
-  Substitution turned_;
+  Substitution turned_accelerations_;
 };
 
 class RegressorColumns {
@@ -183,155 +183,157 @@ class RegressorColumns {
   RegressorColumns(Derivation& derivation, bool has_reference)
       : derivation_(derivation),
         tree_(tree_of(derivation)),
-        motions_(tree_motions(tree_, {derivation.zero_acceleration, derivation.motion, true})) {
-    if (has_reference) polarise();
+        motions_(tree_motions(
+            tree_, {derivation.rate_without_acceleration, derivation.motion_rate, true})) {
+    if (has_reference) polarise_motions();
     rest_ = other_forces();
   }
 
-  Vector column(const InertialParameter& parameter) {
+  RealVector column(const InertialParameter& parameter) {
     switch (parameter.owner) {
       case InertialOwner::coordinate:
-        return of_armature(parameter.index);
+        return armature_column(parameter.index);
       case InertialOwner::parameter:
-        return of_parameter(parameter.index);
+        return parameter_column(parameter.index);
       case InertialOwner::body:
       case InertialOwner::point:
         break;
     }
     const Lagrangian& all = derivation_.lagrangian;
-    if (const auto* const body = entry_of(all.tree.bodies, parameter)) {
-      return of_body(unit_body(*body, parameter));
+    if (const auto* const body = find_owner_entry(all.tree.bodies, parameter)) {
+      return body_column(unit_body(*body, parameter));
     }
     Lagrangian unit = kinematics_of(all);
-    const auto* const turning = entry_of(all.rotating_bodies, parameter);
-    const auto* const mass = entry_of(all.masses, parameter);
+    const auto* const turning = find_owner_entry(all.rotating_bodies, parameter);
+    const auto* const mass = find_owner_entry(all.masses, parameter);
     if (!parameter.is_mass() && turning != nullptr) {
       unit.kinetic.push_back({unit_energy(*turning, parameter.component), EnergyOrigin::spin});
     } else if (mass != nullptr) {
       unit.masses = {{1, mass->position, mass->origin}};
     }
-    return polarised(forces_of(derivation_, std::move(unit)));
+    return polarise_forces(inverse_dynamics_of(derivation_, std::move(unit)));
   }
 
   /// tau if every inertial parameter is 0.
-  Vector rest() {
+  RealVector force_without_parameters() {
     Seeds values;
     for (const InertialParameter& parameter : derivation_.lagrangian.inertial) {
-      if (parameter.owner == InertialOwner::parameter) values.emplace(leaf(parameter.index), 0);
+      if (parameter.owner == InertialOwner::parameter)
+        values.emplace(parameter_symbol(parameter.index), 0);
     }
     Substitution without(derivation_.definitions, values);
-    return substituted(without, derivation_.definitions, rest_);
+    return define_and_substitute(without, derivation_.definitions, rest_);
   }
 
  private:
-  void polarise() {
-    polar_.emplace(derivation_);
+  void polarise_motions() {
+    polarisation_.emplace(derivation_);
     for (TransformMotion& motion : motions_) {
-      motion.spin_rate = polar_->of(motion.spin_rate);
-      motion.acceleration = polar_->of(motion.acceleration);
-      motion.gradient = polar_->of(motion.gradient);
-      motion.products = polar_->of(motion.products);
+      motion.spin_rate = polarisation_->polarise_all(motion.spin_rate);
+      motion.acceleration = polarisation_->polarise_all(motion.acceleration);
+      motion.acceleration_gradient = polarisation_->polarise_all(motion.acceleration_gradient);
+      motion.spin_products = polarisation_->polarise_all(motion.spin_products);
     }
   }
 
-  [[nodiscard]] Vector polarised(Vector forces) {
-    return polar_ ? polar_->of(std::move(forces)) : forces;
+  [[nodiscard]] RealVector polarise_forces(RealVector forces) {
+    return polarisation_ ? polarisation_->polarise_all(std::move(forces)) : forces;
   }
 
   /// Forces of [energy], D and the declared forces. With a reference velocity r, dD/dv is evaluated
   /// at r.
-  Vector other_forces() {
+  RealVector other_forces() {
     const Lagrangian& all = derivation_.lagrangian;
     Lagrangian others = kinematics_of(all);
     add_stated_energies(all, others);
-    if (!polar_) {
+    if (!polarisation_) {
       add_forces(all, others);
-      return forces_of(derivation_, std::move(others));
+      return inverse_dynamics_of(derivation_, std::move(others));
     }
     Substitution at_reference(derivation_.definitions, reference_seeds(derivation_.symbols));
-    const Vector friction =
-        substituted(at_reference, derivation_.definitions, dissipation(derivation_));
-    const Vector applied = applied_force(derivation_);
-    Vector forces = polarised(forces_of(derivation_, std::move(others)));
-    forces = plus(std::move(forces), friction);
-    forces = plus(std::move(forces), negative(applied));
+    const RealVector friction =
+        define_and_substitute(at_reference, derivation_.definitions, dissipation(derivation_));
+    const RealVector applied = applied_force(derivation_);
+    RealVector forces = polarise_forces(inverse_dynamics_of(derivation_, std::move(others)));
+    forces = vector_sum(std::move(forces), friction);
+    forces = vector_sum(std::move(forces), negate(applied));
     for (ex& force : forces) force = define(derivation_.definitions, force);
     return forces;
   }
 
-  [[nodiscard]] const ex& leaf(std::uint32_t parameter) const {
+  [[nodiscard]] const ex& parameter_symbol(std::uint32_t parameter) const {
     return derivation_.symbols.parameters[parameter];
   }
 
-  Vector of_body(const RigidBody& unit) {
+  RealVector body_column(const RigidBody& unit) {
     const std::vector<RigidBody> bodies = with_lifted_masses(tree_, {unit});
-    return by_velocities(derivation_,
-                         tree_.pull_back(inertial_forces_on_transforms(tree_, bodies, motions_)));
+    return generalised_forces(derivation_, tree_.pull_back_wrenches(inertial_forces_on_transforms(
+                                               tree_, bodies, motions_)));
   }
 
-  Vector of_armature(std::uint32_t coordinate) {
-    Vector column(derivation_.size(), 0);
-    const std::uint32_t velocity = velocity_of(derivation_, coordinate);
+  RealVector armature_column(std::uint32_t coordinate) {
+    RealVector column(derivation_.size(), 0);
+    const std::uint32_t velocity = velocity_index(derivation_, coordinate);
     column[velocity] = derivation_.symbols.a[velocity];
     return column;
   }
 
-  Vector of_parameter(std::uint32_t parameter) {
-    Tangent along(derivation_.definitions, Seeds{{leaf(parameter), 1}});
-    Vector column;
+  RealVector parameter_column(std::uint32_t parameter) {
+    Tangent along(derivation_.definitions, Seeds{{parameter_symbol(parameter), 1}});
+    RealVector column;
     for (const ex& force : rest_) column.push_back(along(force));
     return column;
   }
 
   Derivation& derivation_;
-  Tree& tree_;
+  KinematicTree& tree_;
   std::vector<TransformMotion> motions_;
-  std::optional<Polarisation> polar_ = {};  ///< none without a reference velocity
-  Vector rest_ = {};
+  std::optional<Polarisation> polarisation_ = {};  ///< none without a reference velocity
+  RealVector rest_ = {};
 };
 
-Regressor columns_of(Derivation& derivation, bool has_reference) {
+Regressor derive_regressor(Derivation& derivation, bool has_reference) {
   RegressorColumns columns(derivation, has_reference);
   const std::vector<InertialParameter> parameters = derivation.lagrangian.inertial;
-  Regressor result{Vector(derivation.size() * parameters.size()), {}};
+  Regressor result{RealVector(derivation.size() * parameters.size()), {}};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
-    const Vector column = columns.column(parameters[k]);
+    const RealVector column = columns.column(parameters[k]);
     for (std::size_t i = 0; i < column.size(); ++i) {
       result.matrix[i * parameters.size() + k] = column[i];
     }
   }
-  result.rest = columns.rest();
+  result.rest = columns.force_without_parameters();
   return result;
 }
 
 }  // namespace
 
-Regressor regressor(Derivation& derivation) { return columns_of(derivation, false); }
+Regressor regressor(Derivation& derivation) { return derive_regressor(derivation, false); }
 
-Regressor regressor_reference(Derivation& derivation) { return columns_of(derivation, true); }
+Regressor regressor_reference(Derivation& derivation) { return derive_regressor(derivation, true); }
 
-Vector regressor_parameters(Derivation& derivation) {
+RealVector regressor_parameters(Derivation& derivation) {
   const Lagrangian& all = derivation.lagrangian;
   VectorAlgebra& algebra = tree_of(derivation).algebra;
   const auto value = [&](const InertialParameter& parameter) -> ex {
     if (parameter.owner == InertialOwner::parameter)
       return derivation.symbols.parameters[parameter.index];
     if (parameter.owner == InertialOwner::coordinate) {
-      return all.armatures[velocity_of(derivation, parameter.index)];
+      return all.armatures[velocity_index(derivation, parameter.index)];
     }
-    if (const auto* const body = entry_of(all.tree.bodies, parameter)) {
-      const CompositeInertia inertia = about_origin(algebra, *body);
+    if (const auto* const body = find_owner_entry(all.tree.bodies, parameter)) {
+      const CompositeInertia inertia = inertia_about_origin(algebra, *body);
       if (parameter.is_mass()) return inertia.mass;
       return parameter.component < first_inertia_component
                  ? inertia.moment[parameter.component - first_moment_component]
                  : inertia.inertia[parameter.component - first_inertia_component];
     }
-    if (parameter.is_mass()) return entry_of(all.masses, parameter)->mass;
-    const RotatingBody& body = *entry_of(all.rotating_bodies, parameter);
+    if (parameter.is_mass()) return find_owner_entry(all.masses, parameter)->mass;
+    const RotatingBody& body = *find_owner_entry(all.rotating_bodies, parameter);
     return body
         .inertia[body.inertia.size() == 1 ? 0 : parameter.component - first_inertia_component];
   };
-  Vector result;
+  RealVector result;
   for (const InertialParameter& parameter : all.inertial) result.push_back(value(parameter));
   return result;
 }

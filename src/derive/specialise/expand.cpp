@@ -36,7 +36,7 @@ TaylorSeries::TaylorSeries(Definitions& definitions, const std::vector<SmallLeaf
     coefficients[0] = leaf.value;
     coefficients[1] = leaf.leaf - leaf.value;
     coefficients_.emplace(leaf.leaf, std::move(coefficients));
-    mask_ |= definitions.places.at(leaf.leaf).depends;
+    mask_ |= definitions.places.at(leaf.leaf).leaf_dependence;
   }
 }
 
@@ -63,7 +63,7 @@ TaylorSeries::Coefficients TaylorSeries::coefficients_of(const ex& term) const {
   return result;
 }
 
-TaylorSeries::Coefficients TaylorSeries::from_known(const ex& value) const {
+TaylorSeries::Coefficients TaylorSeries::expand_value(const ex& value) const {
   if (!GiNaC::is_a<GiNaC::add>(value)) return coefficients_of(value);
   std::vector<GiNaC::exvector> terms(order_ + 1);
   for (std::size_t i = 0; i < value.nops(); ++i) {
@@ -75,9 +75,9 @@ TaylorSeries::Coefficients TaylorSeries::from_known(const ex& value) const {
   return result;
 }
 
-void TaylorSeries::expand(std::uint32_t definition) {
+void TaylorSeries::expand_definition(std::uint32_t definition) {
   const Definition old = definitions_.list[definition];
-  Coefficients coefficients = from_known(old.value);
+  Coefficients coefficients = expand_value(old.value);
   // A definition that does not depend on small leaves keeps its symbol.
   if (coefficients[0].is_equal(old.value)) return;
   for (unsigned j = 0; j <= order_; ++j) {
@@ -88,14 +88,14 @@ void TaylorSeries::expand(std::uint32_t definition) {
 }
 
 ex TaylorSeries::operator()(const ex& value) {
-  visit_needed(definitions_, value, mask_, known_,
-               [this](std::uint32_t definition) { expand(definition); });
-  return GiNaC::add(from_known(value));
+  visit_needed_definitions(definitions_, value, mask_, known_,
+                           [this](std::uint32_t definition) { expand_definition(definition); });
+  return GiNaC::add(expand_value(value));
 }
 
-Lagrangian expanded(Lagrangian lagrangian) {
+Lagrangian expand_energies(Lagrangian lagrangian) {
   const Expansion expansion = *lagrangian.expansion;
-  write_sums(lagrangian);
+  write_energy_sums(lagrangian);
   TaylorSeries to_next_order(lagrangian.definitions, expansion.small, expansion.order + 1);
   for (auto* terms : {&lagrangian.kinetic, &lagrangian.potential, &lagrangian.dissipation,
                       &lagrangian.lagrangian}) {

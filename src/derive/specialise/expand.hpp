@@ -24,9 +24,9 @@ class TaylorSeries {
  private:
   using Coefficients = std::vector<GiNaC::ex>;
 
-  [[nodiscard]] Coefficients from_known(const GiNaC::ex& value) const;
+  [[nodiscard]] Coefficients expand_value(const GiNaC::ex& value) const;
   [[nodiscard]] Coefficients coefficients_of(const GiNaC::ex& term) const;
-  void expand(std::uint32_t definition);
+  void expand_definition(std::uint32_t definition);
 
   Definitions& definitions_;
   unsigned order_;

@@ -13,12 +13,12 @@ namespace {
 using GiNaC::ex;
 
 /// q, v and a of the locked variables as functions of time.
-Seeds values_of(WholeLagrangian& lagrangian) {
+Seeds locked_values(UnreducedLagrangian& lagrangian) {
   const Symbols& symbols = lagrangian.symbols;
   Definitions& definitions = lagrangian.definitions;
   Tangent passing(definitions, {{symbols.t, 1}}, "_dot");
   Seeds values;
-  for (const HeldVariable& locked : lagrangian.locked) {
+  for (const HeldCoordinateMotion& locked : lagrangian.locked) {
     for (std::size_t i = 0; i < locked.values.size(); ++i) {
       values.emplace(symbols.q[locked.coordinate + i], locked.values[i]);
     }
@@ -46,8 +46,8 @@ std::shared_ptr<const Lagrangian> without_definitions(Lagrangian& lagrangian) {
 
 }  // namespace
 
-void lock(WholeLagrangian& lagrangian) {
-  for (const HeldVariable& locked : lagrangian.locked) {
+void apply_locks(UnreducedLagrangian& lagrangian) {
+  for (const HeldCoordinateMotion& locked : lagrangian.locked) {
     for (const ex& value : locked.values) {
       const bool moves = dependence(lagrangian.definitions, value).has_any(Opcode::time);
       lagrangian.leaves.uses_time = lagrangian.leaves.uses_time || moves;
@@ -55,14 +55,14 @@ void lock(WholeLagrangian& lagrangian) {
   }
   ReactionSource holding;
   holding.velocities = velocities_with_reaction(lagrangian.locked);
-  holding.values = values_of(lagrangian);
+  holding.values = locked_values(lagrangian);
   // Without the held inputs, the reaction is the whole force on a locked coordinate.
   for (const std::uint32_t input : lagrangian.held_inputs) {
     holding.values.emplace(lagrangian.symbols.u[input], 0);
   }
-  if (!holding.velocities.empty()) holding.whole = without_definitions(lagrangian);
+  if (!holding.velocities.empty()) holding.unreduced = without_definitions(lagrangian);
   remove_variables(lagrangian, lagrangian.locked, holding.values);
-  if (holding.whole) lagrangian.reaction_source = std::move(holding);
+  if (holding.unreduced) lagrangian.reaction_source = std::move(holding);
 }
 
 }  // namespace elgen

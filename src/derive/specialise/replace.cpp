@@ -54,7 +54,7 @@ class MemberSubstitution {
     (*this)(constraint.stiffness);
   }
   void operator()(NamedOutput& output) { (*this)(output.values); }
-  void operator()(HeldVariable& held) { (*this)(held.values); }
+  void operator()(HeldCoordinateMotion& held) { (*this)(held.values); }
   void operator()(SmallLeaf& small) { (*this)(small.value); }
 
  private:
@@ -63,7 +63,7 @@ class MemberSubstitution {
 
 }  // namespace
 
-void replace(WholeLagrangian& lagrangian, const Seeds& values) {
+void substitute_leaves(UnreducedLagrangian& lagrangian, const Seeds& values) {
   MemberSubstitution substitute(lagrangian.definitions, values);
   substitute(lagrangian.masses);
   if (lagrangian.gravity) substitute(*lagrangian.gravity);
@@ -86,21 +86,20 @@ void replace(WholeLagrangian& lagrangian, const Seeds& values) {
   if (lagrangian.expansion) substitute(lagrangian.expansion->small);
 }
 
-void remove_variables(WholeLagrangian& lagrangian, std::vector<HeldVariable>& variables,
+void remove_variables(UnreducedLagrangian& lagrangian, std::vector<HeldCoordinateMotion>& variables,
                       const Seeds& values) {
-  replace(lagrangian, values);
+  substitute_leaves(lagrangian, values);
   Symbols& symbols = lagrangian.symbols;
-  RemainingVariables left{RemainingPositions(symbols.q.size()),
-                          RemainingPositions(symbols.v.size()),
-                          RemainingPositions(symbols.u.size())};
-  for (const Held& variable : std::exchange(variables, {})) left.remove(variable);
+  RemainingVariables left{RemainingIndices(symbols.q.size()), RemainingIndices(symbols.v.size()),
+                          RemainingIndices(symbols.u.size())};
+  for (const HeldCoordinate& variable : std::exchange(variables, {})) left.remove(variable);
   for (const std::uint32_t input : std::exchange(lagrangian.held_inputs, {})) {
     left.inputs.remove(input, 1);
   }
   const auto remove = [&](const LeafRow& row, auto& list) {
-    if (row.of == LeafOwner::coordinates) left.coordinates.erase_removed(list);
-    if (row.of == LeafOwner::velocities) left.velocities.erase_removed(list);
-    if (row.of == LeafOwner::inputs) left.inputs.erase_removed(list);
+    if (row.owner == LeafOwner::coordinates) left.coordinates.erase_removed(list);
+    if (row.owner == LeafOwner::velocities) left.velocities.erase_removed(list);
+    if (row.owner == LeafOwner::inputs) left.inputs.erase_removed(list);
   };
   for_each_list(remove, symbols);
   for_each_list(remove, lagrangian.leaves);
@@ -116,7 +115,7 @@ void remove_variables(WholeLagrangian& lagrangian, std::vector<HeldVariable>& va
   for (TreeTransform& step : lagrangian.tree.transforms) {
     if (step.rotation) step.rotation = left.velocities[*step.rotation];
   }
-  for (Held& cyclic : lagrangian.cyclic) {
+  for (HeldCoordinate& cyclic : lagrangian.cyclic) {
     cyclic.coordinate = *left.coordinates[cyclic.coordinate];
     cyclic.velocity = *left.velocities[cyclic.velocity];
   }

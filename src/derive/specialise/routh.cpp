@@ -54,13 +54,13 @@ struct CyclicEquations {
   std::vector<ex> excess = {};
 };
 
-CyclicEquations cyclic_equations(WholeLagrangian& lagrangian, const Seeds& cyclic_values) {
+CyclicEquations cyclic_equations(UnreducedLagrangian& lagrangian, const Seeds& cyclic_values) {
   Definitions& definitions = lagrangian.definitions;
   std::vector<ex> rates;
-  for (const Held& cyclic : lagrangian.cyclic) {
+  for (const HeldCoordinate& cyclic : lagrangian.cyclic) {
     rates.push_back(lagrangian.symbols.v[cyclic.velocity]);
   }
-  std::vector<Weighted> terms;
+  std::vector<WeightedTerm> terms;
   for (const EnergyTerm& term : lagrangian.lagrangian) terms.push_back({term.value, 1});
   const std::vector<ex> momenta = gradient(definitions, terms, rates);
   Substitution at_rest(definitions, cyclic_values);
@@ -78,11 +78,11 @@ CyclicEquations cyclic_equations(WholeLagrangian& lagrangian, const Seeds& cycli
 
 }  // namespace
 
-void routh(WholeLagrangian& lagrangian) {
-  write_sums(lagrangian);
+void apply_routh_reduction(UnreducedLagrangian& lagrangian) {
+  write_energy_sums(lagrangian);
   join_energies(lagrangian);
   Seeds cyclic_values;
-  for (const Held& cyclic : lagrangian.cyclic) {
+  for (const HeldCoordinate& cyclic : lagrangian.cyclic) {
     cyclic_values.emplace(lagrangian.symbols.q[cyclic.coordinate], 0);
     cyclic_values.emplace(lagrangian.symbols.v[cyclic.velocity], 0);
     cyclic_values.emplace(lagrangian.symbols.a[cyclic.velocity], 0);

@@ -22,14 +22,15 @@ namespace {
 
 using GiNaC::ex;
 
-void fix(WholeLagrangian& lagrangian, const Model& model, const FixedParameters& fixed) {
+void substitute_fixed_values(UnreducedLagrangian& lagrangian, const Model& model,
+                             const FixedParameters& fixed) {
   Seeds values;
   for (const auto& [parameter, value] : fixed) {
-    const ex number =
-        value.form ? constant_value(model, *value.form) : ex(GiNaC::numeric(value.number));
+    const ex number = value.exact_expression ? constant_value(model, *value.exact_expression)
+                                             : ex(GiNaC::numeric(value.number));
     values.emplace(lagrangian.symbols.parameters[parameter], number);
   }
-  replace(lagrangian, values);
+  substitute_leaves(lagrangian, values);
 }
 
 bool is_complex(const ex& value) {
@@ -40,120 +41,125 @@ bool is_complex(const ex& value) {
   return false;
 }
 
-struct Problem {
+struct ValueProblem {
   Code code;
   const char* text;
 };
 
-constexpr Problem division{Code::E312, "a denominator 0"};
-constexpr Problem undefined{Code::E313, "a value undefined"};
-constexpr Problem complex{Code::E314, "a value complex"};
+constexpr ValueProblem division_by_zero{Code::E312, "a denominator 0"};
+constexpr ValueProblem undefined_value{Code::E313, "a value undefined"};
+constexpr ValueProblem complex_value{Code::E314, "a value complex"};
 
-using Step = std::function<void(WholeLagrangian&)>;
+using MaybeSubtree = std::function<void(UnreducedLagrangian&)>;
 
 /// Runs a step. Returns the first problem of its values: a division by 0, an undefined value or a
 /// complex value.
-std::optional<Problem> run_checked(const Step& step, WholeLagrangian& lagrangian) {
+std::optional<ValueProblem> run_checked(const MaybeSubtree& step, UnreducedLagrangian& lagrangian) {
   const std::size_t known = lagrangian.definitions.list.size();
   try {
     step(lagrangian);
   } catch (const GiNaC::pole_error& pole) {
-    return pole.degree() == 0 ? undefined : division;  // degree 0: pole of a logarithm
+    return pole.degree() == 0 ? undefined_value
+                              : division_by_zero;  // degree 0: pole of a logarithm
   } catch (const std::domain_error&) {
-    return undefined;
+    return undefined_value;
   }
   const auto& list = lagrangian.definitions.list;
   for (std::size_t i = known; i < list.size(); ++i) {
-    if (is_complex(list[i].value)) return complex;
+    if (is_complex(list[i].value)) return complex_value;
   }
   // A small term has no definition, so energies and forces are checked too.
   for (const EnergyTerms* const terms : {&lagrangian.kinetic, &lagrangian.potential,
                                          &lagrangian.dissipation, &lagrangian.lagrangian}) {
-    if (std::ranges::any_of(*terms, is_complex, &EnergyTerm::value)) return complex;
+    if (std::ranges::any_of(*terms, is_complex, &EnergyTerm::value)) return complex_value;
   }
-  if (std::ranges::any_of(lagrangian.forces, is_complex)) return complex;
+  if (std::ranges::any_of(lagrangian.forces, is_complex)) return complex_value;
   return std::nullopt;
 }
 
 /// One fixed parameter or one lock. It is run by itself to find the cause of a problem.
-struct StepPart {
+struct SinglePass {
   std::string name;
   Span span;
-  Step step;
+  MaybeSubtree step;
 };
 
-struct Phrases {
-  std::string one;
-  std::string many;
+struct SingularAndPlural {
+  std::string singular;
+  std::string plural;
 };
 
 /// The error for a problem. It names the first part that fails by itself; if no part fails by
 /// itself, it names all parts.
-Diagnostic diagnose(const Problem& problem, const std::vector<StepPart>& parts,
-                    const WholeLagrangian& before, const Phrases& at) {
+Diagnostic diagnose(const ValueProblem& problem, const std::vector<SinglePass>& parts,
+                    const UnreducedLagrangian& before, const SingularAndPlural& at) {
   std::string names;
-  for (const StepPart& part : parts) {
-    WholeLagrangian trial = before;
+  for (const SinglePass& part : parts) {
+    UnreducedLagrangian trial = before;
     const auto found = run_checked(part.step, trial);
     if (found) {
-      return {
-          found->code, part.span,
-          "`" + part.name + "` " + at.one + " makes " + found->text + ", whatever the state is"};
+      return {found->code, part.span,
+              "`" + part.name + "` " + at.singular + " makes " + found->text +
+                  ", whatever the state is"};
     }
     names += (names.empty() ? "`" : ", `") + part.name + "`";
   }
   return {problem.code, parts.front().span,
-          names + " " + at.many + " make " + problem.text + ", whatever the state is"};
+          names + " " + at.plural + " make " + problem.text + ", whatever the state is"};
 }
 
-Diagnostics fix_parameters(WholeLagrangian& lagrangian, const CheckedModel& checked) {
+Diagnostics fix_parameters(UnreducedLagrangian& lagrangian, const CheckedModel& checked) {
   const auto& fixed = checked.scene.specialisation.fixed;
   const Model& model = checked.model;
-  const WholeLagrangian before = lagrangian;
+  const UnreducedLagrangian before = lagrangian;
   const auto problem =
-      run_checked([&](WholeLagrangian& whole) { fix(whole, model, fixed); }, lagrangian);
+      run_checked([&](UnreducedLagrangian& whole) { substitute_fixed_values(whole, model, fixed); },
+                  lagrangian);
   if (!problem) return {};
-  std::vector<StepPart> parts;
+  std::vector<SinglePass> parts;
   for (const auto& entry : fixed) {
     const Parameter& parameter = model.parameters[entry.first];
-    parts.push_back({parameter.name, model.parameter_arrays[parameter.array].span,
-                     [&](WholeLagrangian& part) { fix(part, model, {entry}); }});
+    parts.push_back(
+        {parameter.name, model.parameter_arrays[parameter.array].span,
+         [&](UnreducedLagrangian& part) { substitute_fixed_values(part, model, {entry}); }});
   }
   return {diagnose(*problem, parts, before, {"at its fixed value", "at their fixed values"})};
 }
 
-Diagnostics lock_coordinates(WholeLagrangian& lagrangian) {
-  const WholeLagrangian before = lagrangian;
-  const auto problem = run_checked(lock, lagrangian);
+Diagnostics lock_coordinates(UnreducedLagrangian& lagrangian) {
+  const UnreducedLagrangian before = lagrangian;
+  const auto problem = run_checked(apply_locks, lagrangian);
   if (!problem) return {};
-  std::vector<StepPart> parts;
+  std::vector<SinglePass> parts;
   for (std::size_t i = 0; i < before.locked.size(); ++i) {
     parts.push_back({before.leaves.q[before.locked[i].coordinate], before.locked[i].span,
-                     [i](WholeLagrangian& part) {
+                     [i](UnreducedLagrangian& part) {
                        part.locked = {part.locked[i]};
-                       lock(part);
+                       apply_locks(part);
                      }});
   }
   return {diagnose(*problem, parts, before, {"where it is locked", "where they are locked"})};
 }
 
-Diagnostics remove_cyclic(WholeLagrangian& lagrangian, const CheckedModel& checked) {
-  const auto problem = run_checked(routh, lagrangian);
+Diagnostics remove_cyclic_coordinates(UnreducedLagrangian& lagrangian,
+                                      const CheckedModel& checked) {
+  const auto problem = run_checked(apply_routh_reduction, lagrangian);
   if (!problem) return {};
-  return {{problem->code, checked.model.variant.cyclic.front().span,
+  return {{problem->code, checked.model.reduction.cyclic.front().span,
            "`[routh]` makes " + std::string(problem->text) + ", whatever the state is"}};
 }
 
 }  // namespace
 
-Result<Lagrangian> specialise(WholeLagrangian lagrangian, const CheckedModel& checked) {
+Result<Lagrangian> specialise(UnreducedLagrangian lagrangian, const CheckedModel& checked) {
   Diagnostics errors;
   if (!checked.scene.specialisation.fixed.empty()) errors = fix_parameters(lagrangian, checked);
   if (errors.empty() && !lagrangian.locked.empty()) errors = lock_coordinates(lagrangian);
-  if (errors.empty() && !lagrangian.cyclic.empty()) errors = remove_cyclic(lagrangian, checked);
+  if (errors.empty() && !lagrangian.cyclic.empty())
+    errors = remove_cyclic_coordinates(lagrangian, checked);
   if (!errors.empty()) return errors;
   Lagrangian& rest = lagrangian;  // without locked and cyclic variables
-  return rest.expansion ? expanded(std::move(rest)) : std::move(rest);
+  return rest.expansion ? expand_energies(std::move(rest)) : std::move(rest);
 }
 
 }  // namespace elgen

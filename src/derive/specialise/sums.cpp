@@ -1,4 +1,4 @@
-// write_sums: rewrites point masses, gravity and point forces as terms of T, V and Q.
+// write_energy_sums: rewrites point masses, gravity and point forces as terms of T, V and Q.
 //
 //     before    mass m at p, gravity g, force F at p
 //     after     T = 1/2 m |dp/dt|^2,  V = -m g.p,  Q = F.d(dp/dt)/dv
@@ -11,7 +11,7 @@ using GiNaC::ex;
 namespace {
 
 /// Adds 1/2 m |dp/dt|^2 to T and -m gravity.p to V.
-void add_masses(Lagrangian& lagrangian, Tangent& velocity) {
+void add_mass_energies(Lagrangian& lagrangian, Tangent& velocity) {
   for (const PointMass& mass : lagrangian.masses) {
     GiNaC::exvector squares;
     GiNaC::exvector heights;
@@ -31,7 +31,7 @@ void add_masses(Lagrangian& lagrangian, Tangent& velocity) {
 
 /// Adds F.d(dp/dt)/dv to Q; dp/dt is affine in v.
 void add_point_forces(Lagrangian& lagrangian, Tangent& velocity) {
-  std::vector<Weighted> work;
+  std::vector<WeightedTerm> work;
   for (const PointForce& applied : lagrangian.point_forces) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       work.push_back({velocity(applied.position[axis]), applied.force[axis]});
@@ -44,10 +44,10 @@ void add_point_forces(Lagrangian& lagrangian, Tangent& velocity) {
 
 }  // namespace
 
-void write_sums(Lagrangian& lagrangian) {
+void write_energy_sums(Lagrangian& lagrangian) {
   // Positions do not depend on v, so the seeds v -> a have no effect.
   Tangent velocity(lagrangian.definitions, motion_seeds(lagrangian.symbols), "_dot");
-  add_masses(lagrangian, velocity);
+  add_mass_energies(lagrangian, velocity);
   add_point_forces(lagrangian, velocity);
 }
 

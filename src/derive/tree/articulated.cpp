@@ -22,7 +22,7 @@ struct ArticulatedInertia {
   Symmetric3 mass{0, 0, 0, 0, 0, 0};
 
   /// Entry of the 6 x 6 matrix, i <= j.
-  [[nodiscard]] ex& at(std::size_t i, std::size_t j) {
+  [[nodiscard]] ex& entry(std::size_t i, std::size_t j) {
     if (j < 3) return spin[symmetric_index(i, j)];
     return i < 3 ? coupling[3 * i + j - 3] : mass[symmetric_index(i - 3, j - 3)];
   }
@@ -51,8 +51,8 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, Articulate
 }
 
 /// `c` in the parent frame of a translation by p, by the equations of articulated.hpp.
-ArticulatedInertia shifted(VectorAlgebra& algebra, const ArticulatedInertia& c,
-                           const ExVector3& p) {
+ArticulatedInertia translate_inertia(VectorAlgebra& algebra, const ArticulatedInertia& c,
+                                     const ExVector3& p) {
   ArticulatedInertia result = c;
   ExMatrix3& moved = result.coupling;
   for (std::size_t column = 0; column < 3; ++column) {
@@ -76,9 +76,10 @@ ArticulatedInertia shifted(VectorAlgebra& algebra, const ArticulatedInertia& c,
   return result;
 }
 
-ArticulatedInertia to_parent(Tree& tree, std::size_t transform, const ArticulatedInertia& c) {
+ArticulatedInertia to_parent(KinematicTree& tree, std::size_t transform,
+                             const ArticulatedInertia& c) {
   if (tree.transform(transform).kind == TransformKind::translation) {
-    return shifted(tree.algebra, c, tree.transform(transform).vector);
+    return translate_inertia(tree.algebra, c, tree.transform(transform).vector);
   }
   ArticulatedInertia result;
   result.spin = to_parent(tree, transform, c.spin);
@@ -107,16 +108,18 @@ ex scalar_product(VectorAlgebra& algebra, const Twist& s, const SpatialForce& p)
 }
 
 /// Angular components, then linear ones.
-using Spatial = std::array<ex, 6>;
+using SpatialComponents = std::array<ex, 6>;
 
-Spatial components(const ExVector3& angular, const ExVector3& linear) {
+SpatialComponents components(const ExVector3& angular, const ExVector3& linear) {
   return {angular[0], angular[1], angular[2], linear[0], linear[1], linear[2]};
 }
 
-SpatialForce force_of(const Spatial& p) { return {{p[3], p[4], p[5]}, {p[0], p[1], p[2]}}; }
+SpatialForce to_spatial_force(const SpatialComponents& p) {
+  return {{p[3], p[4], p[5]}, {p[0], p[1], p[2]}};
+}
 
 /// Index of the only non-zero component; none if the number of non-zero components is not 1.
-std::optional<std::size_t> single_component(const Spatial& s) {
+std::optional<std::size_t> single_component(const SpatialComponents& s) {
   std::optional<std::size_t> single;
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (s[i].is_zero()) continue;
@@ -127,15 +130,15 @@ std::optional<std::size_t> single_component(const Spatial& s) {
 }
 
 /// For each transform, the indices of the velocities that move it, ascending.
-std::vector<std::vector<std::uint32_t>> velocities_on_transforms(
-    const Tree& tree, const std::vector<TreeJoint>& joints) {
+std::vector<std::vector<std::uint32_t>> velocities_by_transform(
+    const KinematicTree& tree, const std::vector<TreeJoint>& joints) {
   std::vector<std::vector<std::uint32_t>> result(tree.size());
   for (std::uint32_t i = 0; i < joints.size(); ++i) result[joints[i].transform].push_back(i);
   return result;
 }
 
-bool ancestors_come_first(const Tree& tree, const std::vector<TreeJoint>& joints) {
-  const auto velocities_of = velocities_on_transforms(tree, joints);
+bool ancestors_come_first(const KinematicTree& tree, const std::vector<TreeJoint>& joints) {
+  const auto velocities_of = velocities_by_transform(tree, joints);
   std::vector<std::uint32_t> next(tree.size(), 0);  // 1 + the last velocity that moves it
   for (std::size_t k = 0; k < tree.size(); ++k) {
     const auto& parent = tree.transform(k).parent;
@@ -149,108 +152,110 @@ bool ancestors_come_first(const Tree& tree, const std::vector<TreeJoint>& joints
 
 class ArticulatedRecursion {
  public:
-  ArticulatedRecursion(Tree& tree, const std::vector<TreeJoint>& joints, const Vector& forces,
-                       const Vector& armatures)
+  ArticulatedRecursion(KinematicTree& tree, const std::vector<TreeJoint>& joints,
+                       const RealVector& forces, const RealVector& armatures)
       : tree_(tree),
         algebra_(tree.algebra),
         joints_(joints),
         forces_(forces),
         armatures_(armatures),
-        velocities_of_(velocities_on_transforms(tree, joints)),
+        velocities_by_transform_(velocities_by_transform(tree, joints)),
         inertias_(tree.size()),
-        eliminated_(joints.size()) {}
+        eliminated_joints_(joints.size()) {}
 
   ArticulatedMotion run(bool has_diagonal) {
     ArticulatedMotion motion;
     if (has_diagonal) motion.diagonal = diagonal_of_mass();
-    initialise();
+    initialise_inertias();
     for (std::size_t k = tree_.size(); k-- > 0;) {
       const NameScope articulated = tree_.name_scope("articulated", k);
-      if (!velocities_of_[k].empty()) {
-        accumulate(algebra_, std::exchange(rigid_[k], {}), inertias_[k]);
+      if (!velocities_by_transform_[k].empty()) {
+        accumulate(algebra_, std::exchange(rigid_inertias_[k], {}), inertias_[k]);
       }
-      for (auto i = velocities_of_[k].rbegin(); i != velocities_of_[k].rend(); ++i) {
-        eliminate(*i);
+      for (auto i = velocities_by_transform_[k].rbegin(); i != velocities_by_transform_[k].rend();
+           ++i) {
+        eliminate_velocity(*i);
       }
       add_to_parent(k);
     }
     motion.acceleration = outward_pass();
-    for (const Eliminated& joint : eliminated_) motion.pivots.push_back(joint.pivot);
+    for (const EliminatedJoint& joint : eliminated_joints_) motion.pivots.push_back(joint.pivot);
     return motion;
   }
 
  private:
-  struct Eliminated {
+  struct EliminatedJoint {
     ex pivot = 0;             ///< D
     ex own_acceleration = 0;  ///< e/D
     SpatialForce gain = {};   ///< L
   };
 
-  Vector diagonal_of_mass() {
+  RealVector diagonal_of_mass() {
     const std::vector<CompositeInertia> carried = composite_inertias(tree_);
-    Vector result;
+    RealVector result;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const NameScope diagonal = tree_.name_scope("diagonal", joints_[i].transform);
-      const Twist& s = joints_[i].unit;
+      const Twist& s = joints_[i].unit_twist;
       const SpatialForce column =
-          momentum(algebra_, carried[joints_[i].transform], s.spin, s.velocity);
+          spatial_momentum(algebra_, carried[joints_[i].transform], s.spin, s.velocity);
       result.push_back(algebra_.define(scalar_product(algebra_, s, column) + armatures_[i]));
     }
     return result;
   }
 
   /// Initialises I and p of each transform from the bodies on that transform.
-  void initialise() {
-    Tangent& coasting = tree_.derivation().zero_acceleration;
+  void initialise_inertias() {
+    Tangent& coasting = tree_.derivation().rate_without_acceleration;
     const std::vector<TransformMotion> motions = tree_motions(tree_, {coasting, coasting, true});
     bias_forces_ = inertial_forces_on_transforms(tree_, tree_.bodies(), motions);
-    rigid_ = sum_over_bodies<CompositeInertia>(
-        tree_, [&](const RigidBody& body) { return about_origin(algebra_, body); });
+    rigid_inertias_ = sum_over_bodies<CompositeInertia>(
+        tree_, [&](const RigidBody& body) { return inertia_about_origin(algebra_, body); });
   }
 
   /// Computes I -= L U^T and p += L e for the joint of `velocity`. If S has a single non-zero
   /// component s, at index k, row and column k of the new I are J/D times row and column k of I, so
   /// that no difference cancels. If the armature J is also 0, this row and column are 0, and
   /// component k of the new p is Q/s.
-  void eliminate(std::uint32_t velocity) {
+  void eliminate_velocity(std::uint32_t velocity) {
     const TreeJoint& joint = joints_[velocity];
     const ex& armature = armatures_[velocity];
     ArticulatedInertia& inertia = inertias_[joint.transform];
-    const SpatialForce moving = inertia_times_twist(algebra_, inertia, joint.unit);
-    const ex pivot = algebra_.define(scalar_product(algebra_, joint.unit, moving) + armature);
-    if (pivot.is_zero()) throw ZeroPivot(RowsOf::velocities, velocity, false);
+    const SpatialForce moving = inertia_times_twist(algebra_, inertia, joint.unit_twist);
+    const ex pivot = algebra_.define(scalar_product(algebra_, joint.unit_twist, moving) + armature);
+    if (pivot.is_zero()) throw ZeroPivot(RowKind::velocities, velocity, false);
     const ex reciprocal = algebra_.define(1 / pivot);
-    const Spatial unit = components(joint.unit.spin, joint.unit.velocity);
-    const Spatial u = components(moving.moment, moving.force);
+    const SpatialComponents unit = components(joint.unit_twist.spin, joint.unit_twist.velocity);
+    const SpatialComponents u = components(moving.moment, moving.force);
     const auto axis = single_component(unit);
     const bool is_free_axis = axis && armature.is_zero();
-    Spatial share;
+    SpatialComponents share;
     for (std::size_t i = 0; i < 6; ++i) share[i] = algebra_.define(u[i] * reciprocal);
     if (is_free_axis) share[*axis] = algebra_.define(1 / unit[*axis]);
     const ex held = algebra_.define(armature * reciprocal);
     for (std::size_t i = 0; i < 6; ++i) {
       for (std::size_t j = i; j < 6; ++j) {
-        ex& entry = inertia.at(i, j);
+        ex& entry = inertia.entry(i, j);
         const bool is_along = axis == i || axis == j;
         entry = algebra_.define(is_along ? held * entry : entry - share[i] * u[j]);
       }
     }
     SpatialForce& force = bias_forces_[joint.transform];
     const ex joint_residual =
-        algebra_.define(forces_[velocity] - scalar_product(algebra_, joint.unit, force));
-    Spatial passed = components(force.moment, force.force);
+        algebra_.define(forces_[velocity] - scalar_product(algebra_, joint.unit_twist, force));
+    SpatialComponents passed = components(force.moment, force.force);
     for (std::size_t i = 0; i < 6; ++i)
       passed[i] = algebra_.define(passed[i] + share[i] * joint_residual);
     if (is_free_axis) passed[*axis] = algebra_.define(forces_[velocity] / unit[*axis]);
-    force = force_of(passed);
-    eliminated_[velocity] = {pivot, algebra_.define(joint_residual * reciprocal), force_of(share)};
+    force = to_spatial_force(passed);
+    eliminated_joints_[velocity] = {pivot, algebra_.define(joint_residual * reciprocal),
+                                    to_spatial_force(share)};
   }
 
   void add_to_parent(std::size_t k) {
     const auto& parent = tree_.transform(k).parent;
     if (!parent) return;
-    accumulate(algebra_, tree_.before(k, bias_forces_[k]), bias_forces_[*parent]);
-    accumulate(algebra_, to_parent(tree_, k, rigid_[k]), rigid_[*parent]);
+    accumulate(algebra_, tree_.force_to_parent(k, bias_forces_[k]), bias_forces_[*parent]);
+    accumulate(algebra_, to_parent(tree_, k, rigid_inertias_[k]), rigid_inertias_[*parent]);
     accumulate(algebra_, to_parent(tree_, k, inertias_[k]), inertias_[*parent]);
   }
 
@@ -263,54 +268,55 @@ class ArticulatedRecursion {
     return {tree_.to_child(k, from.spin), tree_.to_child(k, from.velocity)};
   }
 
-  Vector outward_pass() {
-    Vector accelerations(joints_.size());
+  RealVector outward_pass() {
+    RealVector accelerations(joints_.size());
     std::vector<Twist> motions;  // d
     for (std::size_t k = 0; k < tree_.size(); ++k) {
       const NameScope outward = tree_.name_scope("outward", k);
       const auto& parent = tree_.transform(k).parent;
       Twist motion = parent ? to_child_frame(k, motions[*parent]) : Twist{};
-      for (const std::uint32_t i : velocities_of_[k]) {
-        const Twist& unit = joints_[i].unit;
-        const ex of_carrier = scalar_product(algebra_, motion, eliminated_[i].gain);
+      for (const std::uint32_t i : velocities_by_transform_[k]) {
+        const Twist& unit = joints_[i].unit_twist;
+        const ex of_carrier = scalar_product(algebra_, motion, eliminated_joints_[i].gain);
         const ex& a = accelerations[i] =
-            algebra_.define(eliminated_[i].own_acceleration - of_carrier);
-        motion.spin = algebra_.add(motion.spin, algebra_.scaled(a, unit.spin));
-        motion.velocity = algebra_.add(motion.velocity, algebra_.scaled(a, unit.velocity));
+            algebra_.define(eliminated_joints_[i].own_acceleration - of_carrier);
+        motion.spin = algebra_.add(motion.spin, algebra_.scale(a, unit.spin));
+        motion.velocity = algebra_.add(motion.velocity, algebra_.scale(a, unit.velocity));
       }
       motions.push_back(motion);
     }
     return accelerations;
   }
 
-  Tree& tree_;
+  KinematicTree& tree_;
   VectorAlgebra& algebra_;
   const std::vector<TreeJoint>& joints_;
-  const Vector& forces_;
-  const Vector& armatures_;
-  std::vector<std::vector<std::uint32_t>> velocities_of_;
+  const RealVector& forces_;
+  const RealVector& armatures_;
+  std::vector<std::vector<std::uint32_t>> velocities_by_transform_;
   std::vector<SpatialForce> bias_forces_;  ///< p
-  std::vector<CompositeInertia> rigid_;    ///< of bodies that no joint separates from the transform
-  std::vector<ArticulatedInertia> inertias_;  ///< of the other bodies in the subtree
-  std::vector<Eliminated> eliminated_;        ///< by velocity
+  std::vector<CompositeInertia>
+      rigid_inertias_;  ///< of bodies that no joint separates from the transform
+  std::vector<ArticulatedInertia> inertias_;        ///< of the other bodies in the subtree
+  std::vector<EliminatedJoint> eliminated_joints_;  ///< by velocity
 };
 
 }  // namespace
 
-std::optional<std::vector<TreeJoint>> tree_joints(Tree& tree) {
+std::optional<std::vector<TreeJoint>> tree_joints(KinematicTree& tree) {
   const TreeVariables variables = tree_variables(tree);
   if (!variables.is_complete) return std::nullopt;
   std::vector<std::optional<TreeJoint>> known(tree.derivation().size());
   VectorAlgebra& algebra = tree.algebra;
   for (const TreeVariable& variable : variables.list) {
-    for (const Coefficient& slope : jacobian_row(tree, variable)) {
+    for (const JacobianEntry& slope : jacobian_row(tree, variable)) {
       std::optional<TreeJoint>& joint = known[slope.velocity];
       if (!joint) joint = TreeJoint{variable.transform};
       if (joint->transform != variable.transform) return std::nullopt;
-      const ExVector3 spin = algebra.scaled(slope.value, variable.spin);
-      const ExVector3 velocity = algebra.scaled(slope.value, variable.velocity);
-      joint->unit.spin = algebra.add(joint->unit.spin, spin);
-      joint->unit.velocity = algebra.add(joint->unit.velocity, velocity);
+      const ExVector3 spin = algebra.scale(slope.value, variable.spin);
+      const ExVector3 velocity = algebra.scale(slope.value, variable.velocity);
+      joint->unit_twist.spin = algebra.add(joint->unit_twist.spin, spin);
+      joint->unit_twist.velocity = algebra.add(joint->unit_twist.velocity, velocity);
     }
   }
   std::vector<TreeJoint> joints;
@@ -322,14 +328,15 @@ std::optional<std::vector<TreeJoint>> tree_joints(Tree& tree) {
   return joints;
 }
 
-ArticulatedMotion articulated_motion(Tree& tree, const std::vector<TreeJoint>& joints,
-                                     const Vector& forces, const Vector& armatures,
+ArticulatedMotion articulated_motion(KinematicTree& tree, const std::vector<TreeJoint>& joints,
+                                     const RealVector& forces, const RealVector& armatures,
                                      bool has_diagonal) {
   return ArticulatedRecursion(tree, joints, forces, armatures).run(has_diagonal);
 }
 
-std::size_t operations_of_factorisation(const Tree& tree, const std::vector<TreeJoint>& joints) {
-  const auto velocities_of = velocities_on_transforms(tree, joints);
+std::size_t count_factorisation_operations(const KinematicTree& tree,
+                                           const std::vector<TreeJoint>& joints) {
+  const auto velocities_of = velocities_by_transform(tree, joints);
   std::vector<std::size_t> moving(tree.size(), 0);  // number of velocities that move transform k
   std::size_t total = 0;
   for (std::size_t k = 0; k < tree.size(); ++k) {

@@ -30,30 +30,31 @@ namespace elgen {
 /// The transform that a velocity moves, and the unit twist S in the child frame of the transform.
 struct TreeJoint {
   std::uint32_t transform = 0;
-  Twist unit = {};
+  Twist unit_twist = {};
 };
 
 /// The joint of each velocity. None if a velocity moves no transform or several transforms, if a
 /// velocity precedes a velocity of an ancestor transform, or if a quaternion that is no rotation
 /// moves.
-[[nodiscard]] std::optional<std::vector<TreeJoint>> tree_joints(Tree& tree);
+[[nodiscard]] std::optional<std::vector<TreeJoint>> tree_joints(KinematicTree& tree);
 
 struct ArticulatedMotion {
-  Vector acceleration;
-  Vector pivots;    ///< D
-  Vector diagonal;  ///< of M; empty without `has_diagonal`
+  RealVector acceleration;
+  RealVector pivots;    ///< D
+  RealVector diagonal;  ///< of M; empty without `has_diagonal`
 };
 
 /// Solves M a = Q - (inertial forces at a = 0) + (weights) for the bodies in frames. `forces` is Q
 /// and `armatures` J, by velocity. Throws ZeroPivot; its is_diagonal is false, as M_ii is unknown.
-[[nodiscard]] ArticulatedMotion articulated_motion(Tree& tree, const std::vector<TreeJoint>& joints,
-                                                   const Vector& forces, const Vector& armatures,
-                                                   bool has_diagonal);
+[[nodiscard]] ArticulatedMotion articulated_motion(KinematicTree& tree,
+                                                   const std::vector<TreeJoint>& joints,
+                                                   const RealVector& forces,
+                                                   const RealVector& armatures, bool has_diagonal);
 
 /// The number of operations of the factorisation M = L D L^T from the leaves to the root: the sum
 /// of d (d + 2) over all velocities, with d velocities between a velocity and the root. M_ij is
 /// assumed to be 0 only between two limbs.
-[[nodiscard]] std::size_t operations_of_factorisation(const Tree& tree,
-                                                      const std::vector<TreeJoint>& joints);
+[[nodiscard]] std::size_t count_factorisation_operations(const KinematicTree& tree,
+                                                         const std::vector<TreeJoint>& joints);
 
 }  // namespace elgen

@@ -10,7 +10,7 @@ namespace {
 /// S' = R S R^T, R a rotation about axis k with sine s and cosine c; i, j are the other axes;
 /// u = s (S_ii - S_jj) + 2 c S_ij:
 ///     S'_ii = S_ii - s u,   S'_jj = S_jj + s u,   S'_ij = c u - S_ij
-Symmetric3 turned_about_axis(VectorAlgebra& algebra, const TransformRotation& r,
+Symmetric3 rotate_about_axis(VectorAlgebra& algebra, const TransformRotation& r,
                              const Symmetric3& s) {
   const auto& [k, i, j] = cyclic_axes[r.axis];
   const ex& across = s[symmetric_index(i, j)];
@@ -38,7 +38,7 @@ Symmetric3 turned_about_axis(VectorAlgebra& algebra, const TransformRotation& r,
   return result;
 }
 
-Symmetric3 turned_by_matrix(VectorAlgebra& algebra, const ExMatrix3& r, const Symmetric3& s) {
+Symmetric3 rotate_by_matrix(VectorAlgebra& algebra, const ExMatrix3& r, const Symmetric3& s) {
   std::array<ExVector3, 3> half;  // rows of R S
   for (std::size_t i = 0; i < 3; ++i) {
     half[i] = product(algebra, s, {r[3 * i], r[3 * i + 1], r[3 * i + 2]});
@@ -55,9 +55,10 @@ Symmetric3 turned_by_matrix(VectorAlgebra& algebra, const ExMatrix3& r, const Sy
 
 /// Translation by p (parallel-axis theorem), with k = h + h_p:
 ///     I_p = I + (p.k) 1 - (p k^T + k p^T)/2
-CompositeInertia shifted(VectorAlgebra& algebra, const CompositeInertia& c, const ExVector3& p) {
+CompositeInertia translate_inertia(VectorAlgebra& algebra, const CompositeInertia& c,
+                                   const ExVector3& p) {
   CompositeInertia result = c;
-  const ExVector3 shift = algebra.scaled(c.mass, p);
+  const ExVector3 shift = algebra.scale(c.mass, p);
   result.moment = algebra.add(c.moment, shift);
   const ExVector3 k = algebra.add(c.moment, result.moment);
   ExVector3 along;
@@ -73,8 +74,8 @@ CompositeInertia shifted(VectorAlgebra& algebra, const CompositeInertia& c, cons
 }
 
 /// A - (x y^T - (x.y) 1)
-ExMatrix3 minus_outer_product(VectorAlgebra& algebra, const ExMatrix3& a, const ExVector3& x,
-                              const ExVector3& y) {
+ExMatrix3 subtract_outer_product(VectorAlgebra& algebra, const ExMatrix3& a, const ExVector3& x,
+                                 const ExVector3& y) {
   ExMatrix3 result = a;
   ExVector3 along;
   for (std::size_t i = 0; i < 3; ++i) along[i] = algebra.define(x[i] * y[i]);
@@ -88,7 +89,7 @@ ExMatrix3 minus_outer_product(VectorAlgebra& algebra, const ExMatrix3& a, const 
 
 /// A' = R A R^T, as for symmetric matrices, with u = s (A_ii - A_jj) + c (A_ij + A_ji):
 ///     A'_ii = A_ii - s u,   A'_jj = A_jj + s u,   A'_ij = c u - A_ji,   A'_ji = c u - A_ij
-ExMatrix3 turned_about_axis(VectorAlgebra& algebra, const TransformRotation& r,
+ExMatrix3 rotate_about_axis(VectorAlgebra& algebra, const TransformRotation& r,
                             const ExMatrix3& a) {
   const auto& [k, i, j] = cyclic_axes[r.axis];
   ExMatrix3 result = a;
@@ -120,7 +121,8 @@ ExMatrix3 product(VectorAlgebra& algebra, const ExMatrix3& a, const ExMatrix3& b
 }
 
 /// -[w]x Sigma, Sigma = 1/2 tr(I) 1 - I.
-ExMatrix3 spin_part(VectorAlgebra& algebra, const std::vector<ex>& inertia, const ExVector3& w) {
+ExMatrix3 spin_rate_matrix(VectorAlgebra& algebra, const std::vector<ex>& inertia,
+                           const ExVector3& w) {
   const ex half_trace = algebra.define((inertia[0] + inertia[1] + inertia[2]) / 2);
   Symmetric3 sigma;
   for (std::size_t i = 0; i < 3; ++i) sigma[i] = algebra.define(half_trace - inertia[i]);
@@ -137,15 +139,15 @@ ExMatrix3 spin_part(VectorAlgebra& algebra, const std::vector<ex>& inertia, cons
 
 /// B of one body about the origin of its transform. If the inertia is about the com, A is
 /// translated from the com to the origin, as in to_parent().
-CompositeRate own_rate(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
+CompositeRate body_rate(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
   CompositeRate rate;
-  if (!body.inertia.empty()) rate.a = spin_part(algebra, body.inertia, twist.spin);
+  if (!body.inertia.empty()) rate.a = spin_rate_matrix(algebra, body.inertia, twist.spin);
   if (!has_mass(body)) return rate;
-  rate.momentum = momentum_of(algebra, body, twist);
-  if (body.about_origin) {
-    rate.a = minus_outer_product(algebra, rate.a, twist.velocity, first_moment(algebra, body));
+  rate.momentum = linear_momentum(algebra, body, twist);
+  if (body.is_about_origin) {
+    rate.a = subtract_outer_product(algebra, rate.a, twist.velocity, first_moment(algebra, body));
   } else {
-    rate.a = minus_outer_product(algebra, rate.a, rate.momentum, body.com);
+    rate.a = subtract_outer_product(algebra, rate.a, rate.momentum, body.com);
   }
   return rate;
 }
@@ -160,12 +162,12 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeI
   }
 }
 
-CompositeInertia about_origin(VectorAlgebra& algebra, const RigidBody& body) {
+CompositeInertia inertia_about_origin(VectorAlgebra& algebra, const RigidBody& body) {
   CompositeInertia result;
   result.mass = body.mass;
   result.moment = first_moment(algebra, body);
   for (std::size_t i = 0; i < body.inertia.size(); ++i) result.inertia[i] = body.inertia[i];
-  if (body.about_origin) return result;
+  if (body.is_about_origin) return result;
   ExVector3 squares;
   for (std::size_t i = 0; i < 3; ++i) squares[i] = algebra.define(body.com[i] * result.moment[i]);
   for (const auto& [i, j, l] : cyclic_axes) {
@@ -184,26 +186,26 @@ ExVector3 product(VectorAlgebra& algebra, const Symmetric3& s, const ExVector3& 
                                   s[4] * x[0] + s[5] * x[1] + s[2] * x[2]});
 }
 
-Symmetric3 to_parent(Tree& tree, std::size_t transform, const Symmetric3& s) {
+Symmetric3 to_parent(KinematicTree& tree, std::size_t transform, const Symmetric3& s) {
   const TransformRotation& r = tree.rotation(transform);
   switch (r.kind) {
     case TransformRotation::Kind::none:
       return s;
     case TransformRotation::Kind::about_axis:
-      return turned_about_axis(tree.algebra, r, s);
+      return rotate_about_axis(tree.algebra, r, s);
     case TransformRotation::Kind::matrix:
       break;
   }
-  return turned_by_matrix(tree.algebra, r.entries, s);
+  return rotate_by_matrix(tree.algebra, r.entries, s);
 }
 
 /// Constant quarter turns use the general product: factors 0 and 1 reduce it to a permutation.
-ExMatrix3 to_parent(Tree& tree, std::size_t transform, const ExMatrix3& a) {
+ExMatrix3 to_parent(KinematicTree& tree, std::size_t transform, const ExMatrix3& a) {
   const TransformRotation& r = tree.rotation(transform);
   const bool is_quarter =
       GiNaC::is_a<GiNaC::numeric>(r.cosine) && GiNaC::is_a<GiNaC::numeric>(r.sine);
   if (r.kind == TransformRotation::Kind::about_axis && !is_quarter) {
-    return turned_about_axis(tree.algebra, r, a);
+    return rotate_about_axis(tree.algebra, r, a);
   }
   ExMatrix3 rotation = r.entries;
   if (r.kind == TransformRotation::Kind::about_axis) {
@@ -218,9 +220,9 @@ ExMatrix3 to_parent(Tree& tree, std::size_t transform, const ExMatrix3& a) {
   return product(tree.algebra, half, transposed(rotation));
 }
 
-CompositeInertia to_parent(Tree& tree, std::size_t transform, const CompositeInertia& c) {
+CompositeInertia to_parent(KinematicTree& tree, std::size_t transform, const CompositeInertia& c) {
   if (tree.transform(transform).kind == TransformKind::translation) {
-    return shifted(tree.algebra, c, tree.transform(transform).vector);
+    return translate_inertia(tree.algebra, c, tree.transform(transform).vector);
   }
   CompositeInertia result = c;
   result.moment = tree.to_parent(transform, c.moment);
@@ -228,19 +230,19 @@ CompositeInertia to_parent(Tree& tree, std::size_t transform, const CompositeIne
   return result;
 }
 
-std::vector<CompositeInertia> composite_inertias(Tree& tree) {
+std::vector<CompositeInertia> composite_inertias(KinematicTree& tree) {
   const NameScope inertias = tree.algebra.name_scope("inertia");
   auto own = sum_over_bodies<CompositeInertia>(
-      tree, [&](const RigidBody& body) { return about_origin(tree.algebra, body); });
+      tree, [&](const RigidBody& body) { return inertia_about_origin(tree.algebra, body); });
   return subtree_sums(tree, std::move(own), [&](std::size_t k, const CompositeInertia& inertia) {
     return to_parent(tree, k, inertia);
   });
 }
 
-SpatialForce momentum(VectorAlgebra& algebra, const CompositeInertia& inertia,
-                      const ExVector3& spin, const ExVector3& velocity) {
+SpatialForce spatial_momentum(VectorAlgebra& algebra, const CompositeInertia& inertia,
+                              const ExVector3& spin, const ExVector3& velocity) {
   SpatialForce result;
-  const ExVector3 linear = algebra.scaled(inertia.mass, velocity);
+  const ExVector3 linear = algebra.scale(inertia.mass, velocity);
   const ExVector3 turning = algebra.cross(spin, inertia.moment);
   result.force = algebra.add(linear, turning);
   const ExVector3 own = product(algebra, inertia.inertia, spin);
@@ -254,11 +256,11 @@ void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate
   to.momentum = algebra.add(to.momentum, from.momentum);
 }
 
-CompositeRate to_parent(Tree& tree, std::size_t transform, const CompositeRate& rate) {
+CompositeRate to_parent(KinematicTree& tree, std::size_t transform, const CompositeRate& rate) {
   CompositeRate result = rate;
   if (tree.transform(transform).kind == TransformKind::translation) {
-    result.a =
-        minus_outer_product(tree.algebra, rate.a, rate.momentum, tree.transform(transform).vector);
+    result.a = subtract_outer_product(tree.algebra, rate.a, rate.momentum,
+                                      tree.transform(transform).vector);
     return result;
   }
   result.a = to_parent(tree, transform, rate.a);
@@ -266,10 +268,10 @@ CompositeRate to_parent(Tree& tree, std::size_t transform, const CompositeRate& 
   return result;
 }
 
-std::vector<CompositeRate> composite_rates(Tree& tree, const std::vector<Twist>& twists) {
+std::vector<CompositeRate> composite_rates(KinematicTree& tree, const std::vector<Twist>& twists) {
   const NameScope rates = tree.algebra.name_scope("inertia_rate");
   auto own = sum_over_bodies<CompositeRate>(tree, [&](const RigidBody& body) {
-    return own_rate(tree.algebra, body, twists[*body.transform]);
+    return body_rate(tree.algebra, body, twists[*body.transform]);
   });
   return subtree_sums(tree, std::move(own), [&](std::size_t k, const CompositeRate& rate) {
     return to_parent(tree, k, rate);

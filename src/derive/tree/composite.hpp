@@ -27,25 +27,25 @@ struct CompositeInertia {
 void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, CompositeInertia& to);
 
 /// The inertia of one body about the origin of its transform: I_c + (c.h) 1 - c h^T.
-[[nodiscard]] CompositeInertia about_origin(VectorAlgebra& algebra, const RigidBody& body);
+[[nodiscard]] CompositeInertia inertia_about_origin(VectorAlgebra& algebra, const RigidBody& body);
 
 /// S x
 [[nodiscard]] ExVector3 product(VectorAlgebra& algebra, const Symmetric3& s, const ExVector3& x);
 
 /// R S R^T and R A R^T, with R the rotation of the transform.
-[[nodiscard]] Symmetric3 to_parent(Tree& tree, std::size_t transform, const Symmetric3& s);
-[[nodiscard]] ExMatrix3 to_parent(Tree& tree, std::size_t transform, const ExMatrix3& a);
+[[nodiscard]] Symmetric3 to_parent(KinematicTree& tree, std::size_t transform, const Symmetric3& s);
+[[nodiscard]] ExMatrix3 to_parent(KinematicTree& tree, std::size_t transform, const ExMatrix3& a);
 
 /// `c` re-expressed in the parent frame of the transform, about the origin of the parent frame.
-[[nodiscard]] CompositeInertia to_parent(Tree& tree, std::size_t transform,
+[[nodiscard]] CompositeInertia to_parent(KinematicTree& tree, std::size_t transform,
                                          const CompositeInertia& c);
 
 /// The composite inertia of each transform's subtree, by transform.
-[[nodiscard]] std::vector<CompositeInertia> composite_inertias(Tree& tree);
+[[nodiscard]] std::vector<CompositeInertia> composite_inertias(KinematicTree& tree);
 
 /// I (spin; velocity): linear momentum, and angular momentum about the origin.
-[[nodiscard]] SpatialForce momentum(VectorAlgebra& algebra, const CompositeInertia& inertia,
-                                    const ExVector3& spin, const ExVector3& velocity);
+[[nodiscard]] SpatialForce spatial_momentum(VectorAlgebra& algebra, const CompositeInertia& inertia,
+                                            const ExVector3& spin, const ExVector3& velocity);
 
 /// B, the part of the momentum rate that is linear in a unit twist, for the subtree of a transform:
 ///
@@ -63,10 +63,11 @@ struct CompositeRate {
 void accumulate(VectorAlgebra& algebra, const CompositeRate& from, CompositeRate& to);
 
 /// `rate` re-expressed in the parent frame of the transform, about the origin of the parent frame.
-[[nodiscard]] CompositeRate to_parent(Tree& tree, std::size_t transform, const CompositeRate& rate);
+[[nodiscard]] CompositeRate to_parent(KinematicTree& tree, std::size_t transform,
+                                      const CompositeRate& rate);
 
 /// B of each transform's subtree, in the transform's child frame; `twists` by transform.
-[[nodiscard]] std::vector<CompositeRate> composite_rates(Tree& tree,
+[[nodiscard]] std::vector<CompositeRate> composite_rates(KinematicTree& tree,
                                                          const std::vector<Twist>& twists);
 
 }  // namespace elgen

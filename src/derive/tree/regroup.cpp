@@ -35,7 +35,7 @@ bool is_rational(const RigidBody& body) {
 
 /// True if a transform is constant and its entries are rational. With irrational entries the
 /// regrouped parameters would be expressions, not numbers.
-bool is_rigid(const Tree& tree, std::size_t transform) {
+bool is_constant_rational(const KinematicTree& tree, std::size_t transform) {
   const TransformRotation& r = tree.rotation(transform);
   switch (r.kind) {
     case TransformRotation::Kind::none:
@@ -49,7 +49,7 @@ bool is_rigid(const Tree& tree, std::size_t transform) {
 }
 
 /// The part of an inertia that the motion of a transform does not change.
-CompositeInertia invariant_part(const Tree& tree, std::size_t transform,
+CompositeInertia invariant_part(const KinematicTree& tree, std::size_t transform,
                                 const CompositeInertia& c) {
   const TransformRotation& r = tree.rotation(transform);
   CompositeInertia part;
@@ -78,36 +78,37 @@ bool is_zero_inertia(const CompositeInertia& c) {
          std::all_of(c.inertia.begin(), c.inertia.end(), [](const ex& x) { return x.is_zero(); });
 }
 
-RigidBody body_of(const CompositeInertia& c, std::optional<std::uint32_t> transform) {
+RigidBody make_body(const CompositeInertia& c, std::optional<std::uint32_t> transform) {
   RigidBody body;
   body.transform = transform;
   body.mass = c.mass;
   body.com = {0, 0, 0};
   body.inertia.assign(c.inertia.begin(), c.inertia.end());
-  body.about_origin = true;
+  body.is_about_origin = true;
   body.moment = c.moment;
   return body;
 }
 
-RigidBody point_mass(const ex& mass, std::optional<std::uint32_t> transform) {
+RigidBody make_point_mass(const ex& mass, std::optional<std::uint32_t> transform) {
   CompositeInertia point;
   point.mass = mass;
-  RigidBody body = body_of(point, transform);
+  RigidBody body = make_body(point, transform);
   body.inertia.clear();
   return body;
 }
 
 /// The body with mass 0 and the same h and I, about the origin of its transform.
-RigidBody without_mass(Tree& tree, const RigidBody& body) {
-  CompositeInertia rest = about_origin(tree.algebra, body);
+RigidBody without_mass(KinematicTree& tree, const RigidBody& body) {
+  CompositeInertia rest = inertia_about_origin(tree.algebra, body);
   rest.mass = 0;
-  RigidBody result = body_of(rest, body.transform);
+  RigidBody result = make_body(rest, body.transform);
   result.origin = body.origin;
   return result;
 }
 
 /// True if `base` is an ancestor of `transform`, and not `transform` itself.
-bool is_descendant(const Tree& tree, std::optional<std::uint32_t> transform, std::uint32_t base) {
+bool is_descendant(const KinematicTree& tree, std::optional<std::uint32_t> transform,
+                   std::uint32_t base) {
   if (transform == base) return false;
   while (transform && *transform != base) transform = tree.transform(*transform).parent;
   return transform.has_value();
@@ -118,7 +119,7 @@ bool is_descendant(const Tree& tree, std::optional<std::uint32_t> transform, std
 /// with M even if |q| is not 1. Bodies on descendants keep their masses; the sum of their masses is
 /// subtracted as a point mass at the origin in the child frame, and added as a point mass at the
 /// origin in the parent frame.
-void lift_masses(Tree& tree, std::uint32_t rotation, std::vector<RigidBody>& bodies) {
+void lift_masses(KinematicTree& tree, std::uint32_t rotation, std::vector<RigidBody>& bodies) {
   ex own = 0;
   ex behind = 0;
   for (RigidBody& body : bodies) {
@@ -129,39 +130,39 @@ void lift_masses(Tree& tree, std::uint32_t rotation, std::vector<RigidBody>& bod
     body = without_mass(tree, body);
   }
   const ex lifted = own + behind;
-  if (!behind.is_zero()) bodies.push_back(point_mass(-behind, rotation));
-  if (!lifted.is_zero()) bodies.push_back(point_mass(lifted, tree.transform(rotation).parent));
+  if (!behind.is_zero()) bodies.push_back(make_point_mass(-behind, rotation));
+  if (!lifted.is_zero()) bodies.push_back(make_point_mass(lifted, tree.transform(rotation).parent));
 }
 
 }  // namespace
 
-std::vector<RigidBody> regrouped(Tree& tree) {
+std::vector<RigidBody> regroup_bodies(KinematicTree& tree) {
   std::vector<RigidBody> bodies;
   std::vector<CompositeInertia> own(tree.size());
   CompositeInertia of_world;
   for (const RigidBody& body : tree.frames().bodies) {
     if (body.transform && is_rational(body)) {
-      accumulate(tree.algebra, about_origin(tree.algebra, body), own[*body.transform]);
+      accumulate(tree.algebra, inertia_about_origin(tree.algebra, body), own[*body.transform]);
     } else {
       bodies.push_back(body);
     }
   }
   for (std::size_t k = tree.size(); k-- > 0;) {
     const auto& parent = tree.transform(k).parent;
-    const bool rigid = is_rigid(tree, k);
+    const bool rigid = is_constant_rational(tree, k);
     const CompositeInertia part = rigid ? own[k] : invariant_part(tree, k, own[k]);
     own[k] = difference(own[k], part);
     const CompositeInertia moved = rigid ? to_parent(tree, k, part) : part;
     accumulate(tree.algebra, moved, parent ? own[*parent] : of_world);
   }
-  if (!is_zero_inertia(of_world)) bodies.push_back(body_of(of_world, {}));
+  if (!is_zero_inertia(of_world)) bodies.push_back(make_body(of_world, {}));
   for (std::uint32_t k = 0; k < tree.size(); ++k) {
-    if (!is_zero_inertia(own[k])) bodies.push_back(body_of(own[k], k));
+    if (!is_zero_inertia(own[k])) bodies.push_back(make_body(own[k], k));
   }
   return with_lifted_masses(tree, std::move(bodies));
 }
 
-std::vector<RigidBody> with_lifted_masses(Tree& tree, std::vector<RigidBody> bodies) {
+std::vector<RigidBody> with_lifted_masses(KinematicTree& tree, std::vector<RigidBody> bodies) {
   for (auto k = static_cast<std::uint32_t>(tree.size()); k-- > 0;) {
     if (tree.transform(k).rotation) lift_masses(tree, k, bodies);
   }

@@ -45,7 +45,7 @@ ex squared_length(const std::array<ex, 4>& q) {
   return q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
 }
 
-TransformRotation rotation_of(Definitions& definitions, const TreeTransform& transform) {
+TransformRotation make_rotation(Definitions& definitions, const TreeTransform& transform) {
   TransformRotation rotation;
   if (transform.kind == TransformKind::translation) return rotation;
   rotation.kind = TransformRotation::Kind::matrix;
@@ -80,20 +80,21 @@ std::vector<std::uint32_t> path_to_root(const FrameTree& tree,
 
 }  // namespace
 
-Tree& tree_of(Derivation& derivation) {
-  if (!derivation.tree_) derivation.tree_ = std::make_shared<Tree>(derivation);
+KinematicTree& tree_of(Derivation& derivation) {
+  if (!derivation.tree_) derivation.tree_ = std::make_shared<KinematicTree>(derivation);
   return *derivation.tree_;
 }
 
-Tree::Tree(Derivation& derivation) : algebra(derivation.definitions), derivation_(derivation) {
+KinematicTree::KinematicTree(Derivation& derivation)
+    : algebra(derivation.definitions), derivation_(derivation) {
   for (const TreeTransform& transform : frames().transforms) {
-    rotations_.push_back(rotation_of(derivation.definitions, transform));
+    rotations_.push_back(make_rotation(derivation.definitions, transform));
   }
-  bodies_ = regrouped(*this);
+  bodies_ = regroup_bodies(*this);
 }
 
 ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body) {
-  return body.moment ? *body.moment : algebra.scaled(body.mass, body.com);
+  return body.moment ? *body.moment : algebra.scale(body.mass, body.com);
 }
 
 void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& to) {
@@ -106,18 +107,18 @@ void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& 
 }
 
 void append(TreeForces& to, const TreeForces& from) {
-  append(to.on_variables, from.on_variables);
+  append_terms(to.on_variables, from.on_variables);
   auto& all = to.on_velocities;
   all.insert(all.end(), from.on_velocities.begin(), from.on_velocities.end());
 }
 
-Vector by_velocities(Derivation& derivation, const TreeForces& forces) {
-  Vector result = derivation.by_position(forces.on_variables);
+RealVector generalised_forces(Derivation& derivation, const TreeForces& forces) {
+  RealVector result = derivation.gradient_by_position(forces.on_variables);
   for (const auto& [velocity, force] : forces.on_velocities) result[velocity] += force;
   return result;
 }
 
-ExVector3 Tree::rotated(const TransformRotation& r, const ExVector3& x) {
+ExVector3 KinematicTree::rotate(const TransformRotation& r, const ExVector3& x) {
   if (r.kind == TransformRotation::Kind::none) return x;
   if (r.kind == TransformRotation::Kind::matrix) return algebra.product(r.entries, x);
   const auto& [axis, i, j] = cyclic_axes[r.axis];
@@ -127,8 +128,8 @@ ExVector3 Tree::rotated(const TransformRotation& r, const ExVector3& x) {
   return algebra.define(result);
 }
 
-ExVector3 Tree::turned(const ExVector3& x, std::optional<std::uint32_t> from,
-                       std::optional<std::uint32_t> to) {
+ExVector3 KinematicTree::change_axes(const ExVector3& x, std::optional<std::uint32_t> from,
+                                     std::optional<std::uint32_t> to) {
   std::vector<std::uint32_t> up = path_to_root(frames(), from);
   std::vector<std::uint32_t> down = path_to_root(frames(), to);
   while (!up.empty() && !down.empty() && up.back() == down.back()) {
@@ -142,11 +143,10 @@ ExVector3 Tree::turned(const ExVector3& x, std::optional<std::uint32_t> from,
   return result;
 }
 
-ExVector3 Tree::relative_spin(std::size_t index, Tangent& along) {
+ExVector3 KinematicTree::relative_spin(std::size_t index, Tangent& along) {
   const TreeTransform& s = transform(index);
   if (s.kind == TransformKind::translation) return {0, 0, 0};
-  if (s.kind == TransformKind::turn)
-    return algebra.scaled(algebra.define(along(s.angle)), s.vector);
+  if (s.kind == TransformKind::turn) return algebra.scale(algebra.define(along(s.angle)), s.vector);
   std::array<ex, 4> rate;
   for (std::size_t i = 0; i < 4; ++i) rate[i] = algebra.define(along(s.quaternion[i]));
   const ex scale = algebra.define(2 / squared_length(s.quaternion));
@@ -158,7 +158,8 @@ ExVector3 Tree::relative_spin(std::size_t index, Tangent& along) {
   return algebra.define(spin);
 }
 
-void Tree::append_joint_forces(std::size_t index, const SpatialForce& on_step, TreeForces& forces) {
+void KinematicTree::append_joint_forces(std::size_t index, const SpatialForce& on_step,
+                                        TreeForces& forces) {
   const TreeTransform& s = transform(index);
   const NameScope joint = name_scope("joint", index);
   switch (s.kind) {
@@ -190,7 +191,7 @@ void Tree::append_joint_forces(std::size_t index, const SpatialForce& on_step, T
   }
 }
 
-SpatialForce Tree::before(std::size_t index, const SpatialForce& force) {
+SpatialForce KinematicTree::force_to_parent(std::size_t index, const SpatialForce& force) {
   SpatialForce result;
   {
     const NameScope of_force = algebra.name_scope("force");
@@ -205,20 +206,20 @@ SpatialForce Tree::before(std::size_t index, const SpatialForce& force) {
   return result;
 }
 
-std::vector<SpatialForce> Tree::subtree_wrenches(std::vector<SpatialForce> on_step) {
+std::vector<SpatialForce> KinematicTree::subtree_wrenches(std::vector<SpatialForce> on_step) {
   return subtree_sums(*this, std::move(on_step), [this](std::size_t k, const SpatialForce& force) {
-    return before(k, force);
+    return force_to_parent(k, force);
   });
 }
 
-TreeForces Tree::pull_back(std::vector<SpatialForce> on_step) {
+TreeForces KinematicTree::pull_back_wrenches(std::vector<SpatialForce> on_step) {
   on_step = subtree_wrenches(std::move(on_step));
   TreeForces forces;
   for (std::size_t k = size(); k-- > 0;) append_joint_forces(k, on_step[k], forces);
   return forces;
 }
 
-TreeForces Tree::wrench_forces(const std::function<ex(const ex&)>& part) {
+TreeForces KinematicTree::wrench_forces(const std::function<ex(const ex&)>& part) {
   std::vector<Wrench> wrenches = frames().wrenches;
   for (Wrench& wrench : wrenches) {
     for (ex& component : wrench.force) component = part(component);
@@ -229,14 +230,14 @@ TreeForces Tree::wrench_forces(const std::function<ex(const ex&)>& part) {
   for (const Wrench& wrench : wrenches) {
     if (!wrench.transform) continue;
     const NameScope on_frame = name_scope("", *wrench.transform);
-    const ExVector3 force = turned(wrench.force, wrench.axes, wrench.transform);
-    const ExVector3 pure = turned(wrench.moment, wrench.axes, wrench.transform);
+    const ExVector3 force = change_axes(wrench.force, wrench.axes, wrench.transform);
+    const ExVector3 pure = change_axes(wrench.moment, wrench.axes, wrench.transform);
     const ExVector3 lever = algebra.cross(wrench.at, force);
     SpatialForce& total = on_step[*wrench.transform];
     total.force = algebra.add(total.force, force);
     total.moment = algebra.add(total.moment, algebra.add(pure, lever));
   }
-  return pull_back(std::move(on_step));
+  return pull_back_wrenches(std::move(on_step));
 }
 
 }  // namespace elgen

@@ -26,7 +26,7 @@ struct TransformRotation {
   ExMatrix3 entries;
 
   /// R^T
-  [[nodiscard]] TransformRotation reversed() const {
+  [[nodiscard]] TransformRotation inverse() const {
     return {kind, axis, cosine, -sine, transposed(entries)};
   }
 };
@@ -43,18 +43,18 @@ void accumulate(VectorAlgebra& algebra, const SpatialForce& from, SpatialForce& 
 /// Generalised forces: on angles and offsets x (`on_variables`, to be multiplied by dx/dq), and on
 /// the velocities of rotations.
 struct TreeForces {
-  std::vector<Weighted> on_variables = {};
+  std::vector<WeightedTerm> on_variables = {};
   std::vector<std::pair<std::uint32_t, GiNaC::ex>> on_velocities = {};
 };
 
 void append(TreeForces& to, const TreeForces& from);
 
 /// One generalised force per velocity: N^T sum weight dx/dq (dq/dt = N v), plus `on_velocities`.
-[[nodiscard]] Vector by_velocities(Derivation& derivation, const TreeForces& forces);
+[[nodiscard]] RealVector generalised_forces(Derivation& derivation, const TreeForces& forces);
 
-class Tree {
+class KinematicTree {
  public:
-  explicit Tree(Derivation& derivation);
+  explicit KinematicTree(Derivation& derivation);
 
   [[nodiscard]] Derivation& derivation() const { return derivation_; }
   [[nodiscard]] const FrameTree& frames() const { return derivation_.lagrangian.tree; }
@@ -69,35 +69,35 @@ class Tree {
     return algebra.name_scope(kind, frames().transforms[transform].name);
   }
 
-  /// The bodies of the Lagrangian after regrouped().
+  /// The bodies of the Lagrangian after regroup_bodies().
   [[nodiscard]] const std::vector<RigidBody>& bodies() const { return bodies_; }
 
   /// R x and R^T x, with R the rotation of a transform.
   [[nodiscard]] ExVector3 to_parent(std::size_t transform, const ExVector3& x) {
-    return rotated(rotations_[transform], x);
+    return rotate(rotations_[transform], x);
   }
   [[nodiscard]] ExVector3 to_child(std::size_t transform, const ExVector3& x) {
-    return rotated(rotations_[transform].reversed(), x);
+    return rotate(rotations_[transform].inverse(), x);
   }
 
   /// Re-expresses a vector from the child frame of transform `from` in the child frame of transform
   /// `to`; none: the world.
-  [[nodiscard]] ExVector3 turned(const ExVector3& x, std::optional<std::uint32_t> from,
-                                 std::optional<std::uint32_t> to);
+  [[nodiscard]] ExVector3 change_axes(const ExVector3& x, std::optional<std::uint32_t> from,
+                                      std::optional<std::uint32_t> to);
 
   /// Angular velocity of a transform's child frame relative to its parent frame, in the child
   /// frame, along a direction s: axis dangle/ds, or 2 (w de - dw e - e x de)/|q|^2 with q = (w, e).
   [[nodiscard]] ExVector3 relative_spin(std::size_t index, Tangent& along);
 
   /// Re-expresses a wrench in the parent frame of the transform, about the origin of that frame.
-  [[nodiscard]] SpatialForce before(std::size_t index, const SpatialForce& force);
+  [[nodiscard]] SpatialForce force_to_parent(std::size_t index, const SpatialForce& force);
 
   /// The total wrench on each transform's subtree, from the wrenches on single transforms.
-  [[nodiscard]] std::vector<SpatialForce> subtree_wrenches(std::vector<SpatialForce> on_step);
+  [[nodiscard]] std::vector<SpatialForce> subtree_wrenches(std::vector<SpatialForce> wrenches);
 
   /// Generalised forces on all angles, offsets and rotations, from the wrenches on single
   /// transforms.
-  [[nodiscard]] TreeForces pull_back(std::vector<SpatialForce> on_step);
+  [[nodiscard]] TreeForces pull_back_wrenches(std::vector<SpatialForce> wrenches);
 
   /// Generalised forces of the Lagrangian's wrenches, with `part` applied to every component:
   /// substitution of u = 0, or d/du_j.
@@ -105,12 +105,12 @@ class Tree {
 
   /// Appends the generalised forces on one transform's motion, from the total wrench on its
   /// subtree.
-  void append_joint_forces(std::size_t index, const SpatialForce& on_step, TreeForces& forces);
+  void append_joint_forces(std::size_t index, const SpatialForce& wrench, TreeForces& forces);
 
   VectorAlgebra algebra;
 
  private:
-  [[nodiscard]] ExVector3 rotated(const TransformRotation& r, const ExVector3& x);
+  [[nodiscard]] ExVector3 rotate(const TransformRotation& r, const ExVector3& x);
 
   Derivation& derivation_;
   std::vector<TransformRotation> rotations_;
@@ -118,11 +118,12 @@ class Tree {
 };
 
 /// The tree of a Derivation, built at the first call.
-[[nodiscard]] Tree& tree_of(Derivation& derivation);
+[[nodiscard]] KinematicTree& tree_of(Derivation& derivation);
 
 /// For each transform, the sum of of(body) over its bodies. Bodies fixed to the world are skipped.
 template <class Value, class Of>
-[[nodiscard]] std::vector<Value> sum_over_bodies(Tree& tree, const std::vector<RigidBody>& bodies,
+[[nodiscard]] std::vector<Value> sum_over_bodies(KinematicTree& tree,
+                                                 const std::vector<RigidBody>& bodies,
                                                  const Of& of) {
   std::vector<Value> result(tree.size());
   for (const RigidBody& body : bodies) {
@@ -135,19 +136,19 @@ template <class Value, class Of>
 
 /// The same for tree.bodies().
 template <class Value, class Of>
-[[nodiscard]] std::vector<Value> sum_over_bodies(Tree& tree, const Of& of) {
+[[nodiscard]] std::vector<Value> sum_over_bodies(KinematicTree& tree, const Of& of) {
   return sum_over_bodies<Value>(tree, tree.bodies(), of);
 }
 
 /// Sums the values of each transform's subtree, from the leaves to the root. before(k, x)
 /// re-expresses x in the parent frame of transform k.
-template <class Value, class Before>
-[[nodiscard]] std::vector<Value> subtree_sums(Tree& tree, std::vector<Value> values,
-                                              const Before& before) {
+template <class Value, class ToParent>
+[[nodiscard]] std::vector<Value> subtree_sums(KinematicTree& tree, std::vector<Value> values,
+                                              const ToParent& to_parent) {
   for (std::size_t k = tree.size(); k-- > 0;) {
     const NameScope of_step = tree.name_scope("", k);
     const auto& parent = tree.transform(k).parent;
-    if (parent) accumulate(tree.algebra, before(k, values[k]), values[*parent]);
+    if (parent) accumulate(tree.algebra, to_parent(k, values[k]), values[*parent]);
   }
   return values;
 }
@@ -156,10 +157,11 @@ template <class Value, class Before>
 /// most one body per transform, about its origin (regroup.cpp); the energies do not change.
 /// Symbolic bodies are not merged, because every call would compute sums of their parameters.
 /// Masses on rotations are lifted: with_lifted_masses().
-[[nodiscard]] std::vector<RigidBody> regrouped(Tree& tree);
+[[nodiscard]] std::vector<RigidBody> regroup_bodies(KinematicTree& tree);
 
 /// The bodies, with each mass on a rotation moved to a point mass on the parent transform.
-[[nodiscard]] std::vector<RigidBody> with_lifted_masses(Tree& tree, std::vector<RigidBody> bodies);
+[[nodiscard]] std::vector<RigidBody> with_lifted_masses(KinematicTree& tree,
+                                                        std::vector<RigidBody> bodies);
 
 /// h = m c, or `body.moment` if it is set.
 [[nodiscard]] ExVector3 first_moment(VectorAlgebra& algebra, const RigidBody& body);

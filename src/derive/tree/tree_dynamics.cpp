@@ -49,12 +49,12 @@ ExVector3 inertial_moment(VectorAlgebra& algebra, const std::vector<ex>& inertia
   static constexpr std::array<std::array<std::size_t, 3>, 3> place{
       {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}}};
   const auto entry = [&](std::size_t i, std::size_t j) { return inertia[place[i][j]]; };
-  const auto& u = motion.gradient;
+  const auto& u = motion.acceleration_gradient;
   ExVector3 moment;
   for (const auto& [i, j, k] : cyclic_axes) {
     const ex difference = algebra.define(entry(k, k) - entry(j, j));
     const ex stretch = algebra.define(u[3 * j + j] - u[3 * k + k]);
-    moment[i] = entry(i, i) * motion.spin_rate[i] + difference * motion.products[i] -
+    moment[i] = entry(i, i) * motion.spin_rate[i] + difference * motion.spin_products[i] -
                 entry(i, j) * u[3 * k + i] + entry(i, k) * u[3 * j + i] + entry(j, k) * stretch;
   }
   return algebra.define(moment);
@@ -62,7 +62,7 @@ ExVector3 inertial_moment(VectorAlgebra& algebra, const std::vector<ex>& inertia
 
 class MotionRecursion {
  public:
-  MotionRecursion(Tree& tree, const Acceleration& acceleration)
+  MotionRecursion(KinematicTree& tree, const AccelerationTangents& acceleration)
       : tree_(tree), algebra_(tree.algebra), by_(acceleration) {}
 
   std::vector<TransformMotion> run() {
@@ -70,30 +70,32 @@ class MotionRecursion {
     for (std::size_t k = 0; k < tree_.size(); ++k) {
       const NameScope motion = tree_.name_scope("motion", k);
       const auto& parent = tree_.transform(k).parent;
-      const TransformMotion from = parent ? motions[*parent] : base_motion(tree_, by_.with_gravity);
-      motions.push_back(tree_.transform(k).kind == TransformKind::translation ? translated(k, from)
-                                                                              : turned(k, from));
+      const TransformMotion from =
+          parent ? motions[*parent] : base_motion(tree_, by_.includes_gravity);
+      motions.push_back(tree_.transform(k).kind == TransformKind::translation
+                            ? translate_motion(k, from)
+                            : rotate_motion(k, from));
     }
     return motions;
   }
 
  private:
-  TransformMotion translated(std::size_t k, const TransformMotion& from) {
+  TransformMotion translate_motion(std::size_t k, const TransformMotion& from) {
     const ExVector3& p = tree_.transform(k).vector;
-    const ExVector3 rate = algebra_.rate(p, by_.first);
-    const ExVector3 second_rate = algebra_.rate(rate, by_.second);
+    const ExVector3 rate = algebra_.rate(p, by_.velocity_tangent);
+    const ExVector3 second_rate = algebra_.rate(rate, by_.acceleration_tangent);
     TransformMotion motion = from;
-    const ExVector3 carried = algebra_.product(from.gradient, p);
-    const ExVector3 coriolis = algebra_.scaled(2, algebra_.cross(from.spin, rate));
+    const ExVector3 carried = algebra_.product(from.acceleration_gradient, p);
+    const ExVector3 coriolis = algebra_.scale(2, algebra_.cross(from.spin, rate));
     const ExVector3 own = algebra_.add(coriolis, second_rate);
     motion.acceleration = algebra_.add(from.acceleration, algebra_.add(carried, own));
     return motion;
   }
 
-  TransformMotion turned(std::size_t k, const TransformMotion& from) {
+  TransformMotion rotate_motion(std::size_t k, const TransformMotion& from) {
     const TreeTransform& transform = tree_.transform(k);
-    const ExVector3 own = joint_spin(tree_, k, by_.first);
-    const ExVector3 own_rate = algebra_.rate(own, by_.second);
+    const ExVector3 own = joint_spin(tree_, k, by_.velocity_tangent);
+    const ExVector3 own_rate = algebra_.rate(own, by_.acceleration_tangent);
     TransformMotion motion;
     const ExVector3 carried = tree_.to_child(k, from.spin);
     motion.spin = algebra_.define(sum(carried, own), transform.name + "_spin", transform.origin);
@@ -103,16 +105,16 @@ class MotionRecursion {
     motion.spin_rate = algebra_.define(sum(carried_rate, relative), transform.name + "_spin_rate",
                                        transform.origin);
     motion.acceleration = tree_.to_child(k, from.acceleration);
-    motion.gradient = acceleration_gradient(algebra_, motion.spin, motion.spin_rate);
+    motion.acceleration_gradient = acceleration_gradient(algebra_, motion.spin, motion.spin_rate);
     for (const auto& [axis, i, j] : cyclic_axes) {
-      motion.products[axis] = algebra_.define(motion.spin[i] * motion.spin[j]);
+      motion.spin_products[axis] = algebra_.define(motion.spin[i] * motion.spin[j]);
     }
     return motion;
   }
 
-  Tree& tree_;
+  KinematicTree& tree_;
   VectorAlgebra& algebra_;
-  const Acceleration& by_;
+  const AccelerationTangents& by_;
 };
 
 /// F and N about the origin of the transform.
@@ -122,21 +124,21 @@ SpatialForce inertial_force(VectorAlgebra& algebra, const RigidBody& body,
   SpatialForce result;
   if (!body.inertia.empty()) result.moment = inertial_moment(algebra, body.inertia, motion);
   if (!has_mass(body)) return result;
-  if (body.about_origin) {
+  if (body.is_about_origin) {
     const ExVector3 h = first_moment(algebra, body);
-    const ExVector3 own = algebra.scaled(body.mass, motion.acceleration);
-    result.force = algebra.add(own, algebra.product(motion.gradient, h));
+    const ExVector3 own = algebra.scale(body.mass, motion.acceleration);
+    result.force = algebra.add(own, algebra.product(motion.acceleration_gradient, h));
     result.moment = algebra.add(result.moment, algebra.cross(h, motion.acceleration));
     return result;
   }
-  const ExVector3 carried = algebra.product(motion.gradient, body.com);
-  result.force = algebra.scaled(body.mass, algebra.add(motion.acceleration, carried));
+  const ExVector3 carried = algebra.product(motion.acceleration_gradient, body.com);
+  result.force = algebra.scale(body.mass, algebra.add(motion.acceleration, carried));
   result.moment = algebra.add(result.moment, algebra.cross(body.com, result.force));
   return result;
 }
 
 /// Gravity in the child frame of each transform.
-std::vector<ExVector3> gravity_by_transform(Tree& tree) {
+std::vector<ExVector3> gravity_by_transform(KinematicTree& tree) {
   const ExVector3& g = *tree.derivation().lagrangian.gravity;
   std::vector<ExVector3> result;
   for (std::size_t k = 0; k < tree.size(); ++k) {
@@ -159,16 +161,16 @@ void accumulate(VectorAlgebra& algebra, const MassMoment& from, MassMoment& to) 
 }
 
 /// `c` re-expressed in the parent frame of transform `index`, about the origin of the parent frame.
-MassMoment to_parent(Tree& tree, std::size_t index, const MassMoment& c) {
+MassMoment to_parent(KinematicTree& tree, std::size_t index, const MassMoment& c) {
   MassMoment result{c.mass, tree.to_parent(index, c.moment)};
   const TreeTransform& transform = tree.transform(index);
   if (transform.kind == TransformKind::translation) {
-    result.moment = tree.algebra.add(result.moment, tree.algebra.scaled(c.mass, transform.vector));
+    result.moment = tree.algebra.add(result.moment, tree.algebra.scale(c.mass, transform.vector));
   }
   return result;
 }
 
-std::vector<MassMoment> mass_moments(Tree& tree) {
+std::vector<MassMoment> mass_moments(KinematicTree& tree) {
   const NameScope moments = tree.algebra.name_scope("mass");
   auto own = sum_over_bodies<MassMoment>(tree, [&](const RigidBody& body) {
     return MassMoment{body.mass, first_moment(tree.algebra, body)};
@@ -180,7 +182,7 @@ std::vector<MassMoment> mass_moments(Tree& tree) {
 
 }  // namespace
 
-ExVector3 joint_spin(Tree& tree, std::size_t k, Tangent& along) {
+ExVector3 joint_spin(KinematicTree& tree, std::size_t k, Tangent& along) {
   const auto& rotation = tree.transform(k).rotation;
   if (!rotation) return tree.relative_spin(k, along);
   if (along(tree.transform(k).quaternion[0]).is_zero()) return {0, 0, 0};
@@ -192,17 +194,17 @@ bool has_mass(const RigidBody& body) {
   return !body.mass.is_zero() || (body.moment && !is_zero(*body.moment));
 }
 
-ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
-  if (body.about_origin) {
-    const ExVector3 linear = algebra.scaled(body.mass, twist.velocity);
+ExVector3 linear_momentum(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
+  if (body.is_about_origin) {
+    const ExVector3 linear = algebra.scale(body.mass, twist.velocity);
     const ExVector3 turning = algebra.cross(twist.spin, first_moment(algebra, body));
     return algebra.add(linear, turning);
   }
   const ExVector3 carried = algebra.cross(twist.spin, body.com);
-  return algebra.scaled(body.mass, algebra.add(twist.velocity, carried));
+  return algebra.scale(body.mass, algebra.add(twist.velocity, carried));
 }
 
-std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {
+std::vector<Twist> tree_twists(KinematicTree& tree, Tangent& along) {
   VectorAlgebra& algebra = tree.algebra;
   std::vector<Twist> twists;
   for (std::size_t k = 0; k < tree.size(); ++k) {
@@ -224,18 +226,18 @@ std::vector<Twist> tree_twists(Tree& tree, Tangent& along) {
   return twists;
 }
 
-TreeForces tree_momentum(Tree& tree) {
+TreeForces tree_momentum(KinematicTree& tree) {
   VectorAlgebra& algebra = tree.algebra;
-  const std::vector<Twist> twists = tree_twists(tree, tree.derivation().zero_acceleration);
+  const std::vector<Twist> twists = tree_twists(tree, tree.derivation().rate_without_acceleration);
   const NameScope momenta = algebra.name_scope("momentum");
-  return tree.pull_back(sum_over_bodies<SpatialForce>(tree, [&](const RigidBody& body) {
+  return tree.pull_back_wrenches(sum_over_bodies<SpatialForce>(tree, [&](const RigidBody& body) {
     const Twist& twist = twists[*body.transform];
     // If the inertia is about the com, I w is about the com too, and the lever term moves it to the
     // origin.
     SpatialForce momentum;
     momentum.moment = spin_momentum(algebra, body, twist.spin);
-    momentum.force = momentum_of(algebra, body, twist);
-    const ExVector3 lever = body.about_origin
+    momentum.force = linear_momentum(algebra, body, twist);
+    const ExVector3 lever = body.is_about_origin
                                 ? algebra.cross(first_moment(algebra, body), twist.velocity)
                                 : algebra.cross(body.com, momentum.force);
     momentum.moment = algebra.add(momentum.moment, lever);
@@ -243,7 +245,7 @@ TreeForces tree_momentum(Tree& tree) {
   }));
 }
 
-Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
+Terms tree_kinetic_energy(KinematicTree& tree, Tangent& along) {
   VectorAlgebra& algebra = tree.algebra;
   const std::vector<Twist> twists = tree_twists(tree, along);
   Terms terms;
@@ -254,10 +256,10 @@ Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
     const ExVector3 spin = spin_momentum(algebra, body, twist.spin);
     terms.push_back(half * algebra.dot(spin, twist.spin));
     if (!has_mass(body)) continue;
-    if (body.about_origin) {
+    if (body.is_about_origin) {
       // 1/2 m v^2 + v.(w x h) with v of the origin; 1/2 w.I w about the origin contains the rest.
       const ExVector3 turning = algebra.cross(twist.spin, first_moment(algebra, body));
-      const ExVector3 linear = algebra.scaled(half * body.mass, twist.velocity);
+      const ExVector3 linear = algebra.scale(half * body.mass, twist.velocity);
       terms.push_back(algebra.dot(twist.velocity, algebra.add(linear, turning)));
     } else {
       const ExVector3 carried = algebra.cross(twist.spin, body.com);
@@ -268,30 +270,32 @@ Terms tree_kinetic_energy(Tree& tree, Tangent& along) {
   return terms;
 }
 
-TransformMotion base_motion(Tree& tree, bool with_gravity) {
+TransformMotion base_motion(KinematicTree& tree, bool with_gravity) {
   TransformMotion motion;
   const auto& g = tree.derivation().lagrangian.gravity;
   if (with_gravity && g) motion.acceleration = {-(*g)[0], -(*g)[1], -(*g)[2]};
   return motion;
 }
 
-std::vector<TransformMotion> tree_motions(Tree& tree, const Acceleration& acceleration) {
+std::vector<TransformMotion> tree_motions(KinematicTree& tree,
+                                          const AccelerationTangents& acceleration) {
   return MotionRecursion(tree, acceleration).run();
 }
 
 std::vector<SpatialForce> inertial_forces_on_transforms(
-    Tree& tree, const std::vector<RigidBody>& bodies, const std::vector<TransformMotion>& motions) {
+    KinematicTree& tree, const std::vector<RigidBody>& bodies,
+    const std::vector<TransformMotion>& motions) {
   return sum_over_bodies<SpatialForce>(tree, bodies, [&](const RigidBody& body) {
     return inertial_force(tree.algebra, body, motions[*body.transform]);
   });
 }
 
-TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration) {
+TreeForces inertial_forces(KinematicTree& tree, const AccelerationTangents& acceleration) {
   const std::vector<TransformMotion> motions = tree_motions(tree, acceleration);
-  return tree.pull_back(inertial_forces_on_transforms(tree, tree.bodies(), motions));
+  return tree.pull_back_wrenches(inertial_forces_on_transforms(tree, tree.bodies(), motions));
 }
 
-TreeForces tree_gravity(Tree& tree) {
+TreeForces tree_gravity_forces(KinematicTree& tree) {
   TreeForces forces;
   if (!tree.derivation().lagrangian.gravity) return forces;
   const std::vector<ExVector3> g = gravity_by_transform(tree);
@@ -301,14 +305,14 @@ TreeForces tree_gravity(Tree& tree) {
     const NameScope weight = tree.name_scope("weight", k);
     // Minus the weight, and the moment of this force about the origin of the transform.
     SpatialForce lift;
-    lift.force = algebra.scaled(-carried[k].mass, g[k]);
+    lift.force = algebra.scale(-carried[k].mass, g[k]);
     lift.moment = algebra.cross(g[k], carried[k].moment);
     tree.append_joint_forces(k, lift, forces);
   }
   return forces;
 }
 
-Terms tree_potential_energy(Tree& tree) {
+Terms tree_potential_energy(KinematicTree& tree) {
   Terms terms;
   if (!tree.derivation().lagrangian.gravity || tree.bodies().empty()) return terms;
   VectorAlgebra& algebra = tree.algebra;

@@ -25,52 +25,54 @@ struct Twist {
   ExVector3 spin{0, 0, 0};
   ExVector3 velocity{0, 0, 0};
 };
-[[nodiscard]] std::vector<Twist> tree_twists(Tree& tree, Tangent& along);
+[[nodiscard]] std::vector<Twist> tree_twists(KinematicTree& tree, Tangent& along);
 
 /// Angular velocity of transform k relative to its parent: the velocities of a rotation (0 if
 /// `along` does not move it), else relative_spin().
-[[nodiscard]] ExVector3 joint_spin(Tree& tree, std::size_t k, Tangent& along);
+[[nodiscard]] ExVector3 joint_spin(KinematicTree& tree, std::size_t k, Tangent& along);
 
 /// dT/dv of the bodies, in the layout of generalised forces.
-[[nodiscard]] TreeForces tree_momentum(Tree& tree);
+[[nodiscard]] TreeForces tree_momentum(KinematicTree& tree);
 
 /// Terms of T = sum 1/2 m v_c^2 + 1/2 w.I w, along a direction of motion.
-[[nodiscard]] Terms tree_kinetic_energy(Tree& tree, Tangent& along);
+[[nodiscard]] Terms tree_kinetic_energy(KinematicTree& tree, Tangent& along);
 
 /// True if the mass or the first moment h is not 0.
 [[nodiscard]] bool has_mass(const RigidBody& body);
 
 /// m v_c, or m v + w x h if the inertia is about the origin.
-[[nodiscard]] ExVector3 momentum_of(VectorAlgebra& algebra, const RigidBody& body,
-                                    const Twist& twist);
+[[nodiscard]] ExVector3 linear_momentum(VectorAlgebra& algebra, const RigidBody& body,
+                                        const Twist& twist);
 
 /// The two directions of differentiation that give an acceleration.
-struct Acceleration {
-  Tangent& first;   ///< from pose to velocity
-  Tangent& second;  ///< from velocity to acceleration
-  bool with_gravity = false;
+struct AccelerationTangents {
+  Tangent& velocity_tangent;      ///< from pose to velocity
+  Tangent& acceleration_tangent;  ///< from velocity to acceleration
+  bool includes_gravity = false;
 };
 
 /// Motion of a transform's child frame, expressed in that frame.
 struct TransformMotion {
   ExVector3 spin{0, 0, 0};
   ExVector3 spin_rate{0, 0, 0};
-  ExVector3 acceleration{0, 0, 0};                   ///< of the origin, less gravity
-  ExMatrix3 gradient = {0, 0, 0, 0, 0, 0, 0, 0, 0};  ///< U, row-major
-  ExVector3 products{0, 0, 0};                       ///< w_y w_z, w_z w_x, w_x w_y
+  ExVector3 acceleration{0, 0, 0};                                ///< of the origin, less gravity
+  ExMatrix3 acceleration_gradient = {0, 0, 0, 0, 0, 0, 0, 0, 0};  ///< U, row-major
+  ExVector3 spin_products{0, 0, 0};                               ///< w_y w_z, w_z w_x, w_x w_y
 };
-[[nodiscard]] std::vector<TransformMotion> tree_motions(Tree& tree,
-                                                        const Acceleration& acceleration);
+[[nodiscard]] std::vector<TransformMotion> tree_motions(KinematicTree& tree,
+                                                        const AccelerationTangents& acceleration);
 
-/// Motion of the world: at rest, with the acceleration -gravity if `with_gravity` is set.
-[[nodiscard]] TransformMotion base_motion(Tree& tree, bool with_gravity);
+/// Motion of the world: at rest, with the acceleration -gravity if `includes_gravity` is set.
+[[nodiscard]] TransformMotion base_motion(KinematicTree& tree, bool includes_gravity);
 
 /// The sums of F and N over the bodies of each transform.
 [[nodiscard]] std::vector<SpatialForce> inertial_forces_on_transforms(
-    Tree& tree, const std::vector<RigidBody>& bodies, const std::vector<TransformMotion>& motions);
+    KinematicTree& tree, const std::vector<RigidBody>& bodies,
+    const std::vector<TransformMotion>& motions);
 
 /// Generalised inertial forces of the bodies; minus the weights if with_gravity is set.
-[[nodiscard]] TreeForces inertial_forces(Tree& tree, const Acceleration& acceleration);
+[[nodiscard]] TreeForces inertial_forces(KinematicTree& tree,
+                                         const AccelerationTangents& acceleration);
 
 /// dV/dq of the bodies' weights. For the subtree of each transform, in the transform's child frame,
 /// mu is the mass, h the first moment, and g gravity:
@@ -79,10 +81,10 @@ struct TransformMotion {
 ///     weight   F = -mu g,    N = g x h        (on the side of M a)
 ///
 /// The generalised force is the component of (F, N) along the motion of the transform.
-[[nodiscard]] TreeForces tree_gravity(Tree& tree);
+[[nodiscard]] TreeForces tree_gravity_forces(KinematicTree& tree);
 
 /// Terms of V = -sum m gravity.p: one for each transform without parent, and one for each body
 /// fixed to the world.
-[[nodiscard]] Terms tree_potential_energy(Tree& tree);
+[[nodiscard]] Terms tree_potential_energy(KinematicTree& tree);
 
 }  // namespace elgen

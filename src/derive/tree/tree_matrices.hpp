@@ -37,7 +37,7 @@ struct TreeVariable {
 };
 
 /// An entry of dx/dq, along one velocity.
-struct Coefficient {
+struct JacobianEntry {
   std::size_t velocity = 0;
   GiNaC::ex value = 0;
 };
@@ -50,13 +50,15 @@ struct TreeVariables {
   bool is_complete = true;
 };
 
-[[nodiscard]] TreeVariables tree_variables(const Tree& tree);
+[[nodiscard]] TreeVariables tree_variables(const KinematicTree& tree);
 
 /// The non-zero entries of dx/dq.
-[[nodiscard]] std::vector<Coefficient> jacobian_row(Tree& tree, const TreeVariable& variable);
+[[nodiscard]] std::vector<JacobianEntry> jacobian_row(KinematicTree& tree,
+                                                      const TreeVariable& variable);
 
 /// True if no entry of the row depends on coordinates or time.
-[[nodiscard]] bool is_constant(const Definitions& definitions, const std::vector<Coefficient>& row);
+[[nodiscard]] bool is_constant(const Definitions& definitions,
+                               const std::vector<JacobianEntry>& row);
 
 /// S is the unit twist of a variable. I and B are the composites of the subtree of its transform
 /// (see the top), and f is the wrench on that subtree. v and a are the twist and acceleration of
@@ -72,11 +74,11 @@ enum class ColumnKind : unsigned char {
 };
 
 /// The twists of a variable that columns are multiplied with.
-enum class UnitKind : unsigned char {
-  unit,    ///< S
-  rate,    ///< S'
-  first,   ///< R1
-  second,  ///< R2
+enum class TwistKind : unsigned char {
+  unit,         ///< S
+  rate,         ///< S'
+  first_rate,   ///< R1
+  second_rate,  ///< R2
 };
 
 /// The columns of variable `upper`, passed towards the root to the transform of variable `lower`,
@@ -91,7 +93,8 @@ struct ColumnPair {
 
 class TreeColumns {
  public:
-  TreeColumns(Tree& tree, const std::vector<TreeVariable>& variables, const Acceleration& by);
+  TreeColumns(KinematicTree& tree, const std::vector<TreeVariable>& variables,
+              const AccelerationTangents& by);
 
   /// Visits each variable with itself, with the other variables of its transform, and with the
   /// variables of all ancestor transforms.
@@ -99,7 +102,8 @@ class TreeColumns {
                      const std::function<void(const ColumnPair&)>& visit);
 
   /// Scalar product of a twist of the variable with the column.
-  [[nodiscard]] GiNaC::ex along(std::size_t variable, UnitKind kind, const SpatialForce& column);
+  [[nodiscard]] GiNaC::ex twist_product(std::size_t variable, TwistKind kind,
+                                        const SpatialForce& column);
 
  private:
   /// Spatial quantities of a transform, expressed in its parent frame, or for rotations in its
@@ -107,19 +111,20 @@ class TreeColumns {
   struct TransformQuantities {
     CompositeInertia inertia = {};
     CompositeRate rate = {};
-    Twist own = {};               ///< of the transform itself
-    Twist parent_twist = {};      ///< of the parent transform
-    TransformMotion motion = {};  ///< of the parent transform
-    SpatialForce carried = {};    ///< on the subtree
+    Twist own_twist = {};             ///< of the transform itself
+    Twist parent_twist = {};          ///< of the parent transform
+    TransformMotion motion = {};      ///< of the parent transform
+    SpatialForce subtree_force = {};  ///< on the subtree
   };
 
   [[nodiscard]] const TransformQuantities& quantities(const TreeVariable& variable);
   [[nodiscard]] TransformQuantities quantities_in_child_frame(std::uint32_t transform);
   [[nodiscard]] TransformQuantities quantities_in_parent_frame(std::uint32_t transform);
   void compute_motions();
-  [[nodiscard]] Twist motion(UnitKind kind, const TreeVariable& variable);
+  [[nodiscard]] Twist variable_twist(TwistKind kind, const TreeVariable& variable);
   [[nodiscard]] Twist twist_cross(const Twist& twist, const Twist& with);
-  [[nodiscard]] Twist second(const TransformQuantities& home, const TreeVariable& variable);
+  [[nodiscard]] Twist second_rate_twist(const TransformQuantities& quantities,
+                                        const TreeVariable& variable);
   [[nodiscard]] SpatialForce column(ColumnKind kind, const TreeVariable& variable);
   [[nodiscard]] SpatialForce inertia_product(const TreeVariable& variable, const Twist& twist);
   [[nodiscard]] SpatialForce rate_product(const TreeVariable& variable, const Twist& twist);
@@ -127,18 +132,18 @@ class TreeColumns {
   void visit_ancestors(std::size_t upper, std::vector<SpatialForce> columns,
                        const std::function<void(const ColumnPair&)>& visit);
 
-  Tree& tree_;
+  KinematicTree& tree_;
   VectorAlgebra& algebra_;
   const std::vector<TreeVariable>& variables_;
-  Acceleration by_;
-  std::vector<std::vector<std::size_t>> on_transform_;  ///< variables of each transform
+  AccelerationTangents acceleration_;
+  std::vector<std::vector<std::size_t>> variables_by_transform_;  ///< variables of each transform
   std::vector<bool> has_ancestor_variables_;  ///< true if an ancestor transform has variables
   std::vector<CompositeInertia> inertias_;
   // By transform, computed at the first use:
   std::vector<Twist> twists_;
   std::vector<CompositeRate> rates_;
   std::vector<TransformMotion> motions_;
-  std::vector<SpatialForce> carried_;
+  std::vector<SpatialForce> subtree_forces_;
   std::vector<std::optional<TransformQuantities>> quantities_;
 };
 
@@ -146,13 +151,13 @@ class TreeColumns {
 using SparseMatrix = std::map<std::pair<std::size_t, std::size_t>, GiNaC::ex>;
 
 /// entries += matrix; `entries` is row-major with n columns.
-void add_to_dense(const SparseMatrix& matrix, Vector& entries, std::size_t n);
+void add_to_dense(const SparseMatrix& matrix, RealVector& entries, std::size_t n);
 
-[[nodiscard]] SparseMatrix tree_mass_matrix(Tree& tree);
-[[nodiscard]] SparseMatrix tree_coriolis_matrix(Tree& tree);
+[[nodiscard]] SparseMatrix tree_mass_matrix(KinematicTree& tree);
+[[nodiscard]] SparseMatrix tree_coriolis_matrix(KinematicTree& tree);
 
 /// True if the variables are complete, and dx/dq of each is constant.
-[[nodiscard]] bool has_linear_variables(Tree& tree);
+[[nodiscard]] bool has_linear_variables(KinematicTree& tree);
 
 /// d tau/dq and d tau/dv of the inertial forces and weights. Requires has_linear_variables().
 /// R1 = v x S and R2 = a x S + v x R1, with v and a of the parent transform. The base has the
@@ -169,6 +174,6 @@ struct TreeDerivatives {
   SparseMatrix by_position = {};
   SparseMatrix by_velocity = {};
 };
-[[nodiscard]] TreeDerivatives tree_derivatives(Tree& tree, Tangent& second);
+[[nodiscard]] TreeDerivatives tree_derivatives(KinematicTree& tree, Tangent& second);
 
 }  // namespace elgen

@@ -16,30 +16,30 @@ namespace {
 using Texts = std::vector<std::string>;
 
 /// "[7]"; "[]" for size 0, since C has no arrays of zero elements.
-std::string extent(std::size_t size) { return size == 0 ? "[]" : fmt::format("[{}]", size); }
+std::string extent_text(std::size_t size) { return size == 0 ? "[]" : fmt::format("[{}]", size); }
 
 /// "dynamics_part_1"; the caller adds the prefix of the scene.
-std::string name_of_part(const Function& function, std::size_t part) {
+std::string c99_part_name(const Function& function, std::size_t part) {
   return fmt::format("{}_part_{}", function.name, part + 1);
 }
 
 /// "sine_of": the header's own in-line function for "sin" or "cos"; "" for other names.
-std::string_view own_sine(std::string_view name) {
+std::string_view inline_sine_name(std::string_view name) {
   return name == "sin" ? "sine_of" : name == "cos" ? "cosine_of" : "";
 }
 
 /// "  double sin_x, cos_x;\n  p_sine_cosine(x, &sin_x, &cos_x);\n"; an empty `scalar` omits the
 /// declaration.
-std::string pair_text(const std::string& scalar, const std::string& call, const std::string& sine,
-                      const std::string& cosine) {
+std::string sine_cosine_lines(const std::string& scalar, const std::string& call,
+                              const std::string& sine, const std::string& cosine) {
   const std::string text = fmt::format("{}, &{}, &{})", call, sine, cosine);
   const Texts lines = wrap_expression(text, {line_width - 3, "      "});
   const std::string declared = fmt::format("  {} {}, {};\n", scalar, sine, cosine);
   return fmt::format("{}  {};\n", scalar.empty() ? "" : declared, fmt::join(lines, "\n"));
 }
 
-ColumnLoopTexts column_words(const std::string& prefix, std::uint32_t count) {
-  const std::string width = capitals(prefix) + "COLUMNS";
+ColumnLoopTexts make_loop_texts(const std::string& prefix, std::uint32_t count) {
+  const std::string width = upper_case(prefix) + "COLUMNS";
   return {fmt::format("  for (int first = 0; first < {0}; first += {1}) {{\n"
                       "    const int at = first + {1} < {0} ? first : {0} - {1};\n",
                       count, width),
@@ -54,7 +54,7 @@ class C99Dialect final : public CompiledDialect {
         scalar_kind_(c99_scalar(scene)),
         scalar_(name_of(scalar_kind_)),
         prefix_(name_space(scene) + "_"),
-        has_pairs_(has_sines_in_line(scene, scalar_kind_)) {}
+        has_sine_cosine_calls_(has_inline_sines(scene, scalar_kind_)) {}
 
   FormulaText constant(const Constant& constant) const override {
     const bool is_negative = cln::minusp(constant.value);
@@ -62,30 +62,30 @@ class C99Dialect final : public CompiledDialect {
             is_negative ? Binding::negation : Binding::atom};
   }
 
-  bool has_pairs() const override { return has_pairs_; }
+  bool has_sine_cosine_calls() const override { return has_sine_cosine_calls_; }
 
-  std::string pair(const std::string& sine, const std::string& cosine, const FormulaText& angle,
-                   bool is_declared) const override {
+  std::string sine_cosine_statement(const std::string& sine, const std::string& cosine,
+                                    const FormulaText& angle, bool is_declared) const override {
     const std::string call = fmt::format("{}sine_cosine({}", prefix_, angle.text);
-    return pair_text(is_declared ? scalar_ : "", call, sine, cosine);
+    return sine_cosine_lines(is_declared ? scalar_ : "", call, sine, cosine);
   }
 
   std::string declaration(const std::string& name) const override {
     return fmt::format("const {} {}", scalar_, name);
   }
 
-  std::string_view scalar() const override { return scalar_; }
+  std::string_view scalar_type() const override { return scalar_; }
 
-  ColumnLoopTexts columns(std::uint32_t count) const override {
-    return column_words(prefix_, count);
+  ColumnLoopTexts column_loop_texts(std::uint32_t count) const override {
+    return make_loop_texts(prefix_, count);
   }
 
-  std::string target(const Function& function, std::uint32_t at,
-                     std::uint32_t index) const override {
+  std::string assignment_target(const Function& function, std::uint32_t at,
+                                std::uint32_t index) const override {
     const Field& field = function.fields[at];
     const std::string element = fmt::format("[{}]", index);
     if (field.name.empty()) return "result" + element;
-    return "result->" + field.name + (is_number(function, field) ? "" : element);
+    return "result->" + field.name + (is_scalar_field(function, field) ? "" : element);
   }
 
   std::string return_statement(const Function& function, const Function& /*ordered*/,
@@ -97,8 +97,8 @@ class C99Dialect final : public CompiledDialect {
   }
 
   /// "  (void)q;" for each argument that the body does not use, so that compilers do not warn.
-  std::string opening(const Function& function, const UsedNames& used,
-                      bool is_part) const override {
+  std::string body_prologue(const Function& function, const UsedNames& used,
+                            bool is_part) const override {
     std::vector<std::string_view> names = argument_names_of(function);
     if (is_part) names.emplace_back("w");
     if (is_part || !returns_number(function)) names.emplace_back("result");
@@ -110,7 +110,7 @@ class C99Dialect final : public CompiledDialect {
   }
 
   std::string signature(const Function& function, const UsedNames& /*used*/) const override {
-    Texts arguments = declared_arguments(function);
+    Texts arguments = argument_declarations(function);
     const bool is_returned = returns_number(function);
     if (!is_returned) arguments.push_back(result_argument(function));
     return elgen::signature(fmt::format("static inline {} {}{}", is_returned ? scalar_ : "void",
@@ -120,28 +120,28 @@ class C99Dialect final : public CompiledDialect {
 
   std::string part_signature(const Function& function, std::size_t part,
                              const UsedNames& /*used*/) const override {
-    Texts arguments = declared_arguments(function);
+    Texts arguments = argument_declarations(function);
     arguments.push_back(workspace_name(function) + " *w");
     arguments.push_back(result_argument(function));
-    return elgen::signature("static inline void " + prefix_ + name_of_part(function, part),
+    return elgen::signature("static inline void " + prefix_ + c99_part_name(function, part),
                             arguments, "");
   }
 
-  std::string body_with_calls(const Function& function, std::size_t parts) const override {
+  std::string body_calling_parts(const Function& function, std::size_t parts) const override {
     const bool is_returned = returns_number(function);
     std::string body = is_returned ? fmt::format("  {} result[1];\n", scalar_) : "";
     body += fmt::format("  {} w;\n", workspace_name(function));
     for (std::size_t part = 0; part < parts; ++part) {
-      body += fmt::format("  {}{}({}, &w, result);\n", prefix_, name_of_part(function, part),
+      body += fmt::format("  {}{}({}, &w, result);\n", prefix_, c99_part_name(function, part),
                           fmt::join(argument_names_of(function), ", "));
     }
     return is_returned ? body + "  return result[0];\n" : body;
   }
 
-  std::string member(const Function& function, const Field& field) const override {
+  std::string field_declaration(const Function& function, const Field& field) const override {
     if (field.entries.empty()) return "";
     return fmt::format("{} {}{};", scalar_, field.name,
-                       is_number(function, field) ? "" : extent(field.entries.size()));
+                       is_scalar_field(function, field) ? "" : extent_text(field.entries.size()));
   }
 
   std::string struct_name(const Function& function) const override {
@@ -158,39 +158,39 @@ class C99Dialect final : public CompiledDialect {
   bool is_reserved(const std::string& name) const override {
     const bool is_float = name.ends_with('f');
     const std::string own = is_float ? name.substr(0, name.size() - 1) : name;
-    return name.starts_with(prefix_) || own == "fabs" || (is_float && is_function(own));
+    return name.starts_with(prefix_) || own == "fabs" || (is_float && is_function_name(own));
   }
 
-  std::string library_function(std::string_view name) const override {
-    const std::string_view own = has_pairs_ ? own_sine(name) : "";
-    if (!own.empty()) return own_function(own);
+  std::string library_function_name(std::string_view name) const override {
+    const std::string_view own = has_sine_cosine_calls_ ? inline_sine_name(name) : "";
+    if (!own.empty()) return helper_function_name(own);
     const bool is_float = scalar_kind_ == ScalarKind::single_precision;
     return fmt::format("{}{}", name == "abs" ? "fabs" : name, is_float ? "f" : "");
   }
 
-  std::string own_function(std::string_view name) const override {
+  std::string helper_function_name(std::string_view name) const override {
     return fmt::format("{}{}", prefix_, name);
   }
 
-  Texts declared_arguments(const Function& function) const;
+  Texts argument_declarations(const Function& function) const;
 
   bool returns_number(const Function& function) const {
-    return !returns_struct(function) && is_number(function, function.fields.front());
+    return !returns_struct(function) && is_scalar_field(function, function.fields.front());
   }
 
   /// "double result[4]", "cart_pole_dynamics_result *result"
   std::string result_argument(const Function& function) const {
     if (returns_struct(function)) return struct_name(function) + " *result";
-    return fmt::format("{} result{}", scalar_, extent(entry_count(function)));
+    return fmt::format("{} result{}", scalar_, extent_text(entry_count(function)));
   }
 
   ScalarKind scalar_kind_;
-  std::string scalar_;  ///< "double"
-  std::string prefix_;  ///< "cart_pole_"
-  bool has_pairs_;      ///< one call computes sine and cosine in line
+  std::string scalar_;          ///< "double"
+  std::string prefix_;          ///< "cart_pole_"
+  bool has_sine_cosine_calls_;  ///< one call computes sine and cosine in line
 };
 
-Texts C99Dialect::declared_arguments(const Function& function) const {
+Texts C99Dialect::argument_declarations(const Function& function) const {
   Texts arguments;
   for (const Opcode argument : arguments_of(model(), function, program(), LanguageId::c99)) {
     const std::string_view name = leaf_row(argument).symbol;
@@ -200,7 +200,7 @@ Texts C99Dialect::declared_arguments(const Function& function) const {
       arguments.push_back(fmt::format("{} {}", scalar_, name));
     } else {
       arguments.push_back(
-          fmt::format("const {} {}{}", scalar_, name, extent(leaf_count(model(), argument))));
+          fmt::format("const {} {}{}", scalar_, name, extent_text(leaf_count(model(), argument))));
     }
   }
   return arguments;

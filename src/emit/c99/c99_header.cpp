@@ -1,6 +1,6 @@
 // c99_header: fills the template c99/header.h.mustache. Every name of the header begins with the
 // prefix of the scene. The name of a function can collide only with a helper of another function, a
-// declared array or one of `header_names` (E701).
+// declared array or one of `names_in_header` (E701).
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::vector<Member> parameter_members(const EmissionInput& input) {
 /// "{0.5, 0.5}, /* l */"
 std::string initialiser(const EmissionInput& input, const ParameterArray& array) {
   Texts values;
-  for (const cln::cl_R& value : values_of(input.model, array)) {
+  for (const cln::cl_R& value : element_values(input.model, array)) {
     values.push_back(c99_literal(value, c99_scalar(input.scene)));
   }
   const std::string list = fmt::format("{}", fmt::join(values, ", "));
@@ -53,8 +53,8 @@ Texts macro_lines(Texts lines) {
   return lines;
 }
 
-Texts default_parameters(const EmissionInput& input) {
-  Texts lines = {fmt::format("#define {}_DEFAULT_PARAMETERS", capitals(name_space(input.scene))),
+Texts default_parameters_macro(const EmissionInput& input) {
+  Texts lines = {fmt::format("#define {}_DEFAULT_PARAMETERS", upper_case(name_space(input.scene))),
                  "  {"};
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
     const Wrapping wrapping{line_width - 6, "        "};
@@ -65,13 +65,13 @@ Texts default_parameters(const EmissionInput& input) {
   return macro_lines(std::move(lines));
 }
 
-constexpr std::array<std::string_view, 15> header_names{
+constexpr std::array<std::string_view, 15> names_in_header{
     "parameters", "is_regular",   "sign_of",       "smaller",     "larger",
     "stumpff",    "sine_of",      "cosine_of",     "sine_cosine", "sine_cosine_beyond",
     "columns",    "load_columns", "store_columns", "interval",    "digits_left"};
 
 /// True if `name` is the result struct, the workspace or a part of the function.
-bool is_helper(const std::string& name, const Function& function) {
+bool is_helper_name(const std::string& name, const Function& function) {
   return name == function.name + "_workspace" || name.starts_with(function.name + "_part_") ||
          (returns_struct(function) && name == function.name + "_result");
 }
@@ -79,20 +79,20 @@ bool is_helper(const std::string& name, const Function& function) {
 bool is_reserved_name(const std::string& name, const Model& model, const Program& program) {
   const auto is_table = [&name](const DeclaredArray& array) { return array.name == name; };
   if (std::ranges::any_of(declared_arrays(model, program), is_table)) return true;
-  const auto takes = [&name](const Function& function) { return is_helper(name, function); };
-  return std::find(header_names.begin(), header_names.end(), name) != header_names.end() ||
+  const auto takes = [&name](const Function& function) { return is_helper_name(name, function); };
+  return std::find(names_in_header.begin(), names_in_header.end(), name) != names_in_header.end() ||
          std::any_of(program.functions.begin(), program.functions.end(), takes);
 }
 
 /// Tables of names, units, bounds and start values. Empty tables are skipped: C has no arrays of
 /// zero elements.
-TemplateData declared_tables(const EmissionInput& input) {
+TemplateData declared_arrays_data(const EmissionInput& input) {
   TemplateData list(TemplateData::type::list);
   const std::string& prefix = name_space(input.scene);
   const std::array types{std::string("char *const"), std::string("double"), prefix + "_interval"};
   for (const DeclaredArray& array : declared_arrays(input.model, input.program)) {
     if (array.size() == 0) continue;
-    const Texts elements = declared_elements(array, "{{{0}, {1}}}", "HUGE_VAL");
+    const Texts elements = element_literals(array, "{{{0}, {1}}}", "HUGE_VAL");
     const std::string& type = types[static_cast<std::size_t>(array.kind)];
     const std::size_t start =
         fmt::format("static const {} {}_{}[] = ", type, prefix, array.name).size() + 3;
@@ -106,17 +106,17 @@ TemplateData declared_tables(const EmissionInput& input) {
   return list;
 }
 
-bool are_sines_in_line(const EmissionInput& input) {
-  return calls_sines(input.program) && has_sines_in_line(input.scene, c99_scalar(input.scene));
+bool needs_inline_sines(const EmissionInput& input) {
+  return calls_sines(input.program) && has_inline_sines(input.scene, c99_scalar(input.scene));
 }
 
 /// Section `sine_cosine`; absent unless sines are computed in line.
-TemplateData c99_sines(const EmissionInput& input) {
+TemplateData c99_sines_data(const EmissionInput& input) {
   const ScalarKind scalar = c99_scalar(input.scene);
   const auto literal = [scalar](double value) { return c99_literal(exact_value(value), scalar); };
-  const auto numbers = sine_numbers(input.scene.numerics, SineArithmetic::numbers, scalar);
-  return section_if(are_sines_in_line(input),
-                    sine_data(numbers, scalar, literal, SineSpelling::values));
+  const auto numbers = sine_constants(input.scene.numerics, SineArithmetic::numbers, scalar);
+  return optional_section(needs_inline_sines(input),
+                          sine_data(numbers, scalar, literal, SineSpelling::values));
 }
 
 }  // namespace
@@ -132,16 +132,18 @@ std::string c99_header(const EmissionInput& input) {
   const double epsilon =
       is_float ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon();
   data.set("epsilon", c99_literal(exact_value(epsilon), c99_scalar(input.scene)));
-  data.set("sine_cosine", c99_sines(input));
-  data.set("memory", section_if(are_sines_in_line(input) || has_loops(input.program)));
+  data.set("sine_cosine", c99_sines_data(input));
+  data.set("memory",
+           optional_section(needs_inline_sines(input) || has_column_loops(input.program)));
   data.set("digits", is_float ? "1e9" : "1e17");
-  data.set("guard", capitals(input.scene.base_name));
-  data.set("capitals", capitals(name_space(input.scene)));
-  data.set("has_parameters", section_if(emitted_parameter_count(input.model, input.program) > 0));
-  data.set("parameters", lines_data(documented_members(parameter_members(input))));
-  data.set("declared", declared_tables(input));
-  data.set("default_parameters", lines_data(default_parameters(input)));
-  return header_text("c99/header.h.mustache", data);
+  data.set("guard", upper_case(input.scene.base_name));
+  data.set("capitals", upper_case(name_space(input.scene)));
+  data.set("has_parameters",
+           optional_section(emitted_parameter_count(input.model, input.program) > 0));
+  data.set("parameters", lines_section(member_doc_lines(parameter_members(input))));
+  data.set("declared", declared_arrays_data(input));
+  data.set("default_parameters", lines_section(default_parameters_macro(input)));
+  return fill_header_template("c99/header.h.mustache", data);
 }
 
 Diagnostics c99_check_names(const Model& model, const Scene& scene, const Program& program) {

@@ -20,32 +20,32 @@ struct ColumnLoop {
   std::uint32_t count = 0;  ///< number of columns; 0 if the function repeats nothing
   /// Operands that are computed before the loop and differ between columns: a row per operand, an
   /// entry per column.
-  std::vector<std::uint32_t> given = {};
+  std::vector<std::uint32_t> varying_operands = {};
   /// Instructions of the first column whose value is an entry of the result, in this or another
   /// column.
-  std::vector<std::uint32_t> solved = {};
+  std::vector<std::uint32_t> stored_instructions = {};
   /// Operands that are computed before the loop and are the same in all columns, without
   /// duplicates.
-  std::vector<std::uint32_t> shared = {};
+  std::vector<std::uint32_t> invariant_operands = {};
 };
 
 [[nodiscard]] ColumnLoop column_loop(const Function& function);
 
 /// "solved[3]": the name by which code after the loop reads the value of an instruction of the
 /// loop; "" if the value is no entry of the result.
-[[nodiscard]] std::string solved_name(const ColumnLoop& loop, const Function& function,
-                                      std::uint32_t at);
+[[nodiscard]] std::string solved_array_element(const ColumnLoop& loop, const Function& function,
+                                               std::uint32_t at);
 
 /// Names that the loop body uses. `values`: names of the instructions before the loop and of the
 /// first column. `given`, `solved`: the arrays, which a function in parts keeps in its workspace.
-struct ColumnNames {
+struct ColumnLoopNames {
   std::vector<std::string> values = {};
   std::string given = "given";
   std::string solved = "solved";
 };
 
-[[nodiscard]] std::string column_lines(const CompiledDialect& dialect, const Program& program,
-                                       const Function& function, const ColumnLoop& loop,
-                                       const ColumnNames& names);
+[[nodiscard]] std::string column_loop_text(const CompiledDialect& dialect, const Program& program,
+                                           const Function& function, const ColumnLoop& loop,
+                                           const ColumnLoopNames& names);
 
 }  // namespace elgen

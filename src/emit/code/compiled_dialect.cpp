@@ -11,7 +11,7 @@ CompiledDialect::CompiledDialect(const Model& model, const Program& program, Lan
                                  std::string_view access)
     : Dialect(model, program, language),
       access_(access),
-      parameters_(parameter_members(model, program.leaves)) {}
+      parameters_(parameter_member_texts(model, program.leaves)) {}
 
 std::string CompiledDialect::leaf(Opcode kind, std::uint32_t number) const {
   if (kind == Opcode::parameter) return "p" + access_ + parameters_[number];
@@ -19,10 +19,13 @@ std::string CompiledDialect::leaf(Opcode kind, std::uint32_t number) const {
   return is_single(kind) ? std::string(name) : fmt::format("{}[{}]", name, number);
 }
 
-FunctionDefinition CompiledDialect::definition(const Function& function, Storage storage) const {
-  return elgen::definition(*this, program(), function, storage);
+FunctionDefinition CompiledDialect::function_definition(const Function& function,
+                                                        Storage storage) const {
+  return elgen::function_definition(*this, program(), function, storage);
 }
 
-std::string CompiledDialect::shared(const std::string& name) const { return "w" + access_ + name; }
+std::string CompiledDialect::workspace_member(const std::string& name) const {
+  return "w" + access_ + name;
+}
 
 }  // namespace elgen

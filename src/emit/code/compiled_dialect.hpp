@@ -32,33 +32,35 @@ class CompiledDialect : public Dialect {
                   std::string_view access);
 
   [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override;
-  [[nodiscard]] const CompiledDialect* inner() const override { return nullptr; }
-  [[nodiscard]] FunctionDefinition definition(const Function& function,
-                                              Storage storage) const override;
+  [[nodiscard]] const CompiledDialect* inner_vocabulary() const override { return nullptr; }
+  [[nodiscard]] FunctionDefinition function_definition(const Function& function,
+                                                       Storage storage) const override;
 
   /// The workspace member of a temporary that several parts of a function use.
-  [[nodiscard]] std::string shared(const std::string& name) const;
+  [[nodiscard]] std::string workspace_member(const std::string& name) const;
 
   /// True if a single statement computes the sine and the cosine of an angle.
-  [[nodiscard]] virtual bool has_pairs() const { return true; }
+  [[nodiscard]] virtual bool has_sine_cosine_calls() const { return true; }
 
   /// "const auto [sin_x, cos_x] = detail::SineCosine<Scalar>::of(x);": one or more lines that
   /// compute both values, and declare them if `is_declared`.
-  [[nodiscard]] virtual std::string pair(const std::string& sine, const std::string& cosine,
-                                         const FormulaText& angle, bool is_declared) const = 0;
+  [[nodiscard]] virtual std::string sine_cosine_statement(const std::string& sine,
+                                                          const std::string& cosine,
+                                                          const FormulaText& angle,
+                                                          bool is_declared) const = 0;
 
   /// "const Scalar x": declares a temporary, without its value.
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;
 
   /// "double", "Scalar": the type of numbers.
-  [[nodiscard]] virtual std::string_view scalar() const = 0;
+  [[nodiscard]] virtual std::string_view scalar_type() const = 0;
 
   /// The texts of a loop over `count` columns.
-  [[nodiscard]] virtual ColumnLoopTexts columns(std::uint32_t count) const = 0;
+  [[nodiscard]] virtual ColumnLoopTexts column_loop_texts(std::uint32_t count) const = 0;
 
   /// "result.gravity[1]": the destination of an entry that is not part of a return statement.
-  [[nodiscard]] virtual std::string target(const Function& function, std::uint32_t field,
-                                           std::uint32_t index) const = 0;
+  [[nodiscard]] virtual std::string assignment_target(const Function& function, std::uint32_t field,
+                                                      std::uint32_t index) const = 0;
 
   /// The end of a function that is not cut into parts: a return statement, or "" if the caller must
   /// assign each entry to its target. `function` defines the return type; `ordered` and `entries`
@@ -68,8 +70,8 @@ class CompiledDialect : public Dialect {
                                                      const FieldTexts& entries) const = 0;
 
   /// The lines before the statements of a body: using-declarations, or casts of unused arguments.
-  [[nodiscard]] virtual std::string opening(const Function& function, const UsedNames& used,
-                                            bool is_part) const = 0;
+  [[nodiscard]] virtual std::string body_prologue(const Function& function, const UsedNames& used,
+                                                  bool is_part) const = 0;
 
   /// Everything before the opening brace of a function or of one of its parts.
   [[nodiscard]] virtual std::string signature(const Function& function,
@@ -78,8 +80,8 @@ class CompiledDialect : public Dialect {
                                                    const UsedNames& used) const = 0;
 
   /// The body that calls the parts in order.
-  [[nodiscard]] virtual std::string body_with_calls(const Function& function,
-                                                    std::size_t parts) const = 0;
+  [[nodiscard]] virtual std::string body_calling_parts(const Function& function,
+                                                       std::size_t parts) const = 0;
 
   /// "ForwardDynamicsWorkspace": the struct of values that several parts of a function use.
   [[nodiscard]] virtual std::string workspace_name(const Function& function) const = 0;

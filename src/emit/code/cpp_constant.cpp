@@ -30,7 +30,7 @@ constexpr int irrational_digits = 66;
 /// Powers of ten up to this one are multiplied into the numerator or the denominator.
 constexpr long small_exponent = 6;
 
-ScaledRatio fraction_of(const Decimal& decimal) {
+ScaledRatio decimal_ratio(const Decimal& decimal) {
   const cln::cl_I scale = cln::numerator(power_of_ten(std::abs(decimal.exponent)));
   if (std::abs(decimal.exponent) > small_exponent)
     return {decimal.significand, 1, decimal.exponent};
@@ -38,15 +38,15 @@ ScaledRatio fraction_of(const Decimal& decimal) {
   return {decimal.significand * scale, 1, 0};
 }
 
-ScaledRatio exact_fraction(const cln::cl_R& value) {
-  if (!is_rational(value)) return fraction_of(rounded_decimal(value, irrational_digits));
-  if (const std::optional<Decimal> decimal = exact_decimal(value)) return fraction_of(*decimal);
+ScaledRatio make_scaled_ratio(const cln::cl_R& value) {
+  if (!is_rational(value)) return decimal_ratio(rounded_decimal(value, irrational_digits));
+  if (const std::optional<Decimal> decimal = exact_decimal(value)) return decimal_ratio(*decimal);
   const cln::cl_RA x = cln::rational(value);
   return {cln::numerator(x), cln::denominator(x), 0};
 }
 
 /// "{9, 806650}": the integer in base 10^6, most significant chunk first.
-std::string chunks(const cln::cl_I& integer) {
+std::string chunks_text(const cln::cl_I& integer) {
   std::vector<std::string> reversed;
   cln::cl_I rest = integer;
   do {
@@ -57,40 +57,42 @@ std::string chunks(const cln::cl_I& integer) {
   return fmt::format("{{{}}}", fmt::join(reversed.rbegin(), reversed.rend(), ", "));
 }
 
-std::string literal(const cln::cl_R& value, ScalarKind scalar, std::string_view suffix) {
-  if (fit(value, scalar) != Fit::fits) return "detail::OutOfRange{}";
+std::string literal_or_out_of_range(const cln::cl_R& value, ScalarKind scalar,
+                                    std::string_view suffix) {
+  if (scalar_fit(value, scalar) != ScalarFit::fits) return "detail::OutOfRange{}";
   return scalar_literal(value, scalar) + std::string(suffix);
 }
 
 /// True if the name can state the exact value: for rational numbers, pi, square roots of rational
 /// numbers, and products of these.
-bool is_spelled_out(const ConstantForm& form) {
-  const auto is_plain = [](const ConstantPart& part) {
+bool fits_in_name(const ConstantForm& form) {
+  const auto is_plain = [](const ConstantOperand& part) {
     const ConstantForm& inner = part.form;
     const bool is_root = inner.kind == ConstantKind::square_root &&
-                         inner.parts.front().weight > 0 &&
-                         inner.parts.front().form.kind == ConstantKind::rational;
+                         inner.operands.front().weight > 0 &&
+                         inner.operands.front().form.kind == ConstantKind::rational;
     return is_root || inner.kind == ConstantKind::pi || inner.kind == ConstantKind::rational;
   };
   if (form.kind != ConstantKind::product) return is_plain({form, 1});
-  return std::all_of(form.parts.begin(), form.parts.end(),
-                     [&](const ConstantPart& part) { return part.weight == 1 && is_plain(part); });
+  return std::all_of(form.operands.begin(), form.operands.end(), [&](const ConstantOperand& part) {
+    return part.weight == 1 && is_plain(part);
+  });
 }
 
 }  // namespace
 
 std::string cpp_magnitude(const cln::cl_R& value, std::string_view scalar) {
   const cln::cl_R magnitude = cln::abs(value);
-  if (const std::optional<std::string> exact = exact_in_float(magnitude)) {
+  if (const std::optional<std::string> exact = exact_float_literal(magnitude)) {
     return fmt::format("constant<{}>({})", scalar, *exact);
   }
-  const ScaledRatio fraction = exact_fraction(magnitude);
+  const ScaledRatio fraction = make_scaled_ratio(magnitude);
   const std::string exponent = fraction.exponent == 0 ? "" : fmt::format(", {}", fraction.exponent);
   return fmt::format("constant<{}>({}, {}, {}, {}, {}{})", scalar,
-                     literal(magnitude, ScalarKind::single_precision, "F"),
-                     literal(magnitude, ScalarKind::double_precision, ""),
-                     literal(magnitude, ScalarKind::long_double, "L"), chunks(fraction.numerator),
-                     chunks(fraction.denominator), exponent);
+                     literal_or_out_of_range(magnitude, ScalarKind::single_precision, "F"),
+                     literal_or_out_of_range(magnitude, ScalarKind::double_precision, ""),
+                     literal_or_out_of_range(magnitude, ScalarKind::long_double, "L"),
+                     chunks_text(fraction.numerator), chunks_text(fraction.denominator), exponent);
 }
 
 std::string cpp_constant(const cln::cl_R& value) {
@@ -98,7 +100,7 @@ std::string cpp_constant(const cln::cl_R& value) {
 }
 
 bool is_short_constant(const cln::cl_R& value) {
-  return exact_in_float(cln::abs(value)).has_value();
+  return exact_float_literal(cln::abs(value)).has_value();
 }
 
 std::string constant_name(const Constant& constant) {
@@ -106,7 +108,7 @@ std::string constant_name(const Constant& constant) {
   const cln::cl_R magnitude = cln::abs(constant.value);
   const bool is_fraction = is_rational(constant);
   const std::string text = is_fraction ? exact_text(magnitude) : text_of(constant.form);
-  if (text.size() > longest || !is_spelled_out(constant.form)) return "number_" + short_hash(text);
+  if (text.size() > longest || !fits_in_name(constant.form)) return "number_" + short_hash(text);
   std::string name = "number_";
   for (const char c : text) {
     const bool is_word = is_letter(c) || is_digit(c);

@@ -25,7 +25,7 @@ namespace {
 /// True if a body of this many statements is cut into parts. A body with inner instructions is
 /// never cut, because it has values of two types, and a workspace has only one type.
 bool needs_parts(const CompiledDialect& dialect, std::size_t statements) {
-  return statements > longest_body && dialect.inner() == nullptr;
+  return statements > max_body_statements && dialect.inner_vocabulary() == nullptr;
 }
 
 void add_used_names(const Instruction& instruction, UsedNames& used) {
@@ -37,14 +37,19 @@ void add_used_names(const Instruction& instruction, UsedNames& used) {
 }
 
 /// Records the array or struct that a statement writes.
-void add_used_array(const Entry& /*entry*/, UsedNames& used) { used.variables.insert("result"); }
-void add_used_array(const LoopOperand& /*given*/, UsedNames& used) { used.variables.insert("w"); }
-void add_used_array(const Assign& /*assign*/, UsedNames& /*used*/) {}
-void add_used_array(const SineAndCosine& /*pair*/, UsedNames& /*used*/) {}
-void add_used_array(const Loop& /*loop*/, UsedNames& /*used*/) {}
+void add_used_array(const EntryStatement& /*entry*/, UsedNames& used) {
+  used.variables.insert("result");
+}
+void add_used_array(const LoopOperandStatement& /*given*/, UsedNames& used) {
+  used.variables.insert("w");
+}
+void add_used_array(const AssignStatement& /*assign*/, UsedNames& /*used*/) {}
+void add_used_array(const SineCosineStatement& /*pair*/, UsedNames& /*used*/) {}
+void add_used_array(const LoopStatement& /*loop*/, UsedNames& /*used*/) {}
 
 /// True if another part uses one of the instructions (Sections::crosses; empty without parts).
-bool any_crosses(const std::vector<std::uint32_t>& instructions, const std::vector<bool>& crosses) {
+bool any_crosses_parts(const std::vector<std::uint32_t>& instructions,
+                       const std::vector<bool>& crosses) {
   return std::ranges::any_of(instructions,
                              [&](std::uint32_t at) { return at < crosses.size() && crosses[at]; });
 }
@@ -54,9 +59,11 @@ UsedNames used_names(const Function& function, const std::vector<Statement>& sta
   UsedNames used;
   for (const Statement& statement : statements) {
     const StatementOperands& operands = operands_of(statement);
-    for (const std::uint32_t at : operands.written) add_used_names(function.instructions[at], used);
+    for (const std::uint32_t at : operands.inlined_instructions)
+      add_used_names(function.instructions[at], used);
     std::visit([&](const auto& of) { add_used_array(of, used); }, statement);
-    if (any_crosses(named_by(statement), crosses) || any_crosses(operands.uses, crosses)) {
+    if (any_crosses_parts(assigned_values(statement), crosses) ||
+        any_crosses_parts(operands.uses, crosses)) {
       used.variables.insert("w");
     }
   }
@@ -70,28 +77,29 @@ class DefinitionWriter {
       : dialect_(dialect),
         program_(program),
         function_(function),
-        ordered_(in_storage_order(function, storage)),
+        ordered_(to_storage_order(function, storage)),
         loop_(column_loop(ordered_)),
         names_(local_names(dialect, program, ordered_)),
         loop_names_{names_},
         formulas_(program, ordered_, dialect, names_) {
     for (std::uint32_t at = loop_.first; at < names_.size(); ++at) {
-      names_[at] = solved_name(loop_, ordered_, at);
+      names_[at] = solved_array_element(loop_, ordered_, at);
     }
   }
 
-  FunctionDefinition definition() {
-    const Pairing pairing = dialect_.has_pairs() ? Pairing::joint : Pairing::separate;
-    const std::vector<Statement> all = statements(ordered_, names_, pairing, loop_);
-    if (!needs_parts(dialect_, all.size())) return {short_text(all)};
-    Sections cut = sections(all, section_length);
-    if (loop_.count > 0) cut.crosses[loop_.first] = true;
+  FunctionDefinition write_definition() {
+    const SineCosinePairing pairing =
+        dialect_.has_sine_cosine_calls() ? SineCosinePairing::joint : SineCosinePairing::separate;
+    const std::vector<Statement> all = make_statements(ordered_, names_, pairing, loop_);
+    if (!needs_parts(dialect_, all.size())) return {single_body_text(all)};
+    BodyParts cut = cut_into_parts(all, statements_per_part);
+    if (loop_.count > 0) cut.crosses_parts[loop_.first] = true;
     FunctionDefinition result;
-    result.workspace = {dialect_.workspace_name(function_), move_to_workspace(cut.crosses)};
+    result.workspace = {dialect_.workspace_name(function_), move_to_workspace(cut.crosses_parts)};
     UsedNames passed_on;
     for (const LeafRow& leaf : leaf_table()) passed_on.variables.insert(leaf.symbol);
     result.whole = {dialect_.signature(function_, passed_on),
-                    dialect_.body_with_calls(function_, cut.parts.size())};
+                    dialect_.body_calling_parts(function_, cut.parts.size())};
     for (std::size_t part = 0; part < cut.parts.size(); ++part) {
       result.parts.push_back(part_text(cut, part));
     }
@@ -99,69 +107,73 @@ class DefinitionWriter {
   }
 
  private:
-  [[nodiscard]] DefinitionText short_text(const std::vector<Statement>& all) const {
+  [[nodiscard]] DefinitionText single_body_text(const std::vector<Statement>& all) const {
     std::string lines;
-    for (const std::string& array : arrays()) {
-      lines += fmt::format("  {} {};\n", dialect_.scalar(), array);
+    for (const std::string& array : array_declarators()) {
+      lines += fmt::format("  {} {};\n", dialect_.scalar_type(), array);
     }
     FieldTexts entries(ordered_.fields.size());
     for (const Statement& statement : all) {
-      if (const Entry* const entry = std::get_if<Entry>(&statement)) {
-        entries[entry->field].push_back(formulas_.entry(entry->instruction).text);
+      if (const EntryStatement* const entry = std::get_if<EntryStatement>(&statement)) {
+        entries[entry->field].push_back(formulas_.name_or_formula(entry->instruction).text);
       } else {
-        lines += written(statement, {});
+        lines += statement_text(statement, {});
       }
     }
     const UsedNames used = used_names(ordered_, all, {});
     const std::string returned = dialect_.return_statement(function_, ordered_, entries);
     return {dialect_.signature(function_, used),
-            dialect_.opening(function_, used, false) + lines +
-                (returned.empty() ? assignments(dialect_, ordered_, entries) : returned)};
+            dialect_.body_prologue(function_, used, false) + lines +
+                (returned.empty() ? entry_assignments(dialect_, ordered_, entries) : returned)};
   }
 
-  [[nodiscard]] DefinitionText part_text(const Sections& cut, std::size_t part) const {
+  [[nodiscard]] DefinitionText part_text(const BodyParts& cut, std::size_t part) const {
     std::string lines;
-    for (const Statement& statement : cut.parts[part]) lines += written(statement, cut.crosses);
-    const UsedNames used = used_names(ordered_, cut.parts[part], cut.crosses);
+    for (const Statement& statement : cut.parts[part])
+      lines += statement_text(statement, cut.crosses_parts);
+    const UsedNames used = used_names(ordered_, cut.parts[part], cut.crosses_parts);
     return {dialect_.part_signature(function_, part, used),
-            dialect_.opening(function_, used, true) + lines};
+            dialect_.body_prologue(function_, used, true) + lines};
   }
 
   /// Writes a statement. A value that another part reads is in the workspace; others are declared.
-  [[nodiscard]] std::string written(const Statement& statement,
-                                    const std::vector<bool>& crosses) const {
-    const bool is_declared = !any_crosses(named_by(statement), crosses);
+  [[nodiscard]] std::string statement_text(const Statement& statement,
+                                           const std::vector<bool>& crosses) const {
+    const bool is_declared = !any_crosses_parts(assigned_values(statement), crosses);
     return std::visit([&](const auto& of) { return text(of, is_declared); }, statement);
   }
 
-  [[nodiscard]] std::string text(const Assign& assign, bool is_declared) const {
+  [[nodiscard]] std::string text(const AssignStatement& assign, bool is_declared) const {
     const std::uint32_t at = assign.instruction;
     return assignment(is_declared ? dialect_of(at).declaration(names_[at]) : names_[at],
-                      formulas_.definition(at).text);
+                      formulas_.formula(at).text);
   }
 
-  [[nodiscard]] std::string text(const SineAndCosine& pair, bool is_declared) const {
-    const FormulaText angle = formulas_.operand(pair.sine, ordered_.instructions[pair.sine].a);
-    return dialect_of(pair.sine).pair(names_[pair.sine], names_[pair.cosine], angle, is_declared);
+  [[nodiscard]] std::string text(const SineCosineStatement& pair, bool is_declared) const {
+    const FormulaText angle =
+        formulas_.operand_formula(pair.sine, ordered_.instructions[pair.sine].a);
+    return dialect_of(pair.sine).sine_cosine_statement(names_[pair.sine], names_[pair.cosine],
+                                                       angle, is_declared);
   }
 
-  [[nodiscard]] std::string text(const Entry& entry, bool /*is_declared*/) const {
-    return assignment(dialect_.target(ordered_, entry.field, entry.index),
-                      formulas_.entry(entry.instruction).text);
+  [[nodiscard]] std::string text(const EntryStatement& entry, bool /*is_declared*/) const {
+    return assignment(dialect_.assignment_target(ordered_, entry.field, entry.index),
+                      formulas_.name_or_formula(entry.instruction).text);
   }
 
-  [[nodiscard]] std::string text(const LoopOperand& given, bool /*is_declared*/) const {
+  [[nodiscard]] std::string text(const LoopOperandStatement& given, bool /*is_declared*/) const {
     return assignment(fmt::format("{}[{}]", loop_names_.given, given.index),
-                      formulas_.entry(given.instruction).text);
+                      formulas_.name_or_formula(given.instruction).text);
   }
 
-  [[nodiscard]] std::string text(const Loop& /*loop*/, bool /*is_declared*/) const {
-    return column_lines(dialect_, program_, ordered_, loop_, loop_names_);
+  [[nodiscard]] std::string text(const LoopStatement& /*loop*/, bool /*is_declared*/) const {
+    return column_loop_text(dialect_, program_, ordered_, loop_, loop_names_);
   }
 
   [[nodiscard]] const CompiledDialect& dialect_of(std::uint32_t at) const {
-    const bool is_inner = ordered_.instructions[at].is_inner && dialect_.inner() != nullptr;
-    return is_inner ? *dialect_.inner() : dialect_;
+    const bool is_inner =
+        ordered_.instructions[at].is_inner && dialect_.inner_vocabulary() != nullptr;
+    return is_inner ? *dialect_.inner_vocabulary() : dialect_;
   }
 
   /// Returns the members of the workspace: values that cross into other parts, and the arrays of
@@ -172,23 +184,24 @@ class DefinitionWriter {
     for (std::size_t at = 0; at < std::min<std::size_t>(crosses.size(), loop_.first); ++at) {
       if (!crosses[at]) continue;
       shared.push_back(names_[at]);
-      names_[at] = loop_names_.values[at] = dialect_.shared(names_[at]);
+      names_[at] = loop_names_.values[at] = dialect_.workspace_member(names_[at]);
     }
     for (std::size_t at = loop_.first; at < names_.size(); ++at) {
-      if (!names_[at].empty()) names_[at] = dialect_.shared(names_[at]);
+      if (!names_[at].empty()) names_[at] = dialect_.workspace_member(names_[at]);
     }
-    const std::vector<std::string> of_loop = arrays();
+    const std::vector<std::string> of_loop = array_declarators();
     shared.insert(shared.end(), of_loop.begin(), of_loop.end());
-    loop_names_.given = dialect_.shared(loop_names_.given);
-    loop_names_.solved = dialect_.shared(loop_names_.solved);
+    loop_names_.given = dialect_.workspace_member(loop_names_.given);
+    loop_names_.solved = dialect_.workspace_member(loop_names_.solved);
     return shared;
   }
 
   /// "given[60]", "solved[60]": declarators for the arrays of the loop; empty without a loop.
-  [[nodiscard]] std::vector<std::string> arrays() const {
+  [[nodiscard]] std::vector<std::string> array_declarators() const {
     if (loop_.count == 0) return {};
-    return {fmt::format("{}[{}]", loop_names_.given, loop_.given.size()),
-            fmt::format("{}[{}]", loop_names_.solved, loop_.solved.size() * loop_.count)};
+    return {
+        fmt::format("{}[{}]", loop_names_.given, loop_.varying_operands.size()),
+        fmt::format("{}[{}]", loop_names_.solved, loop_.stored_instructions.size() * loop_.count)};
   }
 
   const CompiledDialect& dialect_;
@@ -197,26 +210,26 @@ class DefinitionWriter {
   const Function ordered_;
   const ColumnLoop loop_;
   std::vector<std::string> names_;
-  ColumnNames loop_names_;
+  ColumnLoopNames loop_names_;
   const FunctionFormulas formulas_;
 };
 
 }  // namespace
 
-std::string assignments(const CompiledDialect& dialect, const Function& function,
-                        const FieldTexts& entries) {
+std::string entry_assignments(const CompiledDialect& dialect, const Function& function,
+                              const FieldTexts& entries) {
   std::string lines;
   for (std::uint32_t field = 0; field < entries.size(); ++field) {
     for (std::uint32_t index = 0; index < entries[field].size(); ++index) {
-      lines += assignment(dialect.target(function, field, index), entries[field][index]);
+      lines += assignment(dialect.assignment_target(function, field, index), entries[field][index]);
     }
   }
   return lines;
 }
 
-FunctionDefinition definition(const CompiledDialect& dialect, const Program& program,
-                              const Function& function, Storage storage) {
-  return DefinitionWriter(dialect, program, function, storage).definition();
+FunctionDefinition function_definition(const CompiledDialect& dialect, const Program& program,
+                                       const Function& function, Storage storage) {
+  return DefinitionWriter(dialect, program, function, storage).write_definition();
 }
 
 }  // namespace elgen

@@ -11,11 +11,12 @@
 
 namespace elgen {
 
-[[nodiscard]] FunctionDefinition definition(const CompiledDialect& dialect, const Program& program,
-                                            const Function& function, Storage storage);
+[[nodiscard]] FunctionDefinition function_definition(const CompiledDialect& dialect,
+                                                     const Program& program,
+                                                     const Function& function, Storage storage);
 
 /// Assigns every entry to its target, in storage order.
-[[nodiscard]] std::string assignments(const CompiledDialect& dialect, const Function& function,
-                                      const FieldTexts& entries);
+[[nodiscard]] std::string entry_assignments(const CompiledDialect& dialect,
+                                            const Function& function, const FieldTexts& entries);
 
 }  // namespace elgen

@@ -16,26 +16,27 @@ constexpr std::array<std::string_view, 4> loop_names{"given", "solved", "first",
 }  // namespace
 
 FormulaText Dialect::square_root(const FormulaText& radicand) const {
-  return called(library_function("sqrt"), {radicand});
+  return named_call_text(library_function_name("sqrt"), {radicand});
 }
 
 FormulaText Dialect::call(FunctionId function, const std::vector<FormulaText>& arguments) const {
   const std::string_view own = function_row(function).own_name;
-  return called(own.empty() ? library_function(function_row(function).name) : own_function(own),
-                arguments);
+  return named_call_text(
+      own.empty() ? library_function_name(function_row(function).name) : helper_function_name(own),
+      arguments);
 }
 
-bool Dialect::is_function(std::string_view name) {
+bool Dialect::is_function_name(std::string_view name) {
   return name == "sqrt" || find_function(name) != nullptr;
 }
 
-std::string Dialect::temporary(const std::string& name) const {
+std::string Dialect::temporary_name(const std::string& name) const {
   const bool is_argument = std::ranges::any_of(leaf_table(), [&](const LeafRow& leaf) {
-    return leaf.symbol == name && is_passed(program_.leaves, leaf.id);
+    return leaf.symbol == name && may_be_argument(program_.leaves, leaf.id);
   });
   const bool is_of_loop = std::ranges::count(loop_names, name) > 0;
   const bool hides = is_argument || is_of_loop || name == "w" || name == "result" ||
-                     is_function(name) || is_reserved(name);
+                     is_function_name(name) || is_reserved(name);
   return hides ? name + "_" : name;
 }
 
@@ -47,7 +48,7 @@ std::vector<std::string_view> Dialect::argument_names_of(const Function& functio
   return names;
 }
 
-bool Dialect::is_number(const Function& function, const Field& field) const {
+bool Dialect::is_scalar_field(const Function& function, const Field& field) const {
   return is_scalar(program_, function, field);
 }
 

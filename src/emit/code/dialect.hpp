@@ -17,8 +17,9 @@ namespace elgen {
 struct BodyRules {
   /// A parameter that is read more than once gets a local name: in interpreted code, reading a
   /// member costs as much as an operation.
-  bool names_parameters = false;
-  std::size_t deepest = 0;  ///< nested brackets that the language can parse; 0: any number
+  bool needs_parameter_names = false;
+  std::size_t max_bracket_depth =
+      0;  ///< nested brackets that the language can parse; 0: any number
   std::size_t max_name_length =
       0;                       ///< characters of a name that the language accepts; 0: any number
   CommentMarks comments = {};  ///< marks around the documentation of members
@@ -36,7 +37,7 @@ struct DefinitionText {
 /// The struct of values that several parts of a function use.
 struct WorkspaceText {
   std::string name = {};
-  std::vector<std::string> values = {};  ///< names of its members
+  std::vector<std::string> members = {};  ///< names of its members
 };
 
 struct FunctionDefinition {
@@ -55,9 +56,9 @@ class Dialect : public Vocabulary {
                                  const std::vector<FormulaText>& arguments) const override;
 
   /// `name` as the name of a temporary, with an underscore if `name` would hide another name.
-  [[nodiscard]] std::string temporary(const std::string& name) const;
+  [[nodiscard]] std::string temporary_name(const std::string& name) const;
 
-  [[nodiscard]] virtual BodyRules rules() const { return {}; }
+  [[nodiscard]] virtual BodyRules body_rules() const { return {}; }
 
   /// Lines of documentation, escaped for a comment of the language.
   [[nodiscard]] virtual std::vector<std::string> escape_docs(std::vector<std::string> lines) const {
@@ -66,21 +67,22 @@ class Dialect : public Vocabulary {
 
   /// "Forces<Scalar> gravity;": a member of the result struct; "" for an array of zero elements if
   /// the language has no such arrays.
-  [[nodiscard]] virtual std::string member(const Function& function, const Field& field) const = 0;
+  [[nodiscard]] virtual std::string field_declaration(const Function& function,
+                                                      const Field& field) const = 0;
 
   /// "ForwardDynamics": the result struct of a function.
   [[nodiscard]] virtual std::string struct_name(const Function& function) const = 0;
 
-  [[nodiscard]] virtual FunctionDefinition definition(const Function& function,
-                                                      Storage storage) const = 0;
+  [[nodiscard]] virtual FunctionDefinition function_definition(const Function& function,
+                                                               Storage storage) const = 0;
 
  protected:
   /// True for sqrt and the functions of the model language.
-  [[nodiscard]] static bool is_function(std::string_view name);
+  [[nodiscard]] static bool is_function_name(std::string_view name);
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const Program& program() const { return program_; }
   /// True if a field is a number and not an array.
-  [[nodiscard]] bool is_number(const Function& function, const Field& field) const;
+  [[nodiscard]] bool is_scalar_field(const Function& function, const Field& field) const;
   [[nodiscard]] std::vector<std::string_view> argument_names_of(const Function& function) const;
 
  private:
@@ -88,9 +90,9 @@ class Dialect : public Vocabulary {
   [[nodiscard]] virtual bool is_reserved(const std::string& name) const = 0;
   /// The name with which the language calls a function of the standard library. `name` is the C
   /// name for double.
-  [[nodiscard]] virtual std::string library_function(std::string_view name) const = 0;
+  [[nodiscard]] virtual std::string library_function_name(std::string_view name) const = 0;
   /// The name of a function that the emitted code defines itself.
-  [[nodiscard]] virtual std::string own_function(std::string_view name) const = 0;
+  [[nodiscard]] virtual std::string helper_function_name(std::string_view name) const = 0;
 
   const Model& model_;
   const Program& program_;

@@ -41,18 +41,18 @@ std::string shape_text(const Field& field, const Emission& emission) {
 }
 
 /// "y = y(q, v, a)": q and the leaves that the user's output takes.
-std::string value_text(const OutputRow& row, const UserOutput& output) {
+std::string user_output_equation(const OutputRow& row, const UserOutput& output) {
   std::string arguments = "q";
   for (const LeafRow& leaf : leaf_table()) {
-    if (output.takes.has_any(leaf.id)) arguments += fmt::format(", {}", leaf.symbol);
+    if (output.argument_kinds.has_any(leaf.id)) arguments += fmt::format(", {}", leaf.symbol);
   }
   return fmt::format("{0} = {0}({1})", row.symbol.text, arguments);
 }
 
 std::string equation_text(const Function& function, const Model& model) {
   const OutputRow& row = output_row(function.kind);
-  if (is_value_of_user(row)) {
-    return value_text(row, model.outputs[function.user]);
+  if (is_user_value(row)) {
+    return user_output_equation(row, model.outputs[function.user]);
   }
   const std::string_view equation = equation_of(row, setting_of(model)).text;
   const bool is_whole = equation.find(" = ") != std::string_view::npos;
@@ -98,14 +98,14 @@ Lines indexed_lines(const Field& field, const std::vector<std::string>& entries,
   return lines;
 }
 
-Lines listed_entries(const Field& field, const std::vector<std::string>& entries,
-                     std::size_t first) {
+Lines entry_list_lines(const Field& field, const std::vector<std::string>& entries,
+                       std::size_t first) {
   if (entries.size() == 1) return wrap_line("= " + entries.front());
   const Lines matrix = matrix_lines(field, entries);
   return matrix.empty() ? indexed_lines(field, entries, first) : matrix;
 }
 
-Lines listing(const FunctionText& text) {
+Lines equation_lines(const FunctionDocsInput& text) {
   const LanguageId language = text.emission.language;
   const std::size_t first =
       language_row(language).is_interpreted ? source_spelling(language).first_index : 0;
@@ -118,25 +118,25 @@ Lines listing(const FunctionText& text) {
   for (std::size_t i = 0; i < text.function.fields.size(); ++i) {
     const Field& field = text.function.fields[i];
     if (!field.name.empty()) lines.push_back(field.name + ":");
-    append(lines, listed_entries(field, texts_of(text.equations.entries[i]), first));
+    append(lines, entry_list_lines(field, texts_of(text.equations.entries[i]), first));
   }
   return lines;
 }
 
 /// "q1, q2": names_without_leaf() of the rows; "" if the list is too long to help.
-std::string rows_text(const Model& model, OutputKind kind, const Field& field) {
+std::string row_names_text(const Model& model, OutputKind kind, const Field& field) {
   const Extent rows = field_row(kind, field.name).rows;
   const std::string list = fmt::format("{}", fmt::join(names_without_leaf(model, rows), ", "));
   return list.size() <= longest_units ? list : "";
 }
 
-std::string too_long_note(const FunctionText& text) {
+std::string sidecar_note(const FunctionDocsInput& text) {
   return fmt::format("{} definitions and {} entries: see {}.", text.equations.definitions.size(),
                      entry_count(text.function), text.sidecar);
 }
 
 Lines step_lines(const StepSpec& step, const Model& model) {
-  const auto equation = fmt::runtime(step_row(step.method).equation);
+  const auto equation = fmt::runtime(step_method_row(step.method).equation);
   std::istringstream text(fmt::format(equation, step.iterations));
   Lines lines;
   for (std::string line; std::getline(text, line);) append(lines, wrap_line(line));
@@ -156,25 +156,25 @@ Lines step_lines(const StepSpec& step, const Model& model) {
   return lines;
 }
 
-Lines shown_equations(const FunctionText& text) {
+Lines equation_docs(const FunctionDocsInput& text) {
   const OutputRow& row = output_row(text.function.kind);
   if (row.is_summary) return {};
-  if (row.steps) return step_lines(*text.function.step, text.model);
-  const Lines all = listing(text);
+  if (row.is_step) return step_lines(*text.function.step, text.model);
+  const Lines all = equation_lines(text);
   Lines lines = {equation_text(text.function, text.model), ""};
-  append(lines, all.size() > longest_listing ? Lines{too_long_note(text)} : all);
+  append(lines, all.size() > longest_listing ? Lines{sidecar_note(text)} : all);
   return lines;
 }
 
 /// " Needs an ordered Scalar." if the function compares numbers and the caller chooses the scalar
 /// type; otherwise "".
-std::string ordering_note(const FunctionText& text) {
+std::string ordering_note(const FunctionDocsInput& text) {
   if (language_row(text.emission.language).scalars == LanguageScalars::one) return "";
   const auto& all = text.function.instructions;
   const bool has_kinks = std::any_of(all.begin(), all.end(), [](const Instruction& i) {
     return i.opcode == Opcode::call && is_kinked(i.function);
   });
-  return has_kinks || needs_order(text.function) ? " Needs an ordered Scalar." : "";
+  return has_kinks || needs_ordered_scalar(text.function) ? " Needs an ordered Scalar." : "";
 }
 
 }  // namespace
@@ -195,26 +195,26 @@ std::string units_text(const Model& model, OutputKind kind, const Field& field) 
   return list.size() <= longest_units ? list : "";
 }
 
-std::string field_summary(const FunctionText& text, const Field& field) {
+std::string field_summary(const FunctionDocsInput& text, const Field& field) {
   const OutputKind kind = kind_of_field(text.program, text.function, field);
   const std::string units = units_text(text.model, kind, field);
-  const std::string rows = rows_text(text.model, kind, field);
+  const std::string rows = row_names_text(text.model, kind, field);
   return shape_text(field, text.emission) + (units.empty() ? "" : " [" + units + "]") +
          (rows.empty() ? "" : ", of " + rows);
 }
 
-std::string function_heading(const FunctionText& text) {
+std::string function_heading(const FunctionDocsInput& text) {
   const std::string doc = comment_text(output_doc(text.model, text.function)) + ordering_note(text);
   if (returns_struct(text.function)) return doc;
   return doc + " " + field_summary(text, text.function.fields.front()) + ".";
 }
 
-std::vector<std::string> function_docs(const FunctionText& text) {
+std::vector<std::string> function_docs(const FunctionDocsInput& text) {
   Lines lines;
   for (const std::string& line : wrap_words(function_heading(text), {line_width - 4, ""})) {
     lines.push_back(" " + line);
   }
-  const Lines equations = shown_equations(text);
+  const Lines equations = equation_docs(text);
   if (!equations.empty()) lines.emplace_back();
   for (const std::string& line : equations) lines.push_back(line.empty() ? "" : "     " + line);
   return lines;

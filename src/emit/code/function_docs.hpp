@@ -19,7 +19,7 @@
 namespace elgen {
 
 /// The data from which the documentation of a function is written.
-struct FunctionText {
+struct FunctionDocsInput {
   const Model& model;
   const Program& program;
   const Function& function;
@@ -29,10 +29,10 @@ struct FunctionText {
 };
 
 /// The lines of the comment without `///`. Each line is empty or begins with a space.
-[[nodiscard]] std::vector<std::string> function_docs(const FunctionText& text);
+[[nodiscard]] std::vector<std::string> function_docs(const FunctionDocsInput& text);
 
 /// "Mass matrix, symmetric. 2 x 2, row-major [kg].": the documentation before the equations.
-[[nodiscard]] std::string function_heading(const FunctionText& text);
+[[nodiscard]] std::string function_heading(const FunctionDocsInput& text);
 
 /// "kg, kg*m; kg*m, kg*m^2": rows separated by ";", entries by ",". A single unit if all are equal;
 /// "" if a unit is unknown or the list is too long to help.
@@ -40,7 +40,7 @@ struct FunctionText {
 
 /// "2 x 2, row-major [kg]", "2 entries [N], of x, y": the shape and the units of a field, and
 /// names_without_leaf() of its rows unless the list is too long to help.
-[[nodiscard]] std::string field_summary(const FunctionText& text, const Field& field);
+[[nodiscard]] std::string field_summary(const FunctionDocsInput& text, const Field& field);
 
 /// "cart mass [kg] in [0, 2]"; the name if the array has no documentation, unit or range.
 [[nodiscard]] std::string parameter_doc(const ParameterArray& array);

@@ -23,59 +23,63 @@ class FunctionFormulas::Rules {
     return {vocabulary_.leaf(kind, number)};
   }
   [[nodiscard]] FormulaText add(std::uint32_t x, std::uint32_t y) const {
-    return sum_text({{entry(x)}, {entry(y)}});
+    return sum_text({{operand_text(x)}, {operand_text(y)}});
   }
   [[nodiscard]] FormulaText subtract(std::uint32_t x, std::uint32_t y) const {
-    return sum_text({{entry(x)}, {entry(y), true}});
+    return sum_text({{operand_text(x)}, {operand_text(y), true}});
   }
   [[nodiscard]] FormulaText multiply(std::uint32_t x, std::uint32_t y) const {
-    return product_text(code_spelling, {entry(x), entry(y)});
+    return product_text(code_spelling, {operand_text(x), operand_text(y)});
   }
   [[nodiscard]] FormulaText divide(std::uint32_t x, std::uint32_t y) const {
-    return quotient(code_spelling, entry(x), entry(y));
+    return quotient_text(code_spelling, operand_text(x), operand_text(y));
   }
-  [[nodiscard]] FormulaText negate(std::uint32_t x) const { return negated(entry(x)); }
+  [[nodiscard]] FormulaText negate(std::uint32_t x) const { return negation_text(operand_text(x)); }
   [[nodiscard]] FormulaText square_root(std::uint32_t x) const {
-    return vocabulary_.square_root(entry(x));
+    return vocabulary_.square_root(operand_text(x));
   }
   /// All languages take the k of stumpff(x, k) as an integer literal.
   [[nodiscard]] FormulaText call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
-    std::vector<FormulaText> arguments = {entry(x)};
+    std::vector<FormulaText> arguments = {operand_text(x)};
     if (function == FunctionId::stumpff) {
       arguments.push_back({std::to_string(stumpff_order(all_.program_, all_.function_, y))});
     } else if (function_row(function).arity > 1) {
-      arguments.push_back(entry(y));
+      arguments.push_back(operand_text(y));
     }
     return vocabulary_.call(function, arguments);
   }
 
  private:
-  [[nodiscard]] FormulaText entry(std::uint32_t at) const { return all_.operand(at_, at); }
+  [[nodiscard]] FormulaText operand_text(std::uint32_t at) const {
+    return all_.operand_formula(at_, at);
+  }
 
   const FunctionFormulas& all_;
   std::uint32_t at_;
   const Vocabulary& vocabulary_;
 };
 
-FormulaText FunctionFormulas::entry(std::uint32_t at) const {
-  return names_[at].empty() ? definition(at) : FormulaText{names_[at]};
+FormulaText FunctionFormulas::name_or_formula(std::uint32_t at) const {
+  return names_[at].empty() ? formula(at) : FormulaText{names_[at]};
 }
 
-FormulaText FunctionFormulas::operand(std::uint32_t user, std::uint32_t at) const {
+FormulaText FunctionFormulas::operand_formula(std::uint32_t user, std::uint32_t at) const {
   const Vocabulary& words = vocabulary_of(user);
   const Instruction& i = function_.instructions[at];
   if (i.opcode == Opcode::constant && names_[at].empty()) {
     return words.constant(program_.constants[i.a]);
   }
-  return &words == &vocabulary_of(at) ? entry(at) : words.convert(entry(at));
+  return &words == &vocabulary_of(at) ? name_or_formula(at)
+                                      : words.convert_scalar(name_or_formula(at));
 }
 
 const Vocabulary& FunctionFormulas::vocabulary_of(std::uint32_t at) const {
-  const bool is_inner = function_.instructions[at].is_inner && vocabulary_.inner() != nullptr;
-  return is_inner ? *vocabulary_.inner() : vocabulary_;
+  const bool is_inner =
+      function_.instructions[at].is_inner && vocabulary_.inner_vocabulary() != nullptr;
+  return is_inner ? *vocabulary_.inner_vocabulary() : vocabulary_;
 }
 
-FormulaText FunctionFormulas::definition(std::uint32_t at) const {
+FormulaText FunctionFormulas::formula(std::uint32_t at) const {
   const Rules rules(*this, at);
   return fold_instruction(rules, program_, function_.instructions[at], rules);
 }

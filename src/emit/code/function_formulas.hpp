@@ -25,10 +25,10 @@ class Vocabulary {
                                          const std::vector<FormulaText>& arguments) const = 0;
 
   /// The vocabulary of instructions with `is_inner`; null if there is no other vocabulary.
-  [[nodiscard]] virtual const Vocabulary* inner() const { return nullptr; }
+  [[nodiscard]] virtual const Vocabulary* inner_vocabulary() const { return nullptr; }
   /// `value` in the number type of this vocabulary. `value` is a formula of inner(), or of the
   /// vocabulary that has this vocabulary as inner().
-  [[nodiscard]] virtual FormulaText convert(const FormulaText& value) const { return value; }
+  [[nodiscard]] virtual FormulaText convert_scalar(const FormulaText& value) const { return value; }
 };
 
 class FunctionFormulas {
@@ -39,12 +39,12 @@ class FunctionFormulas {
       : program_(program), function_(function), vocabulary_(vocabulary), names_(names) {}
 
   /// The formula of the instruction, even if it has a name.
-  [[nodiscard]] FormulaText definition(std::uint32_t at) const;
+  [[nodiscard]] FormulaText formula(std::uint32_t at) const;
   /// The name of the instruction, or its formula if it has no name.
-  [[nodiscard]] FormulaText entry(std::uint32_t at) const;
+  [[nodiscard]] FormulaText name_or_formula(std::uint32_t at) const;
   /// entry(at) as an operand of the instruction `user`, converted if the two instructions have
   /// different vocabularies.
-  [[nodiscard]] FormulaText operand(std::uint32_t user, std::uint32_t at) const;
+  [[nodiscard]] FormulaText operand_formula(std::uint32_t user, std::uint32_t at) const;
 
  private:
   class Rules;

@@ -17,10 +17,10 @@ namespace elgen {
 [[nodiscard]] TemplateData stamp_data(const EmissionInput& input);
 
 /// Sets the number of pivots, and the section `regular` if some function returns pivots.
-void set_regular(TemplateData& data, const EmissionInput& input);
+void set_pivot_data(TemplateData& data, const EmissionInput& input);
 
 /// True if a function has a loop over columns.
-[[nodiscard]] bool has_loops(const Program& program);
+[[nodiscard]] bool has_column_loops(const Program& program);
 
 /// The data of a header. The section `kinks` is present if the program calls sign, min or max; the
 /// section `columns` is present if a function has a loop over columns.
@@ -28,22 +28,22 @@ void set_regular(TemplateData& data, const EmissionInput& input);
 
 /// The elements of a declared array as literals. The bounds replace {0} and {1} of `interval`;
 /// `unbounded` replaces a bound that is missing or too large for double.
-[[nodiscard]] std::vector<std::string> declared_elements(const DeclaredArray& array,
-                                                         std::string_view interval,
-                                                         std::string_view unbounded);
+[[nodiscard]] std::vector<std::string> element_literals(const DeclaredArray& array,
+                                                        std::string_view interval,
+                                                        std::string_view unbounded);
 
 /// True if some number or bound is missing or too large for double, so that the code needs
 /// `unbounded`.
-[[nodiscard]] bool has_unbounded(const DeclaredArray& array);
+[[nodiscard]] bool needs_unbounded(const DeclaredArray& array);
 
 /// " step is omitted: it has more than 4096 entries."
-[[nodiscard]] std::string left_out_note(const Function& function);
+[[nodiscard]] std::string omission_note(const Function& function);
 
 /// Notes, wrapped as lines of a comment.
-[[nodiscard]] std::vector<std::string> wrapped_notes(const std::vector<std::string>& notes);
+[[nodiscard]] std::vector<std::string> wrap_notes(const std::vector<std::string>& notes);
 
 /// The filled template with its body hash and at most `most_empty` empty lines in a row.
-[[nodiscard]] std::string header_text(std::string_view path, const TemplateData& data,
-                                      std::size_t most_empty = 1);
+[[nodiscard]] std::string fill_header_template(std::string_view path, const TemplateData& data,
+                                               std::size_t most_empty = 1);
 
 }  // namespace elgen

@@ -13,17 +13,18 @@ namespace elgen {
 namespace {
 
 /// Characters that remain of a name that is too long; a number and underscores follow them.
-constexpr std::size_t kept_of_long_name = 40;
+constexpr std::size_t truncated_name_length = 40;
 
 /// The limit of nested brackets, and the names in use.
-struct Bounds {
-  std::size_t deepest = 0;
+struct NamingLimits {
+  std::size_t max_bracket_depth = 0;
   std::set<std::string> taken = {};
 };
 
 /// Names the values whose formulas would nest more brackets than the language can parse. Each
 /// instruction that is written out adds at most two levels.
-void name_deep_values(const Function& function, Bounds bounds, std::vector<std::string>& names) {
+void name_deep_values(const Function& function, NamingLimits bounds,
+                      std::vector<std::string>& names) {
   std::vector<std::size_t> depths(names.size(), 0);
   std::size_t count = 0;
   for (std::size_t at = 0; at < names.size(); ++at) {
@@ -32,7 +33,7 @@ void name_deep_values(const Function& function, Bounds bounds, std::vector<std::
     if (operands == 0) continue;
     const auto depth = [&](std::uint32_t of) { return names[of].empty() ? depths[of] : 0; };
     depths[at] = 2 + std::max(depth(i.a), operands > 1 ? depth(i.b) : 0);
-    if (depths[at] <= bounds.deepest || !names[at].empty()) continue;
+    if (depths[at] <= bounds.max_bracket_depth || !names[at].empty()) continue;
     do names[at] = fmt::format("inner_{}", ++count);
     while (!bounds.taken.insert(names[at]).second);
   }
@@ -57,17 +58,18 @@ void name_parameters(const Program& program, const Function& function,
 std::vector<std::string> local_names(const Dialect& dialect, const Program& program,
                                      const Function& function) {
   std::vector<std::string> names = temporary_names(program, function);
-  const BodyRules rules = dialect.rules();
-  if (rules.names_parameters) name_parameters(program, function, names);
+  const BodyRules rules = dialect.body_rules();
+  if (rules.needs_parameter_names) name_parameters(program, function, names);
   std::set<std::string> used;
   for (std::string& name : names) {
     if (name.empty()) continue;
-    name = dialect.temporary(name);
+    name = dialect.temporary_name(name);
     const bool is_long = rules.max_name_length > 0 && name.size() > rules.max_name_length;
-    if (is_long) name = fmt::format("{}_{}", name.substr(0, kept_of_long_name), used.size());
+    if (is_long) name = fmt::format("{}_{}", name.substr(0, truncated_name_length), used.size());
     while (!used.insert(name).second) name += '_';
   }
-  if (rules.deepest > 0) name_deep_values(function, {rules.deepest, used}, names);
+  if (rules.max_bracket_depth > 0)
+    name_deep_values(function, {rules.max_bracket_depth, used}, names);
   return names;
 }
 

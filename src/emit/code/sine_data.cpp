@@ -15,7 +15,8 @@
 namespace elgen {
 namespace {
 
-TemplateData rows(const std::vector<std::string>& texts, std::size_t first, const char* hole) {
+TemplateData template_list(const std::vector<std::string>& texts, std::size_t first,
+                           const char* hole) {
   TemplateData list(TemplateData::type::list);
   for (std::size_t i = first; i < texts.size(); ++i) list.push_back(TemplateData(hole, texts[i]));
   return list;
@@ -26,9 +27,9 @@ constexpr std::array<std::string_view, 3> powers{"square", "fourth", "eighth"};
 
 /// Combines neighbouring terms to c0 + c1 x^2, then neighbouring sums with the factor x^4, then
 /// with x^8. `polynomial` in program/evaluate/sines.cpp uses the same order.
-class Estrin {
+class EstrinPolynomial {
  public:
-  Estrin(std::vector<std::string> terms, const std::string& name, std::string_view type)
+  EstrinPolynomial(std::vector<std::string> terms, const std::string& name, std::string_view type)
       : terms_(std::move(terms)) {
     for (std::size_t level = 0; terms_.size() > 1; ++level) {
       std::vector<std::string> sums;
@@ -54,8 +55,8 @@ class Estrin {
 
 }  // namespace
 
-TemplateRow sine_data(const std::vector<SineNumber>& numbers, ScalarKind scalar,
-                      const SineLiteral& literal, SineSpelling spelling) {
+TemplateRow sine_data(const std::vector<SineConstant>& numbers, ScalarKind scalar,
+                      const LiteralWriter& literal, SineSpelling spelling) {
   const bool is_float = scalar == ScalarKind::single_precision;
   TemplateRow row{{"element", std::string(name_of(scalar))},
                   {"integer", is_float ? "uint32_t" : "uint64_t"},
@@ -72,7 +73,7 @@ TemplateRow sine_data(const std::vector<SineNumber>& numbers, ScalarKind scalar,
     if (name.starts_with("sine_")) sines.push_back(text);
     if (name.starts_with("cosine_")) cosines.push_back(text);
   }
-  row["parts"] = rows(parts, 2, "part");
+  row["parts"] = template_list(parts, 2, "part");
   TemplateData higher(TemplateData::type::list);
   const std::size_t most = std::max(sines.size(), cosines.size());
   for (std::size_t level = 1; most > std::size_t{1} << level; ++level) {
@@ -82,14 +83,14 @@ TemplateRow sine_data(const std::vector<SineNumber>& numbers, ScalarKind scalar,
   row["powers"] = std::move(higher);
   const std::string type =
       spelling == SineSpelling::names ? "Native" : std::string(name_of(scalar));
-  const Estrin sine(std::move(sines), "odd", type);
-  const Estrin cosine(std::move(cosines), "even", type);
+  const EstrinPolynomial sine(std::move(sines), "odd", type);
+  const EstrinPolynomial cosine(std::move(cosines), "even", type);
   std::vector<std::string> lines = sine.lines();
   lines.insert(lines.end(), cosine.lines().begin(), cosine.lines().end());
-  row["lines"] = rows(lines, 0, "line");
+  row["lines"] = template_list(lines, 0, "line");
   row["sine"] = sine.value();
   row["cosine"] = cosine.value();
-  row["constants"] = rows_data(numbers, [&literal](const SineNumber& number) {
+  row["constants"] = repeated_section(numbers, [&literal](const SineConstant& number) {
     return TemplateRow{{"constant", number.name}, {"number", literal(number.value)}};
   });
   return row;
@@ -97,15 +98,15 @@ TemplateRow sine_data(const std::vector<SineNumber>& numbers, ScalarKind scalar,
 
 TemplateData trigonometry_tables(const Numerics& numerics, SineArithmetic arithmetic,
                                  const std::vector<ScalarKind>& scalars) {
-  const TemplateData elements = rows_data(scalars, [&](ScalarKind scalar) {
+  const TemplateData elements = repeated_section(scalars, [&](ScalarKind scalar) {
     const auto literal = [scalar](double value) {
       const bool is_float = scalar == ScalarKind::single_precision;
       return shortest_literal(exact_value(value), scalar) + (is_float ? "F" : "");
     };
-    return sine_data(sine_numbers(numerics, arithmetic, scalar), scalar, literal,
+    return sine_data(sine_constants(numerics, arithmetic, scalar), scalar, literal,
                      SineSpelling::names);
   });
-  return section_if(!scalars.empty(), TemplateRow{{"elements", elements}});
+  return optional_section(!scalars.empty(), TemplateRow{{"elements", elements}});
 }
 
 }  // namespace elgen

@@ -15,12 +15,12 @@ namespace elgen {
 enum class SineSpelling : std::uint8_t { names, values };
 
 /// Writes a number as a literal of the scalar type.
-using SineLiteral = std::function<std::string(double)>;
+using LiteralWriter = std::function<std::string(double)>;
 
 /// A template variable for each coefficient, and three lists: the third and later parts of pi/2,
 /// the powers of x^2, and the lines that compute the polynomials `sine` and `cosine`.
-[[nodiscard]] TemplateRow sine_data(const std::vector<SineNumber>& numbers, ScalarKind scalar,
-                                    const SineLiteral& literal, SineSpelling spelling);
+[[nodiscard]] TemplateRow sine_data(const std::vector<SineConstant>& numbers, ScalarKind scalar,
+                                    const LiteralWriter& literal, SineSpelling spelling);
 
 /// Section `tables` of C++ headers; absent if `scalars` is empty.
 [[nodiscard]] TemplateData trigonometry_tables(const Numerics& numerics, SineArithmetic arithmetic,

@@ -19,25 +19,25 @@ namespace elgen {
 
 /// Instructions that a statement reads.
 struct StatementOperands {
-  std::vector<std::uint32_t> uses = {};     ///< named instructions, ascending, without duplicates
-  std::vector<std::uint32_t> written = {};  ///< instructions that it writes out
+  std::vector<std::uint32_t> uses = {};  ///< named instructions, ascending, without duplicates
+  std::vector<std::uint32_t> inlined_instructions = {};  ///< instructions that it writes out
 };
 
 /// Assigns a named value.
-struct Assign {
+struct AssignStatement {
   std::uint32_t instruction = 0;
   StatementOperands operands = {};
 };
 
 /// Computes the sine and the cosine of an angle together.
-struct SineAndCosine {
+struct SineCosineStatement {
   std::uint32_t sine = 0;
   std::uint32_t cosine = 0;
   StatementOperands operands = {};
 };
 
 /// Writes an entry of a field.
-struct Entry {
+struct EntryStatement {
   std::uint32_t instruction = 0;
   std::uint32_t field = 0;
   std::uint32_t index = 0;  ///< in its field
@@ -45,35 +45,37 @@ struct Entry {
 };
 
 /// Stores an operand of the loop over columns in the array `given`.
-struct LoopOperand {
+struct LoopOperandStatement {
   std::uint32_t instruction = 0;
   std::uint32_t index = 0;
   StatementOperands operands = {};
 };
 
 /// The loop over columns. Its first instruction represents all values that it computes.
-struct Loop {
+struct LoopStatement {
   std::uint32_t first = 0;
   StatementOperands operands = {};
 };
 
 /// A variant: code that writes or sorts statements needs an overload for each kind, and the
 /// compiler reports a missing overload.
-using Statement = std::variant<Assign, SineAndCosine, Entry, LoopOperand, Loop>;
+using Statement = std::variant<AssignStatement, SineCosineStatement, EntryStatement,
+                               LoopOperandStatement, LoopStatement>;
 
 [[nodiscard]] const StatementOperands& operands_of(const Statement& statement);
 
 /// Instructions to which the statement gives names, ascending.
-[[nodiscard]] std::vector<std::uint32_t> named_by(const Statement& statement);
+[[nodiscard]] std::vector<std::uint32_t> assigned_values(const Statement& statement);
 
 /// `joint`: a single statement computes the sine and the cosine of an angle if both are needed.
-enum class Pairing : std::uint8_t { joint, separate };
+enum class SineCosinePairing : std::uint8_t { joint, separate };
 
 /// The statements of a function. `names`: one per instruction; "" if the instruction is written
 /// out. An entry that the loop computes has the first instruction of the loop as operand.
-[[nodiscard]] std::vector<Statement> statements(const Function& function,
-                                                const std::vector<std::string>& names,
-                                                Pairing pairing, const ColumnLoop& loop = {});
+[[nodiscard]] std::vector<Statement> make_statements(const Function& function,
+                                                     const std::vector<std::string>& names,
+                                                     SineCosinePairing pairing,
+                                                     const ColumnLoop& loop = {});
 
 /// A long body, cut into parts of bounded length because compile time grows faster than the length
 /// of a function.
@@ -83,16 +85,16 @@ enum class Pairing : std::uint8_t { joint, separate };
 ///
 /// The value b crosses. An entry is written as soon as its operands are computed, so that few
 /// values cross into later parts.
-struct Sections {
+struct BodyParts {
   std::vector<std::vector<Statement>> parts = {};  ///< at least one
-  std::vector<bool> crosses = {};                  ///< per instruction: another part uses its value
+  std::vector<bool> crosses_parts = {};            ///< per instruction: another part uses its value
 };
 
 /// Bodies of up to this many statements compile within a second and are not cut.
-inline constexpr std::size_t longest_body = 1000;
-inline constexpr std::size_t section_length = 400;
+inline constexpr std::size_t max_body_statements = 1000;
+inline constexpr std::size_t statements_per_part = 400;
 
-[[nodiscard]] Sections sections(const std::vector<Statement>& statements,
-                                std::size_t length_of_part);
+[[nodiscard]] BodyParts cut_into_parts(const std::vector<Statement>& statements,
+                                       std::size_t length_of_part);
 
 }  // namespace elgen

@@ -21,9 +21,9 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-constexpr std::array<std::string_view, 3> batch_names{"Pack", "batch", "kernel"};
+constexpr std::array<std::string_view, 3> names_in_batch_header{"Pack", "batch", "kernel"};
 
-Texts notes(const EmissionInput& input) {
+Texts note_lines(const EmissionInput& input) {
   Texts lines;
   for (const ScalarKind scalar : input.scene.numerics.scalars) {
     const double error =
@@ -34,17 +34,17 @@ Texts notes(const EmissionInput& input) {
                     name_of(scalar), error, angle_reduction(scalar).domain));
   }
   for (const Function& function : input.program.functions) {
-    if (!is_returned(function)) {
-      lines.push_back(left_out_note(function));
-    } else if (needs_order(function)) {
+    if (!is_returned_by_value(function)) {
+      lines.push_back(omission_note(function));
+    } else if (needs_ordered_scalar(function)) {
       lines.push_back(fmt::format(" {} compares numbers, so that it computes one state at a time.",
                                   function.name));
     }
   }
-  return wrapped_notes(lines);
+  return wrap_notes(lines);
 }
 
-Texts parameters(const EmissionInput& input) {
+Texts parameter_conversions(const EmissionInput& input) {
   Texts lines;
   for (const ParameterArray& array : emitted_parameters(input.model, input.program)) {
     lines.push_back(
@@ -92,7 +92,7 @@ std::string store_statements(const Function& function) {
 }
 
 /// The statements that call the function for the pack of states at `at` and store the values.
-std::string statements(const EmissionInput& input, const Function& function) {
+std::string kernel_statements(const EmissionInput& input, const Function& function) {
   Texts arguments;
   for (const Opcode argument : arguments_of(input.model, function)) {
     arguments.push_back(load_expression(argument));
@@ -102,27 +102,28 @@ std::string statements(const EmissionInput& input, const Function& function) {
                      store_statements(function));
 }
 
-TemplateData functions(const EmissionInput& input) {
+TemplateData functions_data(const EmissionInput& input) {
   TemplateData list(TemplateData::type::list);
   for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
     const Function& function = input.program.functions[i];
-    if (!is_returned(function)) continue;
-    const FunctionText text{input.model, input.program,       function, input.equations[i],
-                            {},          input.scene.emission};
+    if (!is_returned_by_value(function)) continue;
+    const FunctionDocsInput text{input.model, input.program,       function, input.equations[i],
+                                 {},          input.scene.emission};
     list << TemplateRow{
         {"summary", function_heading(text)},
         {"signature", batch_signature("void", "const Parameters<T>& p", input.model, function)},
         {"kernel",
          batch_signature("__global__ void", "Parameters<T> constants", input.model, function)},
-        {"scalar", needs_order(function) ? "T" : "Pack<T>"},
-        {"statements", statements(input, function)}};
+        {"scalar", needs_ordered_scalar(function) ? "T" : "Pack<T>"},
+        {"statements", kernel_statements(input, function)}};
   }
   return list;
 }
 
-TemplateData calls_data(const Program& program, std::size_t arity) {
-  return rows_data(library_calls(program, arity),
-                   [](std::string_view name) { return TemplateData("call", std::string(name)); });
+TemplateData library_calls_data(const Program& program, std::size_t arity) {
+  return repeated_section(library_calls(program, arity), [](std::string_view name) {
+    return TemplateData("call", std::string(name));
+  });
 }
 
 }  // namespace
@@ -130,28 +131,28 @@ TemplateData calls_data(const Program& program, std::size_t arity) {
 std::string batch_header(const EmissionInput& input) {
   TemplateData data = stamp_data(input);
   data.set("header", input.scene.base_name + ".hpp");
-  data.set("notes", lines_data(notes(input)));
+  data.set("notes", lines_section(note_lines(input)));
   const Numerics& numerics = input.scene.numerics;
-  const bool has_tables = has_batch_tables(input.scene, input.program);
+  const bool has_tables = has_batch_sine_tables(input.scene, input.program);
   const std::vector<ScalarKind> none;
   data.set("tables", trigonometry_tables(numerics, SineArithmetic::packs,
                                          has_tables ? numerics.scalars : none));
   data.set("trigonometry",
            has_tables ? "Trigonometry" : "::" + name_space(input.scene) + "::detail::Trigonometry");
-  data.set("calls", calls_data(input.program, 1));
-  data.set("calls_of_two", calls_data(input.program, 2));
-  data.set("sine_cosine", section_if(calls_sines(input.program)));
-  data.set("parameters", lines_data(parameters(input)));
-  data.set("functions", functions(input));
-  return header_text("cpp/batch.hpp.mustache", data);
+  data.set("calls", library_calls_data(input.program, 1));
+  data.set("calls_of_two", library_calls_data(input.program, 2));
+  data.set("sine_cosine", optional_section(calls_sines(input.program)));
+  data.set("parameters", lines_section(parameter_conversions(input)));
+  data.set("functions", functions_data(input));
+  return fill_header_template("cpp/batch.hpp.mustache", data);
 }
 
 Diagnostics batch_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
     const bool is_reserved =
-        std::ranges::count(batch_names, function.name) > 0 ||
-        (returns_struct(function) && camel_case(function.name) == batch_names[0]);
+        std::ranges::count(names_in_batch_header, function.name) > 0 ||
+        (returns_struct(function) && camel_case(function.name) == names_in_batch_header[0]);
     if (is_reserved) diagnostics.push_back(reserved_name_error(scene, function));
   }
   return diagnostics;

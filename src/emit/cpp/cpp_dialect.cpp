@@ -18,7 +18,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-std::string joined_lines(const Texts& lines) { return fmt::format("{}", fmt::join(lines, "\n")); }
+std::string join_lines(const Texts& lines) { return fmt::format("{}", fmt::join(lines, "\n")); }
 
 /// The rows of a matrix, joined by commas, if every row fits a line; else one entry per line.
 Texts entry_lines(const Field& field, const Texts& entries, std::size_t indent) {
@@ -32,25 +32,24 @@ Texts entry_lines(const Field& field, const Texts& entries, std::size_t indent) 
   const Wrapping wrapping{line_width - indent - 1, std::string(indent + 4, ' ')};
   Texts lines;
   for (const std::string& entry : entries) {
-    lines.push_back(joined_lines(wrap_expression(entry, wrapping)));
+    lines.push_back(join_lines(wrap_expression(entry, wrapping)));
   }
   return lines;
 }
 
 /// A field and the texts of its entries. `is_number`: the type of the field is a number, no array.
-struct WrittenField {
+struct FieldEntryTexts {
   const Field& field;
   const Texts& entries;
   bool is_number;
 };
 
 /// The text of the value: a number has no braces, an array has the double braces of std::array.
-std::string field_value(const WrittenField& value, std::size_t indent) {
+std::string field_value_text(const FieldEntryTexts& value, std::size_t indent) {
   const auto& [field, entries, is_number] = value;
   const std::string margin(indent, ' ');
   if (is_number) {
-    return joined_lines(
-        wrap_expression(entries.front(), {line_width - indent - 8, margin + "    "}));
+    return join_lines(wrap_expression(entries.front(), {line_width - indent - 8, margin + "    "}));
   }
   if (entries.empty()) return "{}";
   const std::string line = fmt::format("{{{{{}}}}}", fmt::join(entries, ", "));
@@ -70,12 +69,13 @@ std::string name_if_used(const UsedNames& used, std::string_view blank_and_name)
 }
 
 /// "const auto [sin_x, cos_x]", "std::tie(w.sin_x, w.cos_x)": the left-hand side for both values.
-std::string pair_target(const std::string& sine, const std::string& cosine, bool is_declared) {
+std::string sine_cosine_target(const std::string& sine, const std::string& cosine,
+                               bool is_declared) {
   return is_declared ? fmt::format("const auto [{}, {}]", sine, cosine)
                      : fmt::format("std::tie({}, {})", sine, cosine);
 }
 
-ColumnLoopTexts column_words(std::string_view scope, std::uint32_t count) {
+ColumnLoopTexts make_loop_texts(std::string_view scope, std::uint32_t count) {
   return {fmt::format("  using Columns = {0}detail::Columns<Scalar>;\n"
                       "  for (std::size_t first = 0; first < {1}; first += Columns::size) {{\n"
                       "    const std::size_t at = first + Columns::size < {1} ? first : {1} - "
@@ -91,50 +91,54 @@ class CppDialect : public CompiledDialect {
 
   FormulaText constant(const Constant& constant) const override {
     const bool is_negative = cln::minusp(constant.value);
-    const std::string magnitude = is_short_constant(constant.value)
-                                      ? cpp_magnitude(constant.value, scalar())
-                                      : fmt::format("{}<{}>()", constant_name(constant), scalar());
+    const std::string magnitude =
+        is_short_constant(constant.value)
+            ? cpp_magnitude(constant.value, scalar_type())
+            : fmt::format("{}<{}>()", constant_name(constant), scalar_type());
     return {(is_negative ? "-" : "") + magnitude, is_negative ? Binding::negation : Binding::atom};
   }
 
-  std::string_view scalar() const override { return "Scalar"; }
+  std::string_view scalar_type() const override { return "Scalar"; }
 
   std::string declaration(const std::string& name) const override {
-    return fmt::format("const {} {}", scalar(), name);
+    return fmt::format("const {} {}", scalar_type(), name);
   }
 
-  std::string pair(const std::string& sine, const std::string& cosine, const FormulaText& angle,
-                   bool is_declared) const override {
-    const std::string name = fmt::format("{}detail::SineCosine<{}>::of", scope(), scalar());
-    return assignment(pair_target(sine, cosine, is_declared), called(name, {angle}).text);
+  std::string sine_cosine_statement(const std::string& sine, const std::string& cosine,
+                                    const FormulaText& angle, bool is_declared) const override {
+    const std::string name =
+        fmt::format("{}detail::SineCosine<{}>::of", namespace_prefix(), scalar_type());
+    return assignment(sine_cosine_target(sine, cosine, is_declared),
+                      named_call_text(name, {angle}).text);
   }
 
-  ColumnLoopTexts columns(std::uint32_t count) const override {
-    return column_words(scope(), count);
+  ColumnLoopTexts column_loop_texts(std::uint32_t count) const override {
+    return make_loop_texts(namespace_prefix(), count);
   }
 
-  std::string target(const Function& function, std::uint32_t at,
-                     std::uint32_t index) const override {
+  std::string assignment_target(const Function& function, std::uint32_t at,
+                                std::uint32_t index) const override {
     const Field& field = function.fields[at];
     const std::string member = field.name.empty() ? "" : "." + field.name;
-    return "result" + member + (is_number(function, field) ? "" : element(index));
+    return "result" + member + (is_scalar_field(function, field) ? "" : element_access(index));
   }
 
   std::string return_statement(const Function& function, const Function& ordered,
                                const FieldTexts& entries) const override {
-    if (!is_returned(function)) return "";
+    if (!is_returned_by_value(function)) return "";
     const bool is_struct = returns_struct(function);
     Texts values;
     for (std::size_t i = 0; i < function.fields.size(); ++i) {
-      const bool is_plain = is_number(function, function.fields[i]);
-      values.push_back(field_value({ordered.fields[i], entries[i], is_plain}, is_struct ? 6 : 2));
+      const bool is_plain = is_scalar_field(function, function.fields[i]);
+      values.push_back(
+          field_value_text({ordered.fields[i], entries[i], is_plain}, is_struct ? 6 : 2));
     }
     if (!is_struct) return fmt::format("  return {};\n", values.front());
     return fmt::format("  return {{\n      {},\n  }};\n", fmt::join(values, ",\n      "));
   }
 
-  std::string opening(const Function& /*function*/, const UsedNames& used,
-                      bool /*is_part*/) const override {
+  std::string body_prologue(const Function& /*function*/, const UsedNames& used,
+                            bool /*is_part*/) const override {
     std::string text;
     for (const std::string_view name : used.functions) {
       text += fmt::format("  using std::{};\n", name);
@@ -143,9 +147,9 @@ class CppDialect : public CompiledDialect {
   }
 
   std::string signature(const Function& function, const UsedNames& used) const override {
-    Texts arguments = declared_arguments(function, used);
+    Texts arguments = argument_declarations(function, used);
     const std::string type = result_type(function);
-    if (is_returned(function)) {
+    if (is_returned_by_value(function)) {
       const std::string start =
           fmt::format("[[nodiscard]] {}{} {}", function_macro(), type, function.name);
       return elgen::signature(start, arguments, " noexcept");
@@ -159,24 +163,25 @@ class CppDialect : public CompiledDialect {
                              const UsedNames& used) const override {
     Texts arguments = {result_type(function) + "&" + name_if_used(used, " result"),
                        workspace_name(function) + "<Scalar>&" + name_if_used(used, " w")};
-    const Texts own = declared_arguments(function, used);
+    const Texts own = argument_declarations(function, used);
     arguments.insert(arguments.end(), own.begin(), own.end());
     const std::string start = fmt::format("{}void {}", function_macro(), part_name(function, part));
     return elgen::signature(start, arguments, " noexcept");
   }
 
-  std::string body_with_calls(const Function& function, std::size_t parts) const override {
+  std::string body_calling_parts(const Function& function, std::size_t parts) const override {
     std::string body;
-    if (is_returned(function)) body += fmt::format("  {} result;\n", result_type(function));
+    if (is_returned_by_value(function))
+      body += fmt::format("  {} result;\n", result_type(function));
     body += fmt::format("  detail::{}<Scalar> w;\n", workspace_name(function));
     for (std::size_t part = 0; part < parts; ++part) {
       body += fmt::format("  detail::{}(result, w, {});\n", part_name(function, part),
                           fmt::join(argument_names_of(function), ", "));
     }
-    return is_returned(function) ? body + "  return result;\n" : body;
+    return is_returned_by_value(function) ? body + "  return result;\n" : body;
   }
 
-  std::string member(const Function& function, const Field& field) const override {
+  std::string field_declaration(const Function& function, const Field& field) const override {
     return fmt::format("{} {};", type_of_field(kind_of_field(program(), function, field), field),
                        field.name);
   }
@@ -197,13 +202,15 @@ class CppDialect : public CompiledDialect {
   }
 
   /// "::cart_pole::": the qualifier of `detail::` outside the namespace of the header; "" inside.
-  virtual std::string_view scope() const { return ""; }
+  virtual std::string_view namespace_prefix() const { return ""; }
 
   /// Macro before the return type of a function, with a trailing blank.
   virtual std::string_view function_macro() const { return "ELGEN_FUNCTION "; }
 
   /// "[2]": the index after the name of an array.
-  virtual std::string element(std::uint32_t index) const { return fmt::format("[{}]", index); }
+  virtual std::string element_access(std::uint32_t index) const {
+    return fmt::format("[{}]", index);
+  }
 
   /// "SquareMatrix<Scalar>", "const Coordinates<Scalar>&"
   virtual std::string type_of_field(OutputKind kind, const Field& field) const {
@@ -218,16 +225,16 @@ class CppDialect : public CompiledDialect {
 
  private:
   /// Sine and cosine are functions of the header, which computes them in line if it can.
-  std::string library_function(std::string_view name) const override {
+  std::string library_function_name(std::string_view name) const override {
     if (name != "sin" && name != "cos") return std::string(name);
-    return own_function(name == "sin" ? "Sine" : "Cosine") + "::of";
+    return helper_function_name(name == "sin" ? "Sine" : "Cosine") + "::of";
   }
 
-  std::string own_function(std::string_view name) const override {
-    return fmt::format("{}detail::{}<{}>", scope(), name, scalar());
+  std::string helper_function_name(std::string_view name) const override {
+    return fmt::format("{}detail::{}<{}>", namespace_prefix(), name, scalar_type());
   }
 
-  Texts declared_arguments(const Function& function, const UsedNames& used) const {
+  Texts argument_declarations(const Function& function, const UsedNames& used) const {
     Texts texts;
     for (const Opcode argument : arguments_of(model(), function)) {
       texts.push_back(type_of_argument(argument) +
@@ -247,11 +254,12 @@ class EigenDialect final : public CppDialect {
   /// std::array.
   std::string return_statement(const Function& function, const Function& ordered,
                                const FieldTexts& entries) const override {
-    const bool is_plain = !returns_struct(function) && is_number(function, function.fields.front());
-    if (is_plain || !is_returned(function))
+    const bool is_plain =
+        !returns_struct(function) && is_scalar_field(function, function.fields.front());
+    if (is_plain || !is_returned_by_value(function))
       return CppDialect::return_statement(function, ordered, entries);
     return fmt::format("  {} result;\n{}  return result;\n", result_type(function),
-                       assignments(*this, ordered, entries));
+                       entry_assignments(*this, ordered, entries));
   }
 
  private:
@@ -261,7 +269,9 @@ class EigenDialect final : public CppDialect {
 
   std::string_view function_macro() const override { return ""; }
 
-  std::string element(std::uint32_t index) const override { return fmt::format("({})", index); }
+  std::string element_access(std::uint32_t index) const override {
+    return fmt::format("({})", index);
+  }
 
   std::string type_of_field(OutputKind kind, const Field& field) const override {
     return eigen_type(kind, field);
@@ -289,13 +299,13 @@ class TypedDialect : public WideDialect {
                const std::string& name_space)
       : WideDialect(model, program), scalar_(scalar), scope_("::" + name_space + "::") {}
 
-  FormulaText convert(const FormulaText& value) const override {
+  FormulaText convert_scalar(const FormulaText& value) const override {
     return {fmt::format("static_cast<{}>({})", scalar_, value.text)};
   }
 
  private:
-  std::string_view scalar() const override { return scalar_; }
-  std::string_view scope() const override { return scope_; }
+  std::string_view scalar_type() const override { return scalar_; }
+  std::string_view namespace_prefix() const override { return scope_; }
 
   std::string_view scalar_;
   std::string scope_;
@@ -307,7 +317,7 @@ class MixedDialect final : public TypedDialect {
       : TypedDialect(model, program, "Scalar", name_space),
         inner_(model, program, "Inner", name_space) {}
 
-  const CompiledDialect* inner() const override { return &inner_; }
+  const CompiledDialect* inner_vocabulary() const override { return &inner_; }
 
  private:
   TypedDialect inner_;

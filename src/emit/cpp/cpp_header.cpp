@@ -23,7 +23,7 @@ namespace {
 using Texts = std::vector<std::string>;
 
 /// "{{1, 2}}": the inner braces initialise the array inside std::array; "{}" without elements.
-std::string braced(const Texts& elements, std::size_t column) {
+std::string braced_list(const Texts& elements, std::size_t column) {
   if (elements.empty()) return "{}";
   const std::string line = fmt::format("{{{{{}}}}}", fmt::join(elements, ", "));
   if (column + line.size() < line_width) return line;
@@ -31,20 +31,22 @@ std::string braced(const Texts& elements, std::size_t column) {
 }
 
 /// A declared array: names, units, ranges or limits of coordinates and inputs, for instance.
-TemplateData declared(const DeclaredArray& array) {
+TemplateData declared_array_data(const DeclaredArray& array) {
   constexpr std::array types{"const char*", "double", "Interval"};
-  const Texts elements = declared_elements(array, "{{{0}, {1}}}", "unbounded");
+  const Texts elements = element_literals(array, "{{{0}, {1}}}", "unbounded");
   const std::string type = types[static_cast<std::size_t>(array.kind)];
   const std::string count = std::to_string(array.size());
   const std::size_t column =
       fmt::format("inline constexpr std::array<{}, {}> {};", type, count, array.name).size();
-  return TemplateRow{
-      {"type", type}, {"count", count}, {"name", array.name}, {"value", braced(elements, column)}};
+  return TemplateRow{{"type", type},
+                     {"count", count},
+                     {"name", array.name},
+                     {"value", braced_list(elements, column)}};
 }
 
 Texts parameter_values(const Model& model, const ParameterArray& array) {
   Texts texts;
-  for (const cln::cl_R& value : values_of(model, array)) texts.push_back(cpp_constant(value));
+  for (const cln::cl_R& value : element_values(model, array)) texts.push_back(cpp_constant(value));
   return texts;
 }
 
@@ -65,8 +67,8 @@ std::string member_declaration(const Model& model, const ParameterArray& array) 
 }
 
 /// Members of Parameters, with their default values.
-std::vector<Member> declared_parameters(const Model& model,
-                                        const std::vector<ParameterArray>& arrays) {
+std::vector<Member> parameter_members(const Model& model,
+                                      const std::vector<ParameterArray>& arrays) {
   std::vector<Member> members;
   for (const ParameterArray& array : arrays) {
     members.push_back({member_declaration(model, array), parameter_doc(array)});
@@ -87,7 +89,7 @@ bool has_long_constants(const Program& program) {
 }
 
 /// Functions that return the constants that are too long for an equation, in program order.
-TemplateData numbers(const Program& program) {
+TemplateData long_constants_data(const Program& program) {
   TemplateData list(TemplateData::type::list);
   for (const Constant& constant : executed_constants(program)) {
     if (is_short_constant(constant.value)) continue;
@@ -103,12 +105,12 @@ TemplateData numbers(const Program& program) {
 
 /// A row with glibc's sincos, sincosf or sincosl for each scalar of the scene, and for float if the
 /// accelerations are in float. sincosl is no device function: no GPU has long double.
-TemplateData sine_cosine_calls(const Numerics& numerics) {
+TemplateData sine_cosine_calls_data(const Numerics& numerics) {
   std::vector<ScalarKind> named = numerics.scalars;
   if (numerics.inner == InnerScalar::single_precision) {
     named.push_back(ScalarKind::single_precision);
   }
-  return rows_data(named, [](ScalarKind scalar) {
+  return repeated_section(named, [](ScalarKind scalar) {
     const bool is_long = scalar == ScalarKind::long_double;
     const std::string ending = is_long ? "l" : (scalar == ScalarKind::single_precision ? "f" : "");
     return TemplateRow{{"scalar", std::string(name_of(scalar))},
@@ -129,22 +131,23 @@ std::vector<ScalarKind> scalars_if(const Predicate& is_wanted) {
 
 /// The names and tables of the scalars whose sines are computed in line. If packs use the tables of
 /// the main header, every scalar of the scene has a table.
-TemplateData sines_in_line(const EmissionInput& input) {
+TemplateData inline_sines_data(const EmissionInput& input) {
   const Scene& scene = input.scene;
-  const bool has_packs = scene.emission.batch && !has_batch_tables(input.scene, input.program);
+  const bool has_packs =
+      scene.emission.has_batch_header && !has_batch_sine_tables(input.scene, input.program);
   const auto in_line =
-      scalars_if([&](ScalarKind scalar) { return has_sines_in_line(scene, scalar); });
+      scalars_if([&](ScalarKind scalar) { return has_inline_sines(scene, scalar); });
   const auto in_tables = scalars_if([&](ScalarKind scalar) {
     const bool is_named = std::ranges::count(scene.numerics.scalars, scalar) > 0;
-    return has_sines_in_line(scene, scalar) || (has_packs && is_named);
+    return has_inline_sines(scene, scalar) || (has_packs && is_named);
   });
-  const TemplateData names = rows_data(in_line, [](ScalarKind scalar) {
+  const TemplateData names = repeated_section(in_line, [](ScalarKind scalar) {
     return TemplateData("scalar", std::string(name_of(scalar)));
   });
   return TemplateRow{
-      {"scalars", sine_cosine_calls(scene.numerics)},
+      {"scalars", sine_cosine_calls_data(scene.numerics)},
       {"tables", trigonometry_tables(scene.numerics, SineArithmetic::numbers, in_tables)},
-      {"in_line", section_if(!in_line.empty(), TemplateRow{{"scalars", names}})}};
+      {"in_line", optional_section(!in_line.empty(), TemplateRow{{"scalars", names}})}};
 }
 
 }  // namespace
@@ -152,15 +155,17 @@ TemplateData sines_in_line(const EmissionInput& input) {
 std::string cpp_header(const EmissionInput& input) {
   const std::vector<ParameterArray> parameters = emitted_parameters(input.model, input.program);
   TemplateData data = header_data(input, *cpp_dialect(input.model, input.program));
-  data.set("declared", rows_data(declared_arrays(input.model, input.program), declared));
-  data.set("filled", section_if(has_filled_array(input.model, parameters)));
-  data.set("has_numbers", section_if(has_long_constants(input.program)));
-  data.set("numbers", numbers(input.program));
-  data.set("sine_cosine", section_if(calls_sines(input.program), sines_in_line(input)));
-  data.set("memory", section_if(calls_sines(input.program) || has_loops(input.program)));
+  data.set("declared",
+           repeated_section(declared_arrays(input.model, input.program), declared_array_data));
+  data.set("filled", optional_section(has_filled_array(input.model, parameters)));
+  data.set("has_numbers", optional_section(has_long_constants(input.program)));
+  data.set("numbers", long_constants_data(input.program));
+  data.set("sine_cosine", optional_section(calls_sines(input.program), inline_sines_data(input)));
+  data.set("memory",
+           optional_section(calls_sines(input.program) || has_column_loops(input.program)));
   data.set("parameters",
-           lines_data(documented_members(declared_parameters(input.model, parameters))));
-  return header_text("cpp/header.hpp.mustache", data);
+           lines_section(member_doc_lines(parameter_members(input.model, parameters))));
+  return fill_header_template("cpp/header.hpp.mustache", data);
 }
 
 /// Writes the bodies again instead of calling the main header. To call it, Eigen's vectors would
@@ -171,7 +176,7 @@ std::string eigen_header(const EmissionInput& input) {
   const bool is_row_major = input.scene.emission.storage == Storage::row_major;
   data.set("header", input.scene.base_name + ".hpp");
   data.set("order", is_row_major ? "RowMajor" : "ColMajor");
-  return header_text("cpp/eigen.hpp.mustache", data);
+  return fill_header_template("cpp/eigen.hpp.mustache", data);
 }
 
 }  // namespace elgen

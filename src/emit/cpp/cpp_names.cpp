@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 24> emitted_names{
     "coordinate_names", "coordinate_ranges", "coordinate_units", "detail",
     "input_count",      "input_limits",      "input_names",      "input_units",
     "is_regular",       "parameter_count",   "rate_ranges",      "std"};
-constexpr std::array<std::string_view, 17> more_names{
+constexpr std::array<std::string_view, 17> more_emitted_names{
     "unbounded",        "velocity_count",   "velocity_names",   "velocity_units",    "result",
     "OpenValues",       "open_value_count", "open_value_names", "open_value_units",  "Momenta",
     "constraint_count", "Multipliers",      "constraint_names", "start_coordinates", "start_rates",
@@ -35,8 +35,8 @@ constexpr std::array<std::string_view, 5> eigen_names{"eigen", "Eigen", "Argumen
                                                       "Vector"};
 /// Names that are used in the initialisers of Parameters' members. A member with the same name
 /// would hide the name.
-constexpr std::array<std::string_view, 5> hidden_by_members{"Parameters", "Scalar", "constant",
-                                                            "detail", "std"};
+constexpr std::array<std::string_view, 5> names_in_initialisers{"Parameters", "Scalar", "constant",
+                                                                "detail", "std"};
 constexpr std::string_view constant_prefix = "number_";
 
 template <class List>
@@ -46,7 +46,7 @@ bool contains(const List& list, std::string_view name) {
 
 /// Functions of <math.h> and <stdlib.h> for double; their versions for float and long double end in
 /// f and l.
-constexpr std::string_view library_names =
+constexpr std::string_view math_function_names =
     " a64l abort abs acos acosh alloca arc4random asin asinh atan atan2 atanh atexit atof "
     "atoi atol atoll bsearch calloc canonicalize cbrt ceil clearenv copysign cos cosh div "
     "drand48 drem ecvt erand48 erf erfc exit exp exp10 exp2 expm1 fabs fadd fcvt fdim fdiv "
@@ -73,7 +73,7 @@ constexpr std::array<std::string_view, 16> reserved_prefixes{
     "posix_", "pthread_", "sched_",   "sem_",  "sockaddr_", "timerfd_", "wcs", "wmem"};
 constexpr std::array<std::string_view, 3> reserved_suffixes{"_t", "printf", "scanf"};
 
-bool is_declared(std::string_view name) { return has_word(library_names, name); }
+bool is_math_function(std::string_view name) { return has_word(math_function_names, name); }
 
 /// True if C or POSIX reserves all names of this form, for types or for functions.
 bool is_reserved_family(std::string_view name) {
@@ -86,8 +86,8 @@ bool is_reserved_family(std::string_view name) {
 /// True for names that a header of C or POSIX declares: no namespace can have them.
 bool is_library_name(std::string_view name) {
   const bool has_suffix = name.ends_with('f') || name.ends_with('l');
-  return is_reserved_family(name) || is_declared(name) || has_word(system_names, name) ||
-         (has_suffix && is_declared(name.substr(0, name.size() - 1)));
+  return is_reserved_family(name) || is_math_function(name) || has_word(system_names, name) ||
+         (has_suffix && is_math_function(name.substr(0, name.size() - 1)));
 }
 
 /// Reports E912 if two constants get the same name.
@@ -112,7 +112,7 @@ bool is_reserved_by_system(std::string_view name) { return name == "std" || is_l
 Diagnostics cpp_check_names(const Model& model, const Scene& scene, const Program& program) {
   Diagnostics diagnostics = check_constant_names(program);
   for (const ParameterArray& array : emitted_parameters(model, program)) {
-    if (contains(hidden_by_members, array.name)) {
+    if (contains(names_in_initialisers, array.name)) {
       diagnostics.push_back(reserved_name_error(array.name, "parameter", array.span));
     }
   }
@@ -147,7 +147,7 @@ Diagnostics eigen_check_names(const Model& /*model*/, const Scene& scene, const 
 }
 
 bool is_emitted_name(std::string_view name) {
-  return contains(emitted_names, name) || contains(more_names, name) ||
+  return contains(emitted_names, name) || contains(more_emitted_names, name) ||
          name.substr(0, constant_prefix.size()) == constant_prefix;
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-constexpr std::array<std::string_view, 2> wide_names{"wide", "Inner"};
+constexpr std::array<std::string_view, 2> names_in_wide_header{"wide", "Inner"};
 
 /// "{widened(p.M), widened(p.m)}": all members in order, so that no default value is computed.
 std::string widened_parameters(const EmissionInput& input) {
@@ -34,8 +34,8 @@ std::string widened_parameters(const EmissionInput& input) {
   return fmt::format("return {{{}}};", fmt::join(members, ",\n" + margin));
 }
 
-std::string call_with_widened(const EmissionInput& input, const Function& function,
-                              const std::string& start, const std::string& end) {
+std::string widened_call(const EmissionInput& input, const Function& function,
+                         const std::string& start, const std::string& end) {
   Texts arguments;
   for (const Opcode argument : arguments_of(input.model, function)) {
     arguments.push_back(fmt::format("detail::widened({})", leaf_row(argument).symbol));
@@ -47,38 +47,38 @@ std::string call_with_widened(const EmissionInput& input, const Function& functi
 
 std::string wide_body(const EmissionInput& input, const Function& function) {
   if (!returns_struct(function)) {
-    return call_with_widened(input, function, "  return detail::rounded(", ");\n");
+    return widened_call(input, function, "  return detail::rounded(", ");\n");
   }
   Texts fields;
   for (const Field& field : function.fields) {
     fields.push_back(fmt::format("detail::rounded(values.{})", field.name));
   }
-  return call_with_widened(input, function, "  const auto values = ", ";\n") +
+  return widened_call(input, function, "  const auto values = ", ";\n") +
          fmt::format("  return {{{}}};\n", fmt::join(fields, ",\n          "));
 }
 
 /// The template row of a step that computes only its accelerations in `Inner`.
-TemplateRow mixed_step(const EmissionInput& input, const Function& function) {
+TemplateRow mixed_step_data(const EmissionInput& input, const Function& function) {
   const auto dialect = mixed_dialect(input.model, input.program, name_space(input.scene));
   const DefinitionText step =
-      definition(*dialect, input.program, function, input.scene.emission.storage).whole;
+      function_definition(*dialect, input.program, function, input.scene.emission.storage).whole;
   return {{"signature", step.signature}, {"body", step.body}};
 }
 
-TemplateData wide_functions(const EmissionInput& input) {
+TemplateData wide_functions_data(const EmissionInput& input) {
   const auto dialect = wide_dialect(input.model, input.program);
   TemplateData list(TemplateData::type::list);
   for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
     const Function& function = input.program.functions[i];
-    if (!is_returned(function)) continue;
+    if (!is_returned_by_value(function)) continue;
     UsedNames all;
     for (const Opcode argument : arguments_of(input.model, function)) {
       all.variables.insert(leaf_row(argument).symbol);
     }
-    const FunctionText text{input.model, input.program,       function, input.equations[i],
-                            {},          input.scene.emission};
+    const FunctionDocsInput text{input.model, input.program,       function, input.equations[i],
+                                 {},          input.scene.emission};
     const bool is_mixed = input.scene.numerics.inner == InnerScalar::single_precision;
-    TemplateRow row = is_mixed ? mixed_step(input, function)
+    TemplateRow row = is_mixed ? mixed_step_data(input, function)
                                : TemplateRow{{"signature", dialect->signature(function, all)},
                                              {"body", wide_body(input, function)}};
     row["summary"] = function_heading(text);
@@ -90,35 +90,35 @@ TemplateData wide_functions(const EmissionInput& input) {
 Texts wide_notes(const EmissionInput& input) {
   Texts notes;
   for (const Function& function : input.program.functions) {
-    if (!is_returned(function)) notes.push_back(left_out_note(function));
+    if (!is_returned_by_value(function)) notes.push_back(omission_note(function));
   }
-  return wrapped_notes(notes);
+  return wrap_notes(notes);
 }
 
 }  // namespace
 
 std::string wide_header(const EmissionInput& input) {
-  const InnerRow& inner = inner_row(input.scene.numerics.inner);
+  const InnerScalarRow& inner = inner_scalar_row(input.scene.numerics.inner);
   TemplateData data = stamp_data(input);
   data.set("header", input.scene.base_name + ".hpp");
   const bool is_mixed = inner.kind == InnerScalar::single_precision;
   data.set("inner", is_mixed ? "double, the accelerations in float" : std::string(inner.name));
   data.set("type", std::string(inner.type));
-  data.set("notes", lines_data(wide_notes(input)));
-  data.set("double_double", section_if(inner.kind == InnerScalar::double_double));
-  data.set("sine_cosine", section_if(has_sine_with_cosine(input.program)));
+  data.set("notes", lines_section(wide_notes(input)));
+  data.set("double_double", optional_section(inner.kind == InnerScalar::double_double));
+  data.set("sine_cosine", optional_section(has_sine_cosine_pair(input.program)));
   data.set("widened_parameters", widened_parameters(input));
-  data.set("functions", wide_functions(input));
-  set_regular(data, input);
-  return header_text("cpp/wide.hpp.mustache", data);
+  data.set("functions", wide_functions_data(input));
+  set_pivot_data(data, input);
+  return fill_header_template("cpp/wide.hpp.mustache", data);
 }
 
 Diagnostics wide_check_names(const Model& /*model*/, const Scene& scene, const Program& program) {
   Diagnostics diagnostics;
   for (const Function& function : program.functions) {
     const bool is_reserved =
-        std::ranges::count(wide_names, function.name) > 0 ||
-        (returns_struct(function) && camel_case(function.name) == wide_names.back());
+        std::ranges::count(names_in_wide_header, function.name) > 0 ||
+        (returns_struct(function) && camel_case(function.name) == names_in_wide_header.back());
     if (is_reserved) diagnostics.push_back(reserved_name_error(scene, function));
   }
   return diagnostics;

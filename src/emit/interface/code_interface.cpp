@@ -17,7 +17,7 @@
 namespace elgen {
 namespace {
 
-Field transposed(const Field& field) {
+Field transpose_field(const Field& field) {
   Field result{field.name, field.columns, field.rows, {}};
   for (std::uint32_t column = 0; column < field.columns; ++column) {
     for (std::uint32_t row = 0; row < field.rows; ++row) {
@@ -28,23 +28,23 @@ Field transposed(const Field& field) {
 }
 
 template <class Element, class Text>
-DeclaredArray texts(const char* name, const std::vector<Element>& elements, const Text& text) {
+DeclaredArray text_array(const char* name, const std::vector<Element>& elements, const Text& text) {
   DeclaredArray array{name, DeclaredArray::Kind::texts};
   for (const Element& element : elements) array.texts.push_back(std::invoke(text, element));
   return array;
 }
 
 template <class Element, class Number>
-DeclaredArray numbers(const char* name, const std::vector<Element>& elements,
-                      const Number& number) {
+DeclaredArray number_array(const char* name, const std::vector<Element>& elements,
+                           const Number& number) {
   DeclaredArray array{name, DeclaredArray::Kind::numbers};
   for (const Element& element : elements) array.numbers.push_back(std::invoke(number, element));
   return array;
 }
 
 template <class Element, class Range>
-DeclaredArray intervals(const char* name, const std::vector<Element>& elements,
-                        const Range& range) {
+DeclaredArray interval_array(const char* name, const std::vector<Element>& elements,
+                             const Range& range) {
   DeclaredArray array{name, DeclaredArray::Kind::intervals};
   for (const Element& element : elements) array.intervals.push_back(std::invoke(range, element));
   return array;
@@ -64,9 +64,9 @@ const std::string& name_space(const Scene& scene) {
   return name.empty() ? scene.base_name : name;
 }
 
-std::string capitals(std::string_view name) {
+std::string upper_case(std::string_view name) {
   std::string text(name);
-  std::transform(text.begin(), text.end(), text.begin(), in_upper_case);
+  std::transform(text.begin(), text.end(), text.begin(), to_upper_case);
   return text;
 }
 
@@ -74,7 +74,7 @@ std::string camel_case(std::string_view name) {
   std::string result;
   bool starts_word = true;
   for (const char c : name) {
-    if (c != '_') result += starts_word ? in_upper_case(c) : c;
+    if (c != '_') result += starts_word ? to_upper_case(c) : c;
     starts_word = c == '_';
   }
   return result;
@@ -106,7 +106,7 @@ std::string name_in_language(LanguageId language, std::string_view name) {
 }
 
 /// The member for each parameter leaf. A leaf has the same name as its parameter.
-std::vector<ParameterMember> members_of(const Model& model, const LeafNames& leaves) {
+std::vector<ParameterMember> parameter_leaf_members(const Model& model, const LeafNames& leaves) {
   std::unordered_map<std::string_view, const Parameter*> known;
   for (const Parameter& parameter : model.parameters) known.emplace(parameter.name, &parameter);
   std::vector<ParameterMember> members;
@@ -124,9 +124,9 @@ std::vector<ParameterMember> members_of(const Model& model, const LeafNames& lea
   return members;
 }
 
-std::vector<std::string> parameter_members(const Model& model, const LeafNames& leaves) {
+std::vector<std::string> parameter_member_texts(const Model& model, const LeafNames& leaves) {
   std::vector<std::string> texts;
-  for (const auto& [name, element] : members_of(model, leaves)) {
+  for (const auto& [name, element] : parameter_leaf_members(model, leaves)) {
     texts.push_back(element ? fmt::format("{}[{}]", name, *element) : name);
   }
   return texts;
@@ -135,9 +135,9 @@ std::vector<std::string> parameter_members(const Model& model, const LeafNames& 
 std::vector<Opcode> arguments_of(const Model& model, const Function& function) {
   const OutputRow& row = output_row(function.kind);
   if (row.takes_parameters_alone) return {Opcode::parameter};
-  LeafSet leaves = Opcode::parameter | Opcode::coordinate | row.takes;
-  if (row.of_user) leaves |= model.outputs[function.user].takes;
-  if (row.is_of_mass && !model.quadratic) leaves |= Opcode::velocity;
+  LeafSet leaves = Opcode::parameter | Opcode::coordinate | row.argument_kinds;
+  if (row.is_user_output) leaves |= model.outputs[function.user].argument_kinds;
+  if (row.depends_like_mass && !model.is_quadratic) leaves |= Opcode::velocity;
   if (model.uses_time) leaves |= Opcode::time;
   if (!model.open_values.empty()) leaves |= Opcode::open_value;
   std::vector<Opcode> list;
@@ -163,7 +163,7 @@ std::size_t emitted_parameter_count(const Model& model, const Program& program) 
   return count;
 }
 
-std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array) {
+std::vector<cln::cl_R> element_values(const Model& model, const ParameterArray& array) {
   std::vector<cln::cl_R> values;
   for (std::uint32_t i = 0; i < array.count; ++i) {
     values.push_back(model.parameters[array.first + i].value);
@@ -173,36 +173,38 @@ std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array
 
 std::vector<DeclaredArray> declared_arrays(const Model& model, const Program& program) {
   std::vector<DeclaredArray> list{
-      texts("coordinate_names", model.coordinates, &Coordinate::name),
-      texts("coordinate_units", model.coordinates, &Coordinate::unit_text),
-      intervals("coordinate_ranges", model.coordinates, &Coordinate::range),
-      numbers("start_coordinates", model.coordinates, &Coordinate::start_value)};
+      text_array("coordinate_names", model.coordinates, &Coordinate::name),
+      text_array("coordinate_units", model.coordinates, &Coordinate::unit_text),
+      interval_array("coordinate_ranges", model.coordinates, &Coordinate::range),
+      number_array("start_coordinates", model.coordinates, &Coordinate::start_value)};
   if (!model.rotations.empty()) {
-    list.push_back(texts("velocity_names", model.velocities, &Velocity::name));
-    list.push_back(texts("velocity_units", model.velocities,
-                         [&](const Velocity& velocity) { return velocity_unit(model, velocity); }));
+    list.push_back(text_array("velocity_names", model.velocities, &Velocity::name));
+    list.push_back(text_array("velocity_units", model.velocities, [&](const Velocity& velocity) {
+      return velocity_unit_text(model, velocity);
+    }));
   }
-  list.push_back(intervals("rate_ranges", model.velocities, &Velocity::rate_range));
-  list.push_back(numbers("start_rates", model.velocities, &Velocity::start_rate));
-  list.push_back(texts("input_names", model.inputs, &Input::name));
-  list.push_back(texts("input_units", model.inputs, &Input::unit_text));
-  list.push_back(intervals("input_limits", model.inputs, &Input::limits));
+  list.push_back(interval_array("rate_ranges", model.velocities, &Velocity::rate_range));
+  list.push_back(number_array("start_rates", model.velocities, &Velocity::start_rate));
+  list.push_back(text_array("input_names", model.inputs, &Input::name));
+  list.push_back(text_array("input_units", model.inputs, &Input::unit_text));
+  list.push_back(interval_array("input_limits", model.inputs, &Input::limits));
   if (!model.constraints.empty()) {
-    list.push_back(texts("constraint_names", model.constraints, &Constraint::name));
+    list.push_back(text_array("constraint_names", model.constraints, &Constraint::name));
   }
   const auto has_parameters = [](const Function& function) {
     return output_row(function.kind).needs.has(Need::inertial);
   };
   if (std::ranges::any_of(program.functions, has_parameters)) {
-    list.push_back(texts("regressor_names", inertial_parameters(model), &InertialParameter::name));
+    list.push_back(
+        text_array("regressor_names", inertial_parameters(model), &InertialParameter::name));
   }
   if (model.open_values.empty()) return list;
-  list.push_back(texts("open_value_names", model.open_values, &OpenValue::name));
-  list.push_back(texts("open_value_units", model.open_values, &OpenValue::unit_text));
+  list.push_back(text_array("open_value_names", model.open_values, &OpenValue::name));
+  list.push_back(text_array("open_value_units", model.open_values, &OpenValue::unit_text));
   return list;
 }
 
-bool needs_order(const Function& function) {
+bool needs_ordered_scalar(const Function& function) {
   return std::any_of(
       function.instructions.begin(), function.instructions.end(), [](const Instruction& i) {
         return i.opcode == Opcode::call && !function_row(i.function).own_name.empty();
@@ -210,10 +212,10 @@ bool needs_order(const Function& function) {
 }
 
 bool calls_sines(const Program& program) {
-  return calls(program, FunctionId::sin) || calls(program, FunctionId::cos);
+  return calls_function(program, FunctionId::sin) || calls_function(program, FunctionId::cos);
 }
 
-bool has_batch_tables(const Scene& scene, const Program& program) {
+bool has_batch_sine_tables(const Scene& scene, const Program& program) {
   return scene.numerics.trigonometry_error || !calls_sines(program);
 }
 
@@ -221,14 +223,14 @@ std::vector<std::string_view> library_calls(const Program& program, std::size_t 
   std::vector<std::string_view> names;
   for (const FunctionRow& row : function_table()) {
     const bool is_own = is_circular(row.id) || !row.own_name.empty() || row.arity != arity;
-    if (!is_own && calls(program, row.id)) names.push_back(row.name);
+    if (!is_own && calls_function(program, row.id)) names.push_back(row.name);
   }
   const auto is_root = [](const Instruction& i) { return i.opcode == Opcode::square_root; };
   if (arity == 1 && has_instruction(program, is_root)) names.emplace_back("sqrt");
   return names;
 }
 
-bool is_sine_with_cosine(const Function& function, std::size_t at) {
+bool starts_sine_cosine_pair(const Function& function, std::size_t at) {
   if (at + 1 >= function.instructions.size()) return false;
   const Instruction& sine = function.instructions[at];
   Instruction cosine = sine;
@@ -237,10 +239,10 @@ bool is_sine_with_cosine(const Function& function, std::size_t at) {
          function.instructions[at + 1] == cosine;
 }
 
-bool has_sine_with_cosine(const Program& program) {
+bool has_sine_cosine_pair(const Program& program) {
   return std::any_of(program.functions.begin(), program.functions.end(), [](const Function& f) {
     std::size_t at = 0;
-    while (at < f.instructions.size() && !is_sine_with_cosine(f, at)) ++at;
+    while (at < f.instructions.size() && !starts_sine_cosine_pair(f, at)) ++at;
     return at < f.instructions.size();
   });
 }
@@ -272,17 +274,17 @@ bool is_scalar(const Program& program, const Function& function, const Field& fi
 }
 
 bool is_matrix(OutputKind kind, const Field& field) {
-  return has_columns(field_row(kind, field.name));
+  return is_matrix_field(field_row(kind, field.name));
 }
 
-std::string_view pivot_count(const Model& model) {
+std::string_view pivot_count_text(const Model& model) {
   return model.constraints.empty() ? "velocity_count" : "velocity_count + constraint_count";
 }
 
 std::string field_type(const Model& model, OutputKind kind, const Field& field) {
   if (is_scalar(kind, field)) return "Scalar";
   const auto type = fmt::runtime(field_row(kind, field.name).type);
-  return fmt::format(type, field.rows, field.rows * field.columns, pivot_count(model));
+  return fmt::format(type, field.rows, field.rows * field.columns, pivot_count_text(model));
 }
 
 std::string eigen_type(OutputKind kind, const Field& field) {
@@ -291,15 +293,17 @@ std::string eigen_type(OutputKind kind, const Field& field) {
   return fmt::format("Matrix<Scalar, {}, {}>", field.rows, field.columns);
 }
 
-Function in_storage_order(const Function& function, Storage storage) {
+Function to_storage_order(const Function& function, Storage storage) {
   Function result = function;
   if (storage == Storage::row_major) return result;
   for (Field& field : result.fields) {
-    if (field.rows > 1 && field.columns > 1) field = transposed(field);
+    if (field.rows > 1 && field.columns > 1) field = transpose_field(field);
   }
   return result;
 }
 
-bool is_returned(const Function& function) { return entry_count(function) <= largest_returned; }
+bool is_returned_by_value(const Function& function) {
+  return entry_count(function) <= max_returned_entries;
+}
 
 }  // namespace elgen

@@ -18,7 +18,7 @@ namespace elgen {
 [[nodiscard]] const std::string& name_space(const Scene& scene);
 
 /// "CART_POLE": for names of macros.
-[[nodiscard]] std::string capitals(std::string_view name);
+[[nodiscard]] std::string upper_case(std::string_view name);
 
 /// "forward_dynamics" -> "ForwardDynamics": the C++ result struct of a function.
 [[nodiscard]] std::string camel_case(std::string_view name);
@@ -40,11 +40,12 @@ struct ParameterMember {
   std::string name = {};
   std::optional<std::uint32_t> element = {};
 };
-[[nodiscard]] std::vector<ParameterMember> members_of(const Model& model, const LeafNames& leaves);
+[[nodiscard]] std::vector<ParameterMember> parameter_leaf_members(const Model& model,
+                                                                  const LeafNames& leaves);
 
-/// "m", "l[2]": members_of() as C writes it.
-[[nodiscard]] std::vector<std::string> parameter_members(const Model& model,
-                                                         const LeafNames& leaves);
+/// "m", "l[2]": parameter_leaf_members() as C writes it.
+[[nodiscard]] std::vector<std::string> parameter_member_texts(const Model& model,
+                                                              const LeafNames& leaves);
 
 /// Kinds of leaves that an emitted function takes as arguments, even if it does not read them.
 ///
@@ -65,7 +66,8 @@ struct ParameterMember {
 }
 
 /// The values of an array's elements in the model.
-[[nodiscard]] std::vector<cln::cl_R> values_of(const Model& model, const ParameterArray& array);
+[[nodiscard]] std::vector<cln::cl_R> element_values(const Model& model,
+                                                    const ParameterArray& array);
 
 /// A constant array at the head of the code; its elements are texts, numbers or intervals.
 struct DeclaredArray {
@@ -89,13 +91,13 @@ struct DeclaredArray {
 
 /// True if the instruction `at` is the sine of an angle and the next instruction is the cosine of
 /// the same angle. Some languages compute both in one call.
-[[nodiscard]] bool is_sine_with_cosine(const Function& function, std::size_t at);
+[[nodiscard]] bool starts_sine_cosine_pair(const Function& function, std::size_t at);
 
 /// True if some function has a sine followed by the cosine of the same angle.
-[[nodiscard]] bool has_sine_with_cosine(const Program& program);
+[[nodiscard]] bool has_sine_cosine_pair(const Program& program);
 
 /// True if the function calls `min`, `max`, `sign` or `stumpff`, which need `<` on Scalar.
-[[nodiscard]] bool needs_order(const Function& function);
+[[nodiscard]] bool needs_ordered_scalar(const Function& function);
 
 /// Names of library functions of this arity that the program calls. sqrt is included. sin, cos and
 /// functions that the emitted code defines itself are excluded.
@@ -107,7 +109,7 @@ struct DeclaredArray {
 
 /// True if the batch header has its own tables of sines; otherwise it uses the tables of the main
 /// header.
-[[nodiscard]] bool has_batch_tables(const Scene& scene, const Program& program);
+[[nodiscard]] bool has_batch_sine_tables(const Scene& scene, const Program& program);
 
 /// True if some function returns the pivots of M.
 [[nodiscard]] bool returns_pivots(const Program& program);
@@ -129,7 +131,7 @@ struct DeclaredArray {
 [[nodiscard]] bool is_matrix(OutputKind kind, const Field& field);
 
 /// The number of relative pivots as a C++ expression.
-[[nodiscard]] std::string_view pivot_count(const Model& model);
+[[nodiscard]] std::string_view pivot_count_text(const Model& model);
 
 /// "Forces<Scalar>", "Scalar", "std::array<Scalar, 3>": the C++ type of a field.
 [[nodiscard]] std::string field_type(const Model& model, OutputKind kind, const Field& field);
@@ -141,10 +143,10 @@ struct DeclaredArray {
 /// matrix are listed as the rows of its transpose:
 ///
 ///     2 x 3: a b c d e f   ->   3 x 2: a d b e c f
-[[nodiscard]] Function in_storage_order(const Function& function, Storage storage);
+[[nodiscard]] Function to_storage_order(const Function& function, Storage storage);
 
 /// An output with more entries is not returned by value, which would overflow the stack.
-inline constexpr std::size_t largest_returned = 4096;
-[[nodiscard]] bool is_returned(const Function& function);
+inline constexpr std::size_t max_returned_entries = 4096;
+[[nodiscard]] bool is_returned_by_value(const Function& function);
 
 }  // namespace elgen

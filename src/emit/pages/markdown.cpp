@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_entries = 64;
 
-std::string operations(const Program& program) {
+std::string operations_section(const Program& program) {
   std::string text = "## Operations\n\n```text\n";
   for (const std::string& line : operation_table(program)) text += line + "\n";
   return text + "```\n";
@@ -18,14 +18,14 @@ std::string operations(const Program& program) {
 
 }  // namespace
 
-std::string markdown(const EmissionInput& input) {
+std::string markdown_page_text(const EmissionInput& input) {
   const std::string stamp =
-      fmt::format("<!-- {}\nmodel {} scene {} body {} -->\n\n", input.generated, input.model_hash,
-                  input.scene_hash, blank_hash());
-  const ReadableSteps* const opening = input.book.steps ? &*input.book.steps : nullptr;
+      fmt::format("<!-- {}\nmodel {} scene {} body {} -->\n\n", input.generated_notice,
+                  input.model_hash, input.scene_hash, blank_hash());
+  const ReadableDerivation* const opening = input.book.steps ? &*input.book.steps : nullptr;
   const Page page =
       model_page(input.model, input.scene, input.book.program, {false, most_entries, opening});
-  return with_body_hash(stamp + markdown_page(page) + "\n" + operations(input.program));
+  return with_body_hash(stamp + markdown_page(page) + "\n" + operations_section(input.program));
 }
 
 }  // namespace elgen

@@ -18,17 +18,17 @@ std::string key_prefix(const Json& list, std::string_view key) {
   return list.is_object() ? Json(key).dump() + ": " : "";
 }
 
-std::string on_one_line(const Json& json) {
+std::string single_line_json(const Json& json) {
   if (!json.is_structured()) return json.dump();
   std::string text;
   for (const auto& [key, value] : json.items()) {
-    text += (text.empty() ? "" : ", ") + key_prefix(json, key) + on_one_line(*value);
+    text += (text.empty() ? "" : ", ") + key_prefix(json, key) + single_line_json(*value);
   }
   return json.is_object() ? "{" + text + "}" : "[" + text + "]";
 }
 
 std::string json_text(const Json& json, std::size_t column, std::size_t indent) {
-  const std::string line = on_one_line(json);
+  const std::string line = single_line_json(json);
   const bool is_nested = indent == 0;
   if (!json.is_structured() || (!is_nested && column + line.size() < line_width)) return line;
   const std::string margin(indent + 2, ' ');
@@ -76,26 +76,26 @@ void add_rate(Json& json, const Velocity& velocity) {
 }
 
 /// The coordinates; in models without rotations also the ranges and start values of rates.
-Json coordinates(const Model& model) {
+Json coordinates_json(const Model& model) {
   return json_list(model.coordinates, [&](const Coordinate& coordinate) {
     Json json = named_json(coordinate.name, coordinate.unit_text);
     add_interval(json, "range", coordinate.range);
     json["start"] = exact_text(coordinate.start_value);
-    if (coordinate.wrap) json["wrap"] = true;
+    if (coordinate.wraps) json["wrap"] = true;
     if (model.rotations.empty()) add_rate(json, model.velocities[coordinate.velocity]);
     return json;
   });
 }
 
-Json velocities(const Model& model) {
+Json velocities_json(const Model& model) {
   return json_list(model.velocities, [&](const Velocity& velocity) {
-    Json json = named_json(velocity.name, velocity_unit(model, velocity));
+    Json json = named_json(velocity.name, velocity_unit_text(model, velocity));
     add_rate(json, velocity);
     return json;
   });
 }
 
-Json inputs(const Model& model) {
+Json inputs_json(const Model& model) {
   return json_list(model.inputs, [](const Input& input) {
     Json json = named_json(input.name, input.unit_text);
     add_interval(json, "limits", input.limits);
@@ -104,7 +104,7 @@ Json inputs(const Model& model) {
 }
 
 /// Constraints `value` = 0 on positions or velocities.
-Json constraints(const Model& model) {
+Json constraints_json(const Model& model) {
   return json_list(model.constraints, [&](const Constraint& constraint) {
     Json json = named_json(constraint.name, constraint.unit ? to_string(*constraint.unit) : "");
     json["kind"] = constraint.is_position ? "position" : "velocity";
@@ -114,7 +114,7 @@ Json constraints(const Model& model) {
 }
 
 /// Open functions; their arguments are expressions of the model language.
-Json open_functions(const Model& model) {
+Json open_functions_json(const Model& model) {
   const auto text = [&model](ExpressionId argument) { return to_string(model, argument); };
   return json_list(model.functions, [&](const OpenFunction& function) {
     Json json = named_json(function.name, function.unit_text);
@@ -124,19 +124,19 @@ Json open_functions(const Model& model) {
 }
 
 /// Values and derivatives of open functions. `by` counts arguments from 1.
-Json open_values(const Model& model) {
+Json open_values_json(const Model& model) {
   const auto count = [](std::uint32_t argument) { return argument + 1; };
   return json_list(model.open_values, [&](const OpenValue& value) {
     Json json = named_json(value.name, value.unit_text);
     json["function"] = model.functions[value.function].name;
-    json["by"] = json_list(value.by, count);
+    json["by"] = json_list(value.derivative_arguments, count);
     return json;
   });
 }
 
-Json parameters(const Model& model, const Program& program) {
+Json parameters_json(const Model& model, const Program& program) {
   return json_list(emitted_parameters(model, program), [&](const ParameterArray& array) {
-    const std::vector<cln::cl_R> values = values_of(model, array);
+    const std::vector<cln::cl_R> values = element_values(model, array);
     Json json = named_json(array.name, array.unit_text);
     if (array.is_array) json["size"] = array.count;
     json["value"] =
@@ -151,21 +151,21 @@ Json parameters(const Model& model, const Program& program) {
   });
 }
 
-Json operations(const Function& function) {
+Json operations_json(const Function& function) {
   const OperationCounts n = count_operations(function);
   Json json = Json::object();
   for (const auto& [name, count] : operation_columns) json[std::string(name)] = n.*count;
   return json;
 }
 
-Json definitions(const FunctionEquations& equations) {
+Json definitions_json(const FunctionEquations& equations) {
   return json_list(equations.definitions, [](const NamedFormula& line) {
     return Json{{"name", text_of(line.name)}, {"value", text_of(line.value)}};
   });
 }
 
 /// The arguments of the function; their order is the same in all languages.
-Json arguments(const EmissionInput& input, const Function& function) {
+Json arguments_json(const EmissionInput& input, const Function& function) {
   const LanguageId language = input.scene.emission.language;
   return json_list(arguments_of(input.model, function, input.program, language),
                    [](Opcode argument) { return leaf_row(argument).symbol; });
@@ -173,8 +173,8 @@ Json arguments(const EmissionInput& input, const Function& function) {
 
 /// The shape, the names of rows and columns that no list of the model contains, and the entries if
 /// the output has equations.
-Json field(const Model& model, const OutputRow& row, const FunctionEquations& equations,
-           const Field& field, std::size_t at) {
+Json field_json(const Model& model, const OutputRow& row, const FunctionEquations& equations,
+                const Field& field, std::size_t at) {
   Json json{{"shape", {field.rows, field.columns}}};
   const FieldRow& declared = field_row(row.kind, field.name);
   const auto rows = names_without_leaf(model, declared.rows);
@@ -185,42 +185,42 @@ Json field(const Model& model, const OutputRow& row, const FunctionEquations& eq
   return json;
 }
 
-Json output(const EmissionInput& input, const Function& function,
-            const FunctionEquations& equations) {
+Json output_json(const EmissionInput& input, const Function& function,
+                 const FunctionEquations& equations) {
   Json json = Json::object();
   const OutputRow& row = output_row(function.kind);
-  if (!row.of_user && row.name != function.name) json["output"] = row.name;
+  if (!row.is_user_output && row.name != function.name) json["output"] = row.name;
   add_spellings(json, function.name);
-  json["arguments"] = arguments(input, function);
+  json["arguments"] = arguments_json(input, function);
   if (has_equations(row) && !equations.definitions.empty()) {
-    json["definitions"] = definitions(equations);
+    json["definitions"] = definitions_json(equations);
   }
   if (returns_struct(function)) {
     for (std::size_t i = 0; i < function.fields.size(); ++i) {
       const Field& each = function.fields[i];
-      json["fields"][each.name] = field(input.model, row, equations, each, i);
+      json["fields"][each.name] = field_json(input.model, row, equations, each, i);
       add_spellings(json["fields"][each.name], each.name);
     }
   } else {
-    json.update(field(input.model, row, equations, function.fields.front(), 0));
+    json.update(field_json(input.model, row, equations, function.fields.front(), 0));
   }
-  json["operations"] = operations(function);
+  json["operations"] = operations_json(function);
   return json;
 }
 
-Json outputs(const EmissionInput& input) {
+Json outputs_json(const EmissionInput& input) {
   Json json = Json::object();
   for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
     const Function& function = input.program.functions[i];
-    json[function.name] = output(input, function, input.equations[i]);
+    json[function.name] = output_json(input, function, input.equations[i]);
   }
   return json;
 }
 
 /// {"linearization": "too many entries"}
-Json left_out(const Scene& scene) {
+Json omitted_outputs_json(const Scene& scene) {
   Json json = Json::object();
-  for (const OmittedOutputs& each : scene.left_out) {
+  for (const OmittedOutputs& each : scene.omitted_outputs) {
     for (const std::string& output : each.outputs) json[output] = name_of(each.reason);
   }
   return json;
@@ -228,8 +228,8 @@ Json left_out(const Scene& scene) {
 
 }  // namespace
 
-std::string sidecar(const EmissionInput& input) {
-  Json json = {{"generated", input.generated}, {"model", input.scene.paths.model}};
+std::string sidecar_text(const EmissionInput& input) {
+  Json json = {{"generated", input.generated_notice}, {"model", input.scene.paths.model}};
   if (!input.scene.paths.scene.empty()) json["scene"] = input.scene.paths.scene;
   json["format"] = 1;
   json["name"] = input.scene.base_name;
@@ -240,19 +240,19 @@ std::string sidecar(const EmissionInput& input) {
     json["language"] = language_row(emission.language).name;
   }
   if (emission.storage != Storage::row_major) json["storage"] = name_of(emission.storage);
-  json["coordinates"] = coordinates(input.model);
-  if (!input.model.rotations.empty()) json["velocities"] = velocities(input.model);
-  json["inputs"] = inputs(input.model);
+  json["coordinates"] = coordinates_json(input.model);
+  if (!input.model.rotations.empty()) json["velocities"] = velocities_json(input.model);
+  json["inputs"] = inputs_json(input.model);
   if (!input.model.constraints.empty()) {
-    json["constraints"] = constraints(input.model);
+    json["constraints"] = constraints_json(input.model);
   }
   if (!input.model.functions.empty()) {
-    json["functions"] = open_functions(input.model);
-    json["open_values"] = open_values(input.model);
+    json["functions"] = open_functions_json(input.model);
+    json["open_values"] = open_values_json(input.model);
   }
-  json["parameters"] = parameters(input.model, input.program);
-  json["outputs"] = outputs(input);
-  if (!input.scene.left_out.empty()) json["left_out"] = left_out(input.scene);
+  json["parameters"] = parameters_json(input.model, input.program);
+  json["outputs"] = outputs_json(input);
+  if (!input.scene.omitted_outputs.empty()) json["left_out"] = omitted_outputs_json(input.scene);
   json["hash"] = {{"model", input.model_hash},
                   {"scene", input.scene_hash},
                   {"body", std::string(blank_hash())}};

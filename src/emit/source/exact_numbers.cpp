@@ -19,9 +19,9 @@ constexpr int digits_of_decimals = 60;
 /// The factor of pi, if the form is pi or a rational number times pi.
 std::optional<cln::cl_RA> factor_of_pi(const ConstantForm& form) {
   if (form.kind == ConstantKind::pi) return cln::cl_RA(1);
-  if (form.kind != ConstantKind::product || form.parts.size() != 2) return std::nullopt;
-  const ConstantPart& first = form.parts[0];
-  const ConstantPart& second = form.parts[1];
+  if (form.kind != ConstantKind::product || form.operands.size() != 2) return std::nullopt;
+  const ConstantOperand& first = form.operands[0];
+  const ConstantOperand& second = form.operands[1];
   const bool is_multiple = first.weight == 1 && second.weight == 1 &&
                            first.form.kind == ConstantKind::rational &&
                            second.form.kind == ConstantKind::pi;
@@ -30,14 +30,14 @@ std::optional<cln::cl_RA> factor_of_pi(const ConstantForm& form) {
 
 /// "(1, 10)" or "(1, 2, True)". Integers are written without exponents: with an exponent, the
 /// language would read a float.
-std::string fraction(const cln::cl_RA& number, const char* more) {
+std::string fraction_text(const cln::cl_RA& number, const char* more) {
   return fmt::format("({}, {}{})", integer_text(cln::numerator(number)),
                      integer_text(cln::denominator(number)), more);
 }
 
-double nearest_double(const cln::cl_R& value) { return to_double(cln::abs(value)); }
+double magnitude_as_double(const cln::cl_R& value) { return to_double(cln::abs(value)); }
 
-std::string digits_of(const cln::cl_R& value) {
+std::string magnitude_digits(const cln::cl_R& value) {
   return literal_text(rounded_decimal(cln::abs(value), digits_of_decimals));
 }
 
@@ -45,16 +45,16 @@ std::string digits_of(const cln::cl_R& value) {
 std::string entry_text(const Constant& constant) {
   const cln::cl_R magnitude = cln::abs(constant.value);
   if (is_rational(constant)) {
-    const bool is_double = exact_value(nearest_double(magnitude)) == magnitude;
-    return is_double ? "" : fraction(cln::rational(magnitude), "");
+    const bool is_double = exact_value(magnitude_as_double(magnitude)) == magnitude;
+    return is_double ? "" : fraction_text(cln::rational(magnitude), "");
   }
   const auto factor = factor_of_pi(constant.form);
-  if (factor) return fraction(cln::abs(*factor), ", True");
-  return fmt::format("\"{}\"", digits_of(magnitude));
+  if (factor) return fraction_text(cln::abs(*factor), ", True");
+  return fmt::format("\"{}\"", magnitude_digits(magnitude));
 }
 
 /// The value of a parameter. The form of an irrational value is unknown, so a sum is assumed.
-Constant constant_with(const cln::cl_R& value) {
+Constant make_constant(const cln::cl_R& value) {
   if (is_rational(value)) return rational_constant(cln::rational(value));
   Constant constant{value};
   constant.form.kind = ConstantKind::sum;
@@ -69,7 +69,7 @@ const Constant* literal_at(const Program& program, const Function& function, std
   return &program.constants[i.a];
 }
 
-std::string entry(const std::string& key, const std::string& text) {
+std::string dictionary_entry(const std::string& key, const std::string& text) {
   return fmt::format("{}: {}", key, text);
 }
 
@@ -81,31 +81,32 @@ ExactNumbers::ExactNumbers(const Model& model, const Program& program,
   const std::vector<ParameterArray> parameters = emitted_parameters(model, program);
   for (const Constant& constant : executed_constants(program)) add(constant, true);
   for (const ParameterArray& array : parameters) {
-    for (const cln::cl_R& value : values_of(model, array)) add(constant_with(value), false);
+    for (const cln::cl_R& value : element_values(model, array)) add(make_constant(value), false);
   }
-  note_folded(program);
+  mark_folded_constants(program);
   name_numbers(spelling);
   for (const ParameterArray& array : parameters) {
     const std::string name = "p." + name_in_language(spelling.language, array.name);
     std::size_t number = 0;
-    for (const cln::cl_R& value : values_of(model, array)) {
+    for (const cln::cl_R& value : element_values(model, array)) {
       add_parameter(array.is_array ? fmt::format("{}[{}]", name, ++number) : name, value);
     }
   }
 }
 
 std::string ExactNumbers::name_of(const Constant& constant) const {
-  const auto group = numbers_.find(nearest_double(constant.value));
+  const auto group = numbers_.find(magnitude_as_double(constant.value));
   if (group == numbers_.end()) return {};
-  const auto number = std::ranges::find(group->second, digits_of(constant.value), &Number::digits);
+  const auto number =
+      std::ranges::find(group->second, magnitude_digits(constant.value), &Number::digits);
   return number == group->second.end() ? std::string() : number->name;
 }
 
 void ExactNumbers::add(const Constant& constant, bool is_executed) {
   if (cln::zerop(constant.value)) return;
-  std::vector<Number>& group = numbers_[nearest_double(constant.value)];
+  std::vector<Number>& group = numbers_[magnitude_as_double(constant.value)];
   std::string text = entry_text(constant);
-  const std::string digits = digits_of(constant.value);
+  const std::string digits = magnitude_digits(constant.value);
   auto known = std::ranges::find(group, digits, &Number::digits);
   if (known == group.end()) known = group.insert(known, Number{digits, text});
   known->is_constant = known->is_constant || is_executed;
@@ -113,14 +114,14 @@ void ExactNumbers::add(const Constant& constant, bool is_executed) {
   if (known->text.empty()) std::rotate(group.begin(), known, known + 1);
 }
 
-void ExactNumbers::note_folded(const Program& program) {
+void ExactNumbers::mark_folded_constants(const Program& program) {
   for (const Function& function : program.functions) {
     for (const Instruction& i : function.instructions) {
       if (operand_count(i) != 2 || i.opcode == Opcode::call) continue;
       const Constant* const second = literal_at(program, function, i.b);
       if (second == nullptr || literal_at(program, function, i.a) == nullptr) continue;
-      std::vector<Number>& group = numbers_.at(nearest_double(second->value));
-      std::ranges::find(group, digits_of(second->value), &Number::digits)->is_folded = true;
+      std::vector<Number>& group = numbers_.at(magnitude_as_double(second->value));
+      std::ranges::find(group, magnitude_digits(second->value), &Number::digits)->is_folded = true;
     }
   }
 }
@@ -128,25 +129,27 @@ void ExactNumbers::note_folded(const Program& program) {
 void ExactNumbers::name_numbers(const SourceSpelling& spelling) {
   for (auto& [nearest, group] : numbers_) {
     const std::string literal = source_literal(exact_value(nearest));
-    if (!group.front().text.empty()) entries_.push_back(entry(literal, group.front().text));
+    if (!group.front().text.empty())
+      entries_.push_back(dictionary_entry(literal, group.front().text));
     for (Number& number : group) {
       const bool is_literal = &number == &group.front() && !number.is_folded;
       if (is_literal || !number.is_constant) continue;
       const std::string& text = number.text;
-      number.name = fmt::format(fmt::runtime(spelling.named_number), named_.size() + 1);
-      named_.emplace_back(number.name, nearest);
-      entries_.push_back(entry(fmt::format("\"{}\"", number.name),
-                               text.empty() ? fraction(exact_value(nearest), "") : text));
+      number.name = fmt::format(fmt::runtime(spelling.named_number), named_numbers_.size() + 1);
+      named_numbers_.emplace_back(number.name, nearest);
+      entries_.push_back(
+          dictionary_entry(fmt::format("\"{}\"", number.name),
+                           text.empty() ? fraction_text(exact_value(nearest), "") : text));
     }
   }
 }
 
 void ExactNumbers::add_parameter(const std::string& name, const cln::cl_R& value) {
   if (cln::zerop(value)) return;
-  const std::vector<Number>& group = numbers_.at(nearest_double(value));
-  const auto number = std::ranges::find(group, digits_of(value), &Number::digits);
+  const std::vector<Number>& group = numbers_.at(magnitude_as_double(value));
+  const auto number = std::ranges::find(group, magnitude_digits(value), &Number::digits);
   if (number == group.begin()) return;
-  entries_.push_back(entry(fmt::format("\"{}\"", name), number->text));
+  entries_.push_back(dictionary_entry(fmt::format("\"{}\"", name), number->text));
 }
 
 }  // namespace elgen

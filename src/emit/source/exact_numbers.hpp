@@ -33,8 +33,10 @@ class ExactNumbers {
   [[nodiscard]] std::string name_of(const Constant& constant) const;
 
   /// The names with their doubles.
-  [[nodiscard]] const std::vector<std::pair<std::string, double>>& named() const { return named_; }
-  [[nodiscard]] const std::vector<std::string>& entries() const { return entries_; }
+  [[nodiscard]] const std::vector<std::pair<std::string, double>>& named_numbers() const {
+    return named_numbers_;
+  }
+  [[nodiscard]] const std::vector<std::string>& dictionary_entries() const { return entries_; }
 
  private:
   struct Number {
@@ -47,13 +49,13 @@ class ExactNumbers {
 
   /// Adds a number. If an equal number is known, only replaces its decimal text by a fraction.
   void add(const Constant& constant, bool is_executed);
-  void note_folded(const Program& program);
+  void mark_folded_constants(const Program& program);
   void name_numbers(const SourceSpelling& spelling);
   void add_parameter(const std::string& name, const cln::cl_R& value);
 
   std::map<double, std::vector<Number>> numbers_ =
       {};  ///< the first number of a group keeps the literal
-  std::vector<std::pair<std::string, double>> named_ = {};
+  std::vector<std::pair<std::string, double>> named_numbers_ = {};
   std::vector<std::string> entries_ = {};
 };
 

@@ -19,26 +19,26 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-Texts quoted(Texts names) {
+Texts quote_names(Texts names) {
   for (std::string& name : names) name = fmt::format("\"{}\"", name);
   return names;
 }
 
 /// The function and its names in other libraries: arctan2 for atan2, abs and Abs for fabs.
-std::string other_names(const SourceSpelling& spelling, const std::string& name) {
+std::string library_aliases(const SourceSpelling& spelling, const std::string& name) {
   Texts names{name};
   const bool is_inverse = name != "abs" && name.starts_with('a');
   if (is_inverse) names.push_back("arc" + name.substr(1));
   if (name == "fabs") names.insert(names.end(), {"abs", "Abs"});
-  return source_list(spelling.texts, quoted(std::move(names)));
+  return source_list(spelling.texts, quote_names(std::move(names)));
 }
 
-std::string library(const SourceSpelling& spelling, const Texts& names) {
+std::string library_dictionary(const SourceSpelling& spelling, const Texts& names) {
   Texts pairs;
   for (const std::string& name : names) {
-    pairs.push_back(fmt::format("\"{}\": {}", name, other_names(spelling, name)));
+    pairs.push_back(fmt::format("\"{}\": {}", name, library_aliases(spelling, name)));
   }
-  return source_value(spelling, "_library = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
+  return wrap_source_value(spelling, "_library = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
 }
 
 /// Functions of the module that branch on a number. The template defines sign, min and max
@@ -46,7 +46,9 @@ std::string library(const SourceSpelling& spelling, const Texts& names) {
 Texts branching_functions(const EmissionInput& input) {
   constexpr std::array kinks{FunctionId::sign, FunctionId::min, FunctionId::max};
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
-  const auto is_called = [&](FunctionId function) { return calls(input.program, function); };
+  const auto is_called = [&](FunctionId function) {
+    return calls_function(input.program, function);
+  };
   Texts names;
   const auto add = [&](FunctionId function) {
     names.push_back(fmt::format(fmt::runtime(spelling.own_function),
@@ -67,16 +69,16 @@ Texts names_of_functions(const EmissionInput& input) {
 
 }  // namespace
 
-Texts called_functions(const Program& program, const SourceSpelling& spelling) {
+Texts called_library_functions(const Program& program, const SourceSpelling& spelling) {
   Texts names;
   for (const std::size_t arity : {1U, 2U}) {
     for (const std::string_view name : library_calls(program, arity)) {
-      if (const auto known = library_name(spelling, name)) names.emplace_back(*known);
+      if (const auto known = library_function_spelling(spelling, name)) names.emplace_back(*known);
     }
   }
-  const bool has_series = calls(program, FunctionId::stumpff);
-  if (has_series || calls(program, FunctionId::sin)) names.emplace_back("sin");
-  if (calls(program, FunctionId::cos)) names.emplace_back("cos");
+  const bool has_series = calls_function(program, FunctionId::stumpff);
+  if (has_series || calls_function(program, FunctionId::sin)) names.emplace_back("sin");
+  if (calls_function(program, FunctionId::cos)) names.emplace_back("cos");
   if (has_series) names.emplace_back("sinh");
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
@@ -85,25 +87,25 @@ Texts called_functions(const Program& program, const SourceSpelling& spelling) {
 
 void set_reflection(TemplateData& data, const EmissionInput& input, bool is_unbounded) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
-  const Texts called = called_functions(input.program, spelling);
+  const Texts called = called_library_functions(input.program, spelling);
   Texts imported = called;
   if (is_unbounded) imported.emplace_back(spelling.unbounded);
   std::sort(imported.begin(), imported.end());
   data.set("imports",
-           section_if(!imported.empty(),
-                      TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
+           optional_section(!imported.empty(),
+                            TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
   const ExactNumbers exact(input.model, input.program, spelling);
-  data.set(
-      "exact",
-      source_value(spelling, "exact = ", fmt::format("{{{}}}", fmt::join(exact.entries(), ", "))));
-  data.set("numbers", rows_data(exact.named(), [](const auto& number) {
+  data.set("exact",
+           wrap_source_value(spelling, "exact = ",
+                             fmt::format("{{{}}}", fmt::join(exact.dictionary_entries(), ", "))));
+  data.set("numbers", repeated_section(exact.named_numbers(), [](const auto& number) {
              return TemplateRow{{"name", number.first},
                                 {"value", source_literal(exact_value(number.second))}};
            }));
-  data.set("library", library(spelling, called));
-  data.set("branching", source_list(spelling.texts, quoted(branching_functions(input))));
-  data.set("all", source_value(spelling, "_functions = ",
-                               source_list(spelling.texts, names_of_functions(input))));
+  data.set("library", library_dictionary(spelling, called));
+  data.set("branching", source_list(spelling.texts, quote_names(branching_functions(input))));
+  data.set("all", wrap_source_value(spelling, "_functions = ",
+                                    source_list(spelling.texts, names_of_functions(input))));
 }
 
 }  // namespace elgen

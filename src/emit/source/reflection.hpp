@@ -13,8 +13,8 @@
 namespace elgen {
 
 /// The library functions that the module calls, by their names in the library.
-[[nodiscard]] std::vector<std::string> called_functions(const Program& program,
-                                                        const SourceSpelling& spelling);
+[[nodiscard]] std::vector<std::string> called_library_functions(const Program& program,
+                                                                const SourceSpelling& spelling);
 
 /// Sets imports, exact numbers and lists of functions. `is_unbounded`: an array at the head of the
 /// module contains infinity, whose name must be imported.

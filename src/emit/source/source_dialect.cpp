@@ -16,29 +16,30 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-std::string filled(std::string_view pattern, std::string_view name, const std::string& more = {}) {
+std::string fill_spelling(std::string_view pattern, std::string_view name,
+                          const std::string& more = {}) {
   return fmt::format(fmt::runtime(pattern), name, more);
 }
 
 /// Whether brackets enclose a value; lines may break only inside brackets.
-enum class Brackets : std::uint8_t { present, needed };
+enum class BracketNeed : std::uint8_t { present, needed };
 
 std::string statement_text(const SourceSpelling& spelling, const std::string& start,
-                           const std::string& value, Brackets brackets) {
+                           const std::string& value, BracketNeed brackets) {
   const std::string margin(spelling.indent, ' ');
   const std::string end(spelling.end);
   if (margin.size() + start.size() + value.size() + end.size() <= line_width) {
     return fmt::format("{}{}{}{}\n", margin, start, value, end);
   }
-  const bool is_needed = brackets == Brackets::needed;
+  const bool is_needed = brackets == BracketNeed::needed;
   const std::string text =
       fmt::format("{}{}{}{}{}{}", margin, start, is_needed ? spelling.opening : "", value,
                   is_needed ? spelling.closing : "", end);
-  return source_lines(spelling, text, {line_width, margin + "    "}) + "\n";
+  return wrap_source_statement(spelling, text, {line_width, margin + "    "}) + "\n";
 }
 
 /// A line of documentation, escaped so that it cannot end the documentation.
-std::string documentation_line(const SourceSpelling& spelling, std::string_view line) {
+std::string escape_docs_line(const SourceSpelling& spelling, std::string_view line) {
   std::string safe;
   if (line.starts_with(' ')) line.remove_prefix(1);
   for (const char c : line) {
@@ -54,15 +55,15 @@ std::string documentation_line(const SourceSpelling& spelling, std::string_view 
 /// True if every interpreted language has a name for the C function. If the module defines the
 /// function itself, `spelling.used_names` must reserve the name. The assertion fails for a new
 /// function until spellings.def has rows for the function.
-constexpr bool is_written_everywhere(FunctionId function, std::string_view name) {
+constexpr bool is_spelled_in_all_languages(FunctionId function, std::string_view name) {
   return std::ranges::all_of(spelling_table, [&](const SourceSpelling& spelling) {
     const auto found = function_spelling(spelling, function, name);
     return found && (found->provider == FunctionProvider::library ||
                      has_word(spelling.used_names, found->name));
   });
 }
-#define ELGEN_FUNCTION(name, arity)                             \
-  static_assert(is_written_everywhere(FunctionId::name, #name), \
+#define ELGEN_FUNCTION(name, arity)                                   \
+  static_assert(is_spelled_in_all_languages(FunctionId::name, #name), \
                 #name " lacks rows in spellings.def");
 #define ELGEN_OWN_FUNCTION(name, arity)
 #include "elgen/functions.def"
@@ -74,17 +75,17 @@ class SourceDialect final : public Dialect {
       : Dialect(model, program, scene.emission.language),
         scene_(scene),
         spelling_(source_spelling(scene.emission.language)),
-        members_(members_of(model, program.leaves)),
+        members_(parameter_leaf_members(model, program.leaves)),
         numbers_(model, program, spelling_) {}
 
   std::string leaf(Opcode kind, std::uint32_t number) const override {
     if (kind != Opcode::parameter) {
       const std::string_view name = leaf_row(kind).symbol;
-      return is_single(kind) ? std::string(name) : element(std::string(name), number);
+      return is_single(kind) ? std::string(name) : element_access(std::string(name), number);
     }
     const auto& [name, place] = members_[number];
     const std::string member = "p." + name_in_language(spelling_.language, name);
-    return place ? element(member, *place) : member;
+    return place ? element_access(member, *place) : member;
   }
 
   FormulaText constant(const Constant& constant) const override {
@@ -95,16 +96,16 @@ class SourceDialect final : public Dialect {
     return {text, is_negative ? Binding::negation : Binding::atom};
   }
 
-  BodyRules rules() const override {
+  BodyRules body_rules() const override {
     return {true,
-            spelling_.deepest,
+            spelling_.max_nesting,
             spelling_.max_name_length,
             {spelling_.member_comment, spelling_.member_comment}};
   }
 
   /// Assigns the named values, then returns all entries.
-  FunctionDefinition definition(const Function& function, Storage storage) const override {
-    Function ordered = in_storage_order(function, storage);
+  FunctionDefinition function_definition(const Function& function, Storage storage) const override {
+    Function ordered = to_storage_order(function, storage);
     ordered.repeated = {};  // every repetition is written out
     const Texts names = local_names(*this, program(), ordered);
     const FunctionFormulas formulas(program(), ordered, *this, names);
@@ -112,22 +113,23 @@ class SourceDialect final : public Dialect {
     for (std::uint32_t at = 0; at < names.size(); ++at) {
       if (names[at].empty()) continue;
       lines += statement(fmt::format("{}{} = ", spelling_.local, names[at]),
-                         formulas.definition(at).text, Brackets::needed);
+                         formulas.formula(at).text, BracketNeed::needed);
     }
     FieldTexts entries;
     for (const Field& field : ordered.fields) {
       entries.emplace_back();
       for (const std::uint32_t at : field.entries) {
-        entries.back().push_back(formulas.entry(at).text);
+        entries.back().push_back(formulas.name_or_formula(at).text);
       }
     }
     return {{signature(function), lines + return_statement(function, entries)}};
   }
 
   /// "acceleration: list"
-  std::string member(const Function& function, const Field& field) const override {
-    return filled(is_number(function, field) ? spelling_.number_member : spelling_.array_member,
-                  name_in_language(spelling_.language, field.name));
+  std::string field_declaration(const Function& function, const Field& field) const override {
+    return fill_spelling(
+        is_scalar_field(function, field) ? spelling_.number_member : spelling_.array_member,
+        name_in_language(spelling_.language, field.name));
   }
 
   std::string struct_name(const Function& function) const override {
@@ -135,53 +137,55 @@ class SourceDialect final : public Dialect {
   }
 
   Texts escape_docs(Texts lines) const override {
-    for (std::string& line : lines) line = documentation_line(spelling_, line);
+    for (std::string& line : lines) line = escape_docs_line(spelling_, line);
     return lines;
   }
 
  private:
   [[nodiscard]] std::string signature(const Function& function) const {
     const std::string arguments = fmt::format("{}", fmt::join(argument_names_of(function), ", "));
-    return filled(spelling_.definition, name_in_language(spelling_.language, function.name),
-                  arguments);
+    return fill_spelling(spelling_.definition, name_in_language(spelling_.language, function.name),
+                         arguments);
   }
 
   [[nodiscard]] std::string return_statement(const Function& function,
                                              const FieldTexts& entries) const {
     if (!returns_struct(function)) {
-      return statement(
-          std::string(spelling_.result),
-          value_of(function, function.fields.front(), entries.front()),
-          is_number(function, function.fields.front()) ? Brackets::needed : Brackets::present);
+      return statement(std::string(spelling_.result),
+                       field_value_text(function, function.fields.front(), entries.front()),
+                       is_scalar_field(function, function.fields.front()) ? BracketNeed::needed
+                                                                          : BracketNeed::present);
     }
     Texts values;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const Field& field = function.fields[i];
-      values.push_back(filled(spelling_.field, name_in_language(spelling_.language, field.name)) +
-                       value_of(function, field, entries[i]));
+      values.push_back(
+          fill_spelling(spelling_.field, name_in_language(spelling_.language, field.name)) +
+          field_value_text(function, field, entries[i]));
     }
     if (spelling_.results.empty()) {
       std::string lines;
-      for (const std::string& value : values) lines += statement("", value, Brackets::present);
+      for (const std::string& value : values) lines += statement("", value, BracketNeed::present);
       return lines;
     }
     const std::string all = fmt::format("{}", fmt::join(values, ", "));
     return statement(std::string(spelling_.result),
-                     filled(spelling_.results, struct_name(function), all), Brackets::present);
+                     fill_spelling(spelling_.results, struct_name(function), all),
+                     BracketNeed::present);
   }
 
   [[nodiscard]] std::string statement(const std::string& start, const std::string& value,
-                                      Brackets brackets) const {
+                                      BracketNeed brackets) const {
     return statement_text(spelling_, start, value, brackets);
   }
 
-  [[nodiscard]] std::string element(const std::string& name, std::uint32_t number) const {
-    return filled(spelling_.element, name, std::to_string(number + spelling_.first_index));
+  [[nodiscard]] std::string element_access(const std::string& name, std::uint32_t number) const {
+    return fill_spelling(spelling_.element, name, std::to_string(number + spelling_.first_index));
   }
 
-  [[nodiscard]] std::string value_of(const Function& function, const Field& field,
-                                     const Texts& entries) const {
-    if (is_number(function, field)) return entries.front();
+  [[nodiscard]] std::string field_value_text(const Function& function, const Field& field,
+                                             const Texts& entries) const {
+    if (is_scalar_field(function, field)) return entries.front();
     const OutputKind kind = kind_of_field(program(), function, field);
     if (!is_matrix(kind, field)) return source_list(spelling_.vector, entries);
     Texts rows;
@@ -198,13 +202,14 @@ class SourceDialect final : public Dialect {
            name == scene_.base_name;
   }
 
-  std::string library_function(std::string_view name) const override {
-    if (const auto known = library_name(spelling_, name)) return filled(spelling_.library, *known);
-    return own_function(function_spelling(spelling_, find_function(name)->id, name)->name);
+  std::string library_function_name(std::string_view name) const override {
+    if (const auto known = library_function_spelling(spelling_, name))
+      return fill_spelling(spelling_.library, *known);
+    return helper_function_name(function_spelling(spelling_, find_function(name)->id, name)->name);
   }
 
-  std::string own_function(std::string_view name) const override {
-    return filled(spelling_.own_function, name, scene_.base_name);
+  std::string helper_function_name(std::string_view name) const override {
+    return fill_spelling(spelling_.own_function, name, scene_.base_name);
   }
 
   const Scene& scene_;
@@ -215,8 +220,8 @@ class SourceDialect final : public Dialect {
 
 }  // namespace
 
-std::optional<std::string_view> library_name(const SourceSpelling& spelling,
-                                             std::string_view name) {
+std::optional<std::string_view> library_function_spelling(const SourceSpelling& spelling,
+                                                          std::string_view name) {
   const FunctionRow* const row = find_function(name);
   if (row == nullptr) return name;
   const auto found = function_spelling(spelling, row->id, name);
@@ -228,7 +233,7 @@ std::string source_literal(const cln::cl_R& value) {
   return signed_literal(value, ScalarKind::double_precision);
 }
 
-std::string source_text(const SourceSpelling& spelling, std::string_view text) {
+std::string source_string_literal(const SourceSpelling& spelling, std::string_view text) {
   std::string literal;
   for (const char c : string_literal(text, spelling.quote, spelling.escape)) {
     const bool is_coded = spelling.coded_in_texts.find(c) != std::string_view::npos;
@@ -239,19 +244,19 @@ std::string source_text(const SourceSpelling& spelling, std::string_view text) {
 
 std::string source_list(const ListSpelling& list, const Texts& values, std::size_t columns) {
   if (values.empty()) return fmt::format(fmt::runtime(list.empty), columns);
-  return fmt::format("{}{}{}{}", list.opening, fmt::join(values, list.between),
+  return fmt::format("{}{}{}{}", list.opening, fmt::join(values, list.separator),
                      values.size() == 1 ? list.after_single : "", list.closing);
 }
 
-std::string source_lines(const SourceSpelling& spelling, const std::string& text,
-                         Wrapping wrapping) {
-  wrapping.end = spelling.end_of_line;
+std::string wrap_source_statement(const SourceSpelling& spelling, const std::string& text,
+                                  Wrapping wrapping) {
+  wrapping.line_end = spelling.end_of_line;
   return fmt::format("{}", fmt::join(wrap_expression(text, wrapping), "\n"));
 }
 
-std::string source_value(const SourceSpelling& spelling, const std::string& start,
-                         const std::string& text) {
-  return source_lines(spelling, text, {line_width - start.size(), "    "});
+std::string wrap_source_value(const SourceSpelling& spelling, const std::string& start,
+                              const std::string& text) {
+  return wrap_source_statement(spelling, text, {line_width - start.size(), "    "});
 }
 
 std::unique_ptr<Dialect> source_dialect(const Model& model, const Scene& scene,

@@ -29,15 +29,16 @@ namespace elgen {
 }
 
 /// The name of a library function or of sqrt; none if the module defines the function itself.
-[[nodiscard]] std::optional<std::string_view> library_name(const SourceSpelling& spelling,
-                                                           std::string_view name);
+[[nodiscard]] std::optional<std::string_view> library_function_spelling(
+    const SourceSpelling& spelling, std::string_view name);
 
 /// "9.81": a literal of the nearest double.
 [[nodiscard]] std::string source_literal(const cln::cl_R& value);
 
 /// "\"kg\"": a quoted text on one line; its content can end neither the quotes nor a script of a
 /// page.
-[[nodiscard]] std::string source_text(const SourceSpelling& spelling, std::string_view text);
+[[nodiscard]] std::string source_string_literal(const SourceSpelling& spelling,
+                                                std::string_view text);
 
 /// "[1.0, 2.0]", "[[1.0, 2.0], [3.0, 4.0]]": a list of values, or of the rows of a matrix with
 /// `columns` columns.
@@ -46,12 +47,12 @@ namespace elgen {
                                       std::size_t columns = 1);
 
 /// A statement, wrapped with the line continuation of the language.
-[[nodiscard]] std::string source_lines(const SourceSpelling& spelling, const std::string& text,
-                                       Wrapping wrapping);
+[[nodiscard]] std::string wrap_source_statement(const SourceSpelling& spelling,
+                                                const std::string& text, Wrapping wrapping);
 
 /// A value that follows `start` at the head of a module, wrapped.
-[[nodiscard]] std::string source_value(const SourceSpelling& spelling, const std::string& start,
-                                       const std::string& text);
+[[nodiscard]] std::string wrap_source_value(const SourceSpelling& spelling,
+                                            const std::string& start, const std::string& text);
 
 [[nodiscard]] std::unique_ptr<Dialect> source_dialect(const Model& model, const Scene& scene,
                                                       const Program& program);

@@ -19,11 +19,12 @@ struct CheckedNumber {
   Span span;
 };
 
-void check(const CheckedNumber& candidate, const Scene& scene, Diagnostics& diagnostics) {
+void check_number_range(const CheckedNumber& candidate, const Scene& scene,
+                        Diagnostics& diagnostics) {
   for (const ScalarKind scalar : scene.numerics.scalars) {
-    const Fit result = fit(candidate.value, scalar);
-    if (result == Fit::fits) continue;
-    const char* const fault = result == Fit::too_large ? "overflows" : "vanishes";
+    const ScalarFit result = scalar_fit(candidate.value, scalar);
+    if (result == ScalarFit::fits) continue;
+    const char* const fault = result == ScalarFit::too_large ? "overflows" : "vanishes";
     diagnostics.push_back(
         {Code::E702, candidate.span,
          fmt::format("`{}`{} {} in {}", literal_text(rounded_decimal(candidate.value, 6)),
@@ -33,7 +34,7 @@ void check(const CheckedNumber& candidate, const Scene& scene, Diagnostics& diag
 
 /// The place of a number in the model, with either sign; an empty span if elgen computed the
 /// number.
-Span place_of(const Model& model, const cln::cl_R& value) {
+Span span_of_number(const Model& model, const cln::cl_R& value) {
   for (const Expression& expression : model.expressions) {
     const bool is_written = expression.kind == ExpressionKind::number;
     if (is_written && cln::abs(expression.number) == cln::abs(value)) return expression.span;
@@ -59,19 +60,21 @@ Diagnostics check_scalar_range(const Model& model, const Scene& scene, const Pro
   for (const ParameterArray& array : emitted_parameters(model, program)) {
     for (std::uint32_t i = 0; i < array.count; ++i) {
       const Parameter& parameter = model.parameters[array.first + i];
-      check({parameter.value, fmt::format(", the value of `{}`,", parameter.name), array.span},
-            scene, diagnostics);
+      check_number_range(
+          {parameter.value, fmt::format(", the value of `{}`,", parameter.name), array.span}, scene,
+          diagnostics);
     }
   }
   for (const Constant& constant : executed_constants(program)) {
-    check({constant.value, ", a constant of the equations,", place_of(model, constant.value)},
-          scene, diagnostics);
+    check_number_range(
+        {constant.value, ", a constant of the equations,", span_of_number(model, constant.value)},
+        scene, diagnostics);
   }
   sort_by_position(diagnostics);
   return diagnostics;
 }
 
-bool fits(const Model& model, const Program& program, ScalarKind scalar) {
+bool literals_fit(const Model& model, const Program& program, ScalarKind scalar) {
   Scene scene;
   scene.numerics.scalars = {scalar};
   return check_scalar_range(model, scene, program).empty();

@@ -13,16 +13,16 @@
 namespace elgen {
 namespace {
 
-constexpr std::string_view scene_of_model = " of ";
-constexpr std::string_view end_of_sources = ". DO NOT EDIT.";
+constexpr std::string_view scene_separator = " of ";
+constexpr std::string_view sources_suffix = ". DO NOT EDIT.";
 
 /// The source files as text: "cart_pole.toml", with a scene "cart_pole_balance.scene.toml of
 /// cart_pole.toml".
-std::string sources(const SourcePaths& paths) {
+std::string sources_text(const SourcePaths& paths) {
   const std::string model = comment_text(paths.model);
   return paths.scene.empty()
              ? model
-             : fmt::format("{}{}{}", comment_text(paths.scene), scene_of_model, model);
+             : fmt::format("{}{}{}", comment_text(paths.scene), scene_separator, model);
 }
 
 constexpr std::size_t hash_length = 16;
@@ -59,19 +59,19 @@ SourcePaths stated_paths(std::string_view text) {
   const std::size_t at = text.find(start);
   if (at == std::string_view::npos) return {};
   std::string_view stated = text.substr(at + start.size());
-  stated = stated.substr(0, stated.find(end_of_sources));
+  stated = stated.substr(0, stated.find(sources_suffix));
   for (const std::string scene_ending : {".scene.toml", "<stdin>"}) {
-    const std::size_t found = stated.find(scene_ending + std::string(scene_of_model));
+    const std::size_t found = stated.find(scene_ending + std::string(scene_separator));
     if (found == std::string_view::npos) continue;
     const std::size_t end = found + scene_ending.size();
-    return {std::string(stated.substr(end + scene_of_model.size())),
+    return {std::string(stated.substr(end + scene_separator.size())),
             std::string(stated.substr(0, end))};
   }
   return {std::string(stated), {}};
 }
 
 EmissionInput emission_input(const Model& model, const Scene& scene, const Program& program,
-                             const Book& book) {
+                             const PagePrograms& book) {
   std::vector<FunctionEquations> printed;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     printed.push_back(equations(program, i));
@@ -81,9 +81,9 @@ EmissionInput emission_input(const Model& model, const Scene& scene, const Progr
           program,
           book,
           std::move(printed),
-          fmt::format("{} from {}{}", generated_marker, sources(scene.paths), end_of_sources),
-          content_hash(model.canonical),
-          scene.canonical.empty() ? "full" : content_hash(scene.canonical)};
+          fmt::format("{} from {}{}", generated_marker, sources_text(scene.paths), sources_suffix),
+          content_hash(model.canonical_text),
+          scene.canonical_text.empty() ? "full" : content_hash(scene.canonical_text)};
 }
 
 std::string_view blank_hash() { return "0000000000000000"; }

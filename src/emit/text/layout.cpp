@@ -19,7 +19,7 @@ constexpr std::size_t widest_alignment = 72;
 
 /// A space at which an expression may break. `depth`: 3 per enclosing bracket, plus 1 in a sum or 2
 /// in a product.
-struct Break {
+struct LineBreak {
   std::size_t at = 0;
   int depth = 0;
 };
@@ -36,8 +36,8 @@ std::optional<int> depth_of_break(std::string_view text, std::size_t space, int 
 
 /// The last of the shallowest breaks in the last two thirds of the first `width` columns. Without a
 /// break there, the last break in the first third; without any, the first beyond `width`.
-std::optional<Break> best_break(std::string_view text, std::size_t width) {
-  std::optional<Break> best;
+std::optional<LineBreak> best_break(std::string_view text, std::size_t width) {
+  std::optional<LineBreak> best;
   int brackets = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '(' || text[i] == '[' || text[i] == '{') ++brackets;
@@ -45,15 +45,15 @@ std::optional<Break> best_break(std::string_view text, std::size_t width) {
     if (text[i] != ' ') continue;
     const std::optional<int> depth = depth_of_break(text, i, brackets);
     if (!depth) continue;
-    if (i > width) return best ? best : Break{i, *depth};
-    if (!best || *depth <= best->depth || best->at < width / 3) best = Break{i, *depth};
+    if (i > width) return best ? best : LineBreak{i, *depth};
+    if (!best || *depth <= best->depth || best->at < width / 3) best = LineBreak{i, *depth};
   }
   return best;
 }
 
 /// Prevents a line from ending in a backslash, or in its trigraph `??/` in C99, which would
 /// continue the comment on the next line. A line may end before any space.
-std::string without_continuations(std::string_view text) {
+std::string remove_continuations(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool ends_word = i + 1 == text.size() || text[i + 1] == ' ';
@@ -70,15 +70,15 @@ template <class SpaceIn>
 std::vector<std::string> wrap_lines(std::string_view text, const Wrapping& wrapping,
                                     const SpaceIn& space_in) {
   std::vector<std::string> lines;
-  std::size_t width = wrapping.first - wrapping.end.size();
+  std::size_t width = wrapping.first_width - wrapping.line_end.size();
   std::string indent;
   while (text.size() > width) {
     const std::size_t at = space_in(text, width);
     if (at == std::string_view::npos) break;
-    lines.push_back(fmt::format("{}{}{}", indent, text.substr(0, at), wrapping.end));
+    lines.push_back(fmt::format("{}{}{}", indent, text.substr(0, at), wrapping.line_end));
     text.remove_prefix(at + 1);
     indent = wrapping.indent;
-    width = line_width - indent.size() - wrapping.end.size();
+    width = line_width - indent.size() - wrapping.line_end.size();
   }
   lines.push_back(indent + std::string(text));
   return lines;
@@ -88,7 +88,7 @@ std::vector<std::string> wrap_lines(std::string_view text, const Wrapping& wrapp
 
 std::vector<std::string> wrap_expression(std::string_view text, const Wrapping& wrapping) {
   return wrap_lines(text, wrapping, [](std::string_view rest, std::size_t width) {
-    const std::optional<Break> found = best_break(rest, width);
+    const std::optional<LineBreak> found = best_break(rest, width);
     return found ? found->at : std::string_view::npos;
   });
 }
@@ -116,7 +116,7 @@ std::string comment_text(std::string_view text) {
     if (is_blank && !line.empty() && line.back() != ' ') line += ' ';
   }
   while (!line.empty() && line.back() == ' ') line.pop_back();
-  return without_continuations(line);
+  return remove_continuations(line);
 }
 
 std::string string_literal(std::string_view text, char quote, char escape) {
@@ -128,8 +128,8 @@ std::string string_literal(std::string_view text, char quote, char escape) {
   return literal + quote;
 }
 
-std::vector<std::string> documented_members(const std::vector<Member>& members,
-                                            const CommentMarks& marks) {
+std::vector<std::string> member_doc_lines(const std::vector<Member>& members,
+                                          const CommentMarks& marks) {
   std::size_t width = 0;
   for (const Member& member : members) {
     if (member.declaration.size() <= widest_alignment) {

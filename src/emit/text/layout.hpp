@@ -10,12 +10,12 @@ namespace elgen {
 
 inline constexpr std::size_t line_width = 100;
 
-/// How a text is broken into lines. The first line may have `first` columns. All other lines begin
-/// with `indent`; all lines except the last end with `end`.
+/// How a text is broken into lines. The first line may have `first_width` columns. All other lines
+/// begin with `indent`; all lines except the last end with `end`.
 struct Wrapping {
-  std::size_t first = line_width;
+  std::size_t first_width = line_width;
   std::string indent = {};
-  std::string_view end = {};
+  std::string_view line_end = {};
 };
 
 /// Breaks an expression in the outermost brackets possible: before an operator, which begins the
@@ -54,8 +54,8 @@ struct CommentMarks {
 
 /// Declarations with documentation in an aligned column, or above the declaration if the line would
 /// be too long.
-[[nodiscard]] std::vector<std::string> documented_members(const std::vector<Member>& members,
-                                                          const CommentMarks& marks = {});
+[[nodiscard]] std::vector<std::string> member_doc_lines(const std::vector<Member>& members,
+                                                        const CommentMarks& marks = {});
 
 /// A declaration with line breaks, from its start and its arguments. `start` ends before the
 /// bracket; `end` (" noexcept") follows the closing bracket.

@@ -13,22 +13,24 @@
 namespace elgen {
 namespace {
 
-using Number = Running<Real>;
+using Number = RunningValue<Real>;
 using Values = std::vector<Number>;
 
 constexpr std::uint64_t first_seed = 1;
 constexpr std::uint64_t other_seed = 2;
 
 /// True if |x| <= share |y|.
-bool is_below(const Real& x, const Real& y, const Real& share) {
+bool is_below_share(const Real& x, const Real& y, const Real& share) {
   return abs(x).value() <= (abs(y) * share).value();
 }
 
-Number random_value(const cln::cl_RA& value) { return running_leaf(value, rounding<double>()); }
+Number random_value(const cln::cl_RA& value) {
+  return running_leaf(value, rounding_constants<double>());
+}
 
 /// For each instruction: true for a call of a function with kinks, which may be 0 in a whole
 /// region. A random number replaces the value of the call. Roots are not marked, but computed.
-std::vector<bool> kinks(const Function& function) {
+std::vector<bool> mark_kinked_calls(const Function& function) {
   std::vector<bool> result;
   for (const Instruction& i : function.instructions) {
     result.push_back(i.opcode == Opcode::call && is_kinked(i.function));
@@ -38,17 +40,17 @@ std::vector<bool> kinks(const Function& function) {
 
 /// True if 20 digits are lost: the smaller term of a sum disappears in the larger one, a function
 /// hardly depends on its argument, or so strongly that its value has no correct digit.
-bool hides_digits(const Instruction& i, const Values& values, const Number& x) {
+bool loses_digits(const Instruction& i, const Values& values, const Number& x) {
   static const Real hidden(power_of_ten(-20));
   if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {
     const Number& a = values[i.a];
     const Number& b = values[i.b];
     if (is_zero(a.value) || is_zero(b.value)) return false;
-    return is_below(a.value, b.value, hidden) || is_below(b.value, a.value, hidden);
+    return is_below_share(a.value, b.value, hidden) || is_below_share(b.value, a.value, hidden);
   }
   const bool has_argument = i.opcode == Opcode::call && !is_zero(values[i.a].error);
-  return has_argument &&
-         (is_below(x.error - abs(x.value), x.value, hidden) || is_below(x.value, x.error, hidden));
+  return has_argument && (is_below_share(x.error - abs(x.value), x.value, hidden) ||
+                          is_below_share(x.value, x.error, hidden));
 }
 
 /// True if `noise`, the largest |x| that counts as 0, is at most 1e-20 of the largest operand.
@@ -56,7 +58,7 @@ bool has_small_noise(const Instruction& i, const Values& values, const Real& noi
   static const Real hidden(power_of_ten(-20));
   Real terms = abs(values[i.a].value);
   if (operand_count(i) > 1) terms = max(terms, abs(values[i.b].value));
-  return is_below(noise, terms, hidden);
+  return is_below_share(noise, terms, hidden);
 }
 
 /// Replaces x, the value of the instruction, by exactly 0 if it vanishes. Marks x as lost if 64
@@ -64,17 +66,17 @@ bool has_small_noise(const Instruction& i, const Values& values, const Real& noi
 Number round_to_zero(const Instruction& i, const Values& values, Number x) {
   static const Real vanished(power_of_ten(-40));
   if (!x.value.is_defined() || operand_count(i) == 0) return x;
-  x.is_lost = x.is_lost || hides_digits(i, values, x);
-  const bool vanishes = !x.is_lost && is_below(x.value, x.error, vanished) &&
+  x.is_lost = x.is_lost || loses_digits(i, values, x);
+  const bool vanishes = !x.is_lost && is_below_share(x.value, x.error, vanished) &&
                         has_small_noise(i, values, x.error * vanished);
   return vanishes ? Number{} : x;
 }
 
 /// Evaluates the `needed` instructions at the next random point. Instructions in `variables` get
 /// random values.
-Values evaluate_at_random(const Program& program, const Function& function,
-                          const std::vector<bool>& needed, const std::vector<bool>& variables,
-                          Sampler& draw) {
+Values evaluate_at_random_point(const Program& program, const Function& function,
+                                const std::vector<bool>& needed, const std::vector<bool>& variables,
+                                Sampler& draw) {
   const LeafValues<Number> point = map_leaves(random_value, draw.point(program.leaves));
   const RunningErrorRules<Real> rules{point};
   Values values(function.instructions.size(), Number{});
@@ -89,8 +91,8 @@ Values evaluate_at_random(const Program& program, const Function& function,
 }
 
 /// For each instruction: true if an undefined value depends on it.
-std::vector<bool> needed_for_undefined(const Function& function, const Values& values,
-                                       const std::vector<bool>& needed) {
+std::vector<bool> mark_undefined_operands(const Function& function, const Values& values,
+                                          const std::vector<bool>& needed) {
   std::vector<std::uint32_t> undefined;
   for (std::uint32_t at = 0; at < values.size(); ++at) {
     if (needed[at] && !values[at].value.is_defined()) undefined.push_back(at);
@@ -103,8 +105,8 @@ std::vector<std::uint32_t> keep_vanishing(const Program& program, const Function
                                           const std::vector<std::uint32_t>& candidates,
                                           const std::vector<bool>& variables, Sampler& draw) {
   const std::vector<bool> needed = needed_instructions(function, candidates);
-  const Values values = evaluate_at_random(program, function, needed, variables, draw);
-  const std::vector<bool> excluded = needed_for_undefined(function, values, needed);
+  const Values values = evaluate_at_random_point(program, function, needed, variables, draw);
+  const std::vector<bool> excluded = mark_undefined_operands(function, values, needed);
   std::vector<std::uint32_t> result;
   for (const std::uint32_t at : candidates) {
     const bool vanishes = is_zero(values[at].value) && !values[at].is_lost;
@@ -115,18 +117,18 @@ std::vector<std::uint32_t> keep_vanishing(const Program& program, const Function
 
 }  // namespace
 
-std::vector<std::uint32_t> vanishing(const Program& program, const Function& function) {
+std::vector<std::uint32_t> find_vanishing_values(const Program& program, const Function& function) {
   std::vector<std::uint32_t> operations;
   for (std::uint32_t at = 0; at < function.instructions.size(); ++at) {
     if (operand_count(function.instructions[at]) > 0) operations.push_back(at);
   }
   Sampler draw(first_seed);
-  return keep_vanishing(program, function, operations, kinks(function), draw);
+  return keep_vanishing(program, function, operations, mark_kinked_calls(function), draw);
 }
 
-std::vector<bool> vanishing_elsewhere(const Program& program, const Function& function) {
+std::vector<bool> find_vanishing_entries(const Program& program, const Function& function) {
   const std::vector<std::uint32_t> entries = entries_of(function);
-  const std::vector<bool> variables = unknowns(program, function);
+  const std::vector<bool> variables = mark_unknown_values(program, function);
   std::vector<std::uint32_t> left = entries;
   Sampler draw(other_seed);
   for (std::size_t i = 1; i < zero_sample_count && !left.empty(); ++i) {

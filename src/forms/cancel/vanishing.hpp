@@ -11,13 +11,13 @@ namespace elgen {
 /// is below 1e-40 E, with E its error bound, and 1e-40 E is below 1e-20 of the operands. Leaves are
 /// excluded, and so are operands of values that are undefined at this point. An instruction found
 /// here need not vanish elsewhere: a root may have another sign there.
-[[nodiscard]] std::vector<std::uint32_t> vanishing(const Program& program,
-                                                   const Function& function);
+[[nodiscard]] std::vector<std::uint32_t> find_vanishing_values(const Program& program,
+                                                               const Function& function);
 
 /// For each entry, in the order of the fields: true if the entry vanishes at the other
 /// `zero_sample_count` - 1 random points. Random numbers replace values that are not analytic
 /// (program/network/analytic.hpp). An entry that vanishes at all points is 0 at every state.
-[[nodiscard]] std::vector<bool> vanishing_elsewhere(const Program& program,
-                                                    const Function& function);
+[[nodiscard]] std::vector<bool> find_vanishing_entries(const Program& program,
+                                                       const Function& function);
 
 }  // namespace elgen

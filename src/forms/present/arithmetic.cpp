@@ -12,7 +12,7 @@ namespace elgen {
 using cln::cl_RA;
 
 Fraction fraction_of(const Polynomial& numerator) { return {numerator, {}}; }
-Fraction fraction_of(const cl_RA& value) { return {constant(value), {}}; }
+Fraction fraction_of(const cl_RA& value) { return {constant_polynomial(value), {}}; }
 
 namespace {
 
@@ -43,7 +43,7 @@ std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
     if (std::find(angles.begin(), angles.end(), angle) == angles.end()) angles.push_back(angle);
   };
   for (const auto& [monomial, coefficient] : x) {
-    const Monomial angle = split(algebra, monomial).angle;
+    const Monomial angle = split_monomial(algebra, monomial).angle;
     if (angle.empty() || angle.front().exponent < 0) continue;
     if (const auto half = square_root(angle)) add(*half);
     add(angle);
@@ -53,44 +53,44 @@ std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
 
 }  // namespace
 
-Fraction Arithmetic::atom(Atom wanted) {
-  const auto [first, last] = algebra_.known.equal_range(hash_of(wanted));
+Fraction Arithmetic::intern_atom(Atom wanted) {
+  const auto [first, last] = algebra_.atoms_by_hash.equal_range(hash_of(wanted));
   const auto found = std::find_if(
       first, last, [&](const auto& known) { return algebra_.atoms[known.second] == wanted; });
   const auto id = found == last ? static_cast<AtomId>(algebra_.atoms.size()) : found->second;
   if (found == last) {
-    algebra_.known.emplace(hash_of(wanted), id);
+    algebra_.atoms_by_hash.emplace(hash_of(wanted), id);
     algebra_.atoms.push_back(std::move(wanted));
   }
-  return fraction_of(Polynomial{{Monomial{{id, 1}}, Gaussian{1, 0}}});
+  return fraction_of(Polynomial{{Monomial{{id, 1}}, GaussianRational{1, 0}}});
 }
 
-Value Arithmetic::leaf(Opcode leaf, std::uint32_t index) {
-  return atom({.kind = AtomKind::leaf, .leaf = leaf, .index = index});
+OptionalFraction Arithmetic::leaf(Opcode leaf, std::uint32_t index) {
+  return intern_atom({.kind = AtomKind::leaf, .leaf = leaf, .index = index});
 }
 
-Value Arithmetic::whole_sum(std::uint32_t index, const Fraction& form) {
-  return atom({.kind = AtomKind::sum, .index = index, .arguments = {form}});
+OptionalFraction Arithmetic::unexpanded_sum(std::uint32_t index, const Fraction& form) {
+  return intern_atom({.kind = AtomKind::unexpanded_sum, .index = index, .arguments = {form}});
 }
 
-Value Arithmetic::within_term_limit(Fraction x) const {
-  if (x.numerator.size() > terms_) return std::nullopt;
+OptionalFraction Arithmetic::check_term_limit(Fraction x) const {
+  if (x.numerator.size() > most_terms_) return std::nullopt;
   return x;
 }
 
 std::optional<Polynomial> Arithmetic::multiply_sums(const Polynomial& x, const Polynomial& y) {
   const std::size_t products = x.size() * y.size();
-  if (products > work_) {
-    work_ = 0;
+  if (products > remaining_products_) {
+    remaining_products_ = 0;
     return std::nullopt;
   }
-  work_ -= products;
+  remaining_products_ -= products;
   return product(x, y);
 }
 
 /// x * factors[factor]^exponent; none if the budget is used up.
-std::optional<Polynomial> Arithmetic::times_factor(Polynomial x, std::uint32_t factor,
-                                                   std::int32_t exponent) {
+std::optional<Polynomial> Arithmetic::multiply_by_factor(Polynomial x, std::uint32_t factor,
+                                                         std::int32_t exponent) {
   for (std::int32_t i = 0; i < exponent; ++i) {
     auto next = multiply_sums(x, algebra_.factors[factor].shown);
     if (!next) return std::nullopt;
@@ -100,40 +100,40 @@ std::optional<Polynomial> Arithmetic::times_factor(Polynomial x, std::uint32_t f
 }
 
 /// The numerator of x over `denominator`, which must be a multiple of x's own denominator.
-std::optional<Polynomial> Arithmetic::numerator_over(
+std::optional<Polynomial> Arithmetic::expand_numerator(
     const Fraction& x, const std::map<std::uint32_t, std::int32_t>& denominator) {
   std::optional<Polynomial> result = x.numerator;
   for (const auto& [factor, exponent] : denominator) {
     const auto own = x.denominator.find(factor);
     const std::int32_t missing = exponent - (own == x.denominator.end() ? 0 : own->second);
-    if (result) result = times_factor(std::move(*result), factor, missing);
+    if (result) result = multiply_by_factor(std::move(*result), factor, missing);
   }
   return result;
 }
 
-Value Arithmetic::add(const Value& x, const Value& y) {
+OptionalFraction Arithmetic::add(const OptionalFraction& x, const OptionalFraction& y) {
   if (!x || !y) return std::nullopt;
   if (x->denominator == y->denominator) {
     Fraction result{sum(x->numerator, y->numerator), x->denominator};
-    return result.denominator.empty() ? within_term_limit(std::move(result))
+    return result.denominator.empty() ? check_term_limit(std::move(result))
                                       : cancel_factors(std::move(result));
   }
   std::map<std::uint32_t, std::int32_t> common = x->denominator;
   for (const auto& [factor, exponent] : y->denominator) {
     common[factor] = std::max(common[factor], exponent);
   }
-  const auto left = numerator_over(*x, common);
-  const auto right = numerator_over(*y, common);
+  const auto left = expand_numerator(*x, common);
+  const auto right = expand_numerator(*y, common);
   if (!left || !right) return std::nullopt;
   return reduce_roots({sum(*left, *right), common});
 }
 
-Value Arithmetic::negate(const Value& x) const {
+OptionalFraction Arithmetic::negate(const OptionalFraction& x) const {
   if (!x) return std::nullopt;
-  return Fraction{scaled(x->numerator, {-1, 0}), x->denominator};
+  return Fraction{multiply_by_term(x->numerator, {-1, 0}), x->denominator};
 }
 
-Value Arithmetic::multiply(const Value& x, const Value& y) {
+OptionalFraction Arithmetic::multiply(const OptionalFraction& x, const OptionalFraction& y) {
   if (!x || !y) return std::nullopt;
   auto numerator = multiply_sums(x->numerator, y->numerator);
   if (!numerator) return std::nullopt;
@@ -142,25 +142,25 @@ Value Arithmetic::multiply(const Value& x, const Value& y) {
   return reduce_roots(std::move(result));
 }
 
-Value Arithmetic::cancel_factors(Fraction x) {
+OptionalFraction Arithmetic::cancel_factors(Fraction x) {
   if (x.numerator.empty()) return Fraction{};
-  divide_out(x, algebra_, work_);
-  return within_term_limit(std::move(x));
+  cancel_common_factors(x, algebra_, remaining_products_);
+  return check_term_limit(std::move(x));
 }
 
 /// Replaces sqrt(r)^k by sqrt(r)^(k mod 2) r^(k div 2).
-Value Arithmetic::reduce_roots(Fraction x) {
-  const auto excess = [&](const AtomPower& factor) {
+OptionalFraction Arithmetic::reduce_roots(Fraction x) {
+  const auto has_excess_exponent = [&](const AtomPower& factor) {
     return algebra_.atoms[factor.atom].kind == AtomKind::root &&
            (factor.exponent < 0 || factor.exponent > 1);
   };
   const auto is_reducible = [&](const auto& term) {
-    return std::any_of(term.first.begin(), term.first.end(), excess);
+    return std::any_of(term.first.begin(), term.first.end(), has_excess_exponent);
   };
   if (std::none_of(x.numerator.begin(), x.numerator.end(), is_reducible)) {
     return cancel_factors(std::move(x));
   }
-  Value result = Fraction{};
+  OptionalFraction result = Fraction{};
   Fraction reduced;
   for (const auto& term : x.numerator) {
     if (!is_reducible(term)) {
@@ -168,9 +168,9 @@ Value Arithmetic::reduce_roots(Fraction x) {
       continue;
     }
     Monomial rest;
-    Value factor = fraction_of(cl_RA(1));
+    OptionalFraction factor = fraction_of(cl_RA(1));
     for (AtomPower power : term.first) {
-      if (excess(power)) {
+      if (has_excess_exponent(power)) {
         const std::int32_t odd = ((power.exponent % 2) + 2) % 2;
         const Fraction radicand = algebra_.atoms[power.atom].arguments[0];
         factor = multiply(factor, this->power(radicand, (power.exponent - odd) / 2));
@@ -192,15 +192,15 @@ Value Arithmetic::reduce_roots(Fraction x) {
 std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial& unit) {
   const auto inverse = [](const Monomial& x) { return elgen::power(x, -1); };
   const Monomial powers = common_powers(polynomial);
-  Polynomial normal = scaled(polynomial, {1, 0}, inverse(powers));
-  normal = scaled(normal, elgen::reciprocal(normal.rbegin()->second));
+  Polynomial normal = multiply_by_term(polynomial, {1, 0}, inverse(powers));
+  normal = multiply_by_term(normal, elgen::reciprocal(normal.rbegin()->second));
   const auto known = std::ranges::find(algebra_.factors, normal, &Algebra::Factor::normal);
   const auto index = static_cast<std::uint32_t>(known - algebra_.factors.begin());
   if (known == algebra_.factors.end()) {
     // Exponentials remain in the sum, so that the printed factor is real.
-    Monomial common = split(algebra_, powers).powers;
+    Monomial common = split_monomial(algebra_, powers).powers;
     erase_if(common, [](const AtomPower& power) { return power.exponent < 0; });
-    algebra_.factors.push_back({scaled(polynomial, {1, 0}, inverse(common)), normal});
+    algebra_.factors.push_back({multiply_by_term(polynomial, {1, 0}, inverse(common)), normal});
   }
   const Polynomial& shown = algebra_.factors[index].shown;
   unit =
@@ -215,35 +215,37 @@ bool Arithmetic::split_factors(Polynomial& rest,
                                std::map<std::uint32_t, std::int32_t>& denominator) {
   for (std::uint32_t i = 0; i < algebra_.factors.size(); ++i) {
     while (rest.size() > 1) {
-      auto divided = quotient(rest, algebra_.factors[i].shown, work_);
+      auto divided = quotient(rest, algebra_.factors[i].shown, remaining_products_);
       if (!divided) break;
       rest = std::move(*divided);
       ++denominator[i];
     }
   }
-  return work_ > 0;
+  return remaining_products_ > 0;
 }
 
 /// Adds each sine and cosine that divides `rest` to the factors. For example, sin(x)
 /// divides 1 - cos(2 x) = 2 sin(x)^2.
-void Arithmetic::note_circular_factors(const Polynomial& rest) {
+void Arithmetic::add_circular_factors(const Polynomial& rest) {
   const cl_RA half = cl_RA(1) / 2;
   for (const Monomial& angle : angles_of(rest, algebra_)) {
     const Monomial opposite = elgen::power(angle, -1);
-    const Polynomial sine{{angle, Gaussian{0, -half}}, {opposite, Gaussian{0, half}}};
-    const Polynomial cosine{{angle, Gaussian{half, 0}}, {opposite, Gaussian{half, 0}}};
+    const Polynomial sine{{angle, GaussianRational{0, -half}},
+                          {opposite, GaussianRational{0, half}}};
+    const Polynomial cosine{{angle, GaussianRational{half, 0}},
+                            {opposite, GaussianRational{half, 0}}};
     for (const Polynomial& factor : {sine, cosine}) {
       Polynomial unit;
-      if (quotient(rest, factor, work_)) (void)factor_index(factor, unit);
+      if (quotient(rest, factor, remaining_products_)) (void)factor_index(factor, unit);
     }
   }
 }
 
-Value Arithmetic::reciprocal(const Fraction& x) {
+OptionalFraction Arithmetic::reciprocal(const Fraction& x) {
   if (x.numerator.empty()) return std::nullopt;
   Fraction result = fraction_of(cl_RA(1));
   Polynomial rest = x.numerator;
-  if (rest.size() > 1) note_circular_factors(rest);
+  if (rest.size() > 1) add_circular_factors(rest);
   if (!split_factors(rest, result.denominator)) return std::nullopt;
   if (rest.size() > 1) {
     Polynomial unit;
@@ -253,22 +255,22 @@ Value Arithmetic::reciprocal(const Fraction& x) {
   const auto& [monomial, coefficient] = *rest.begin();
   result.numerator = Polynomial{{elgen::power(monomial, -1), elgen::reciprocal(coefficient)}};
   for (const auto& [factor, exponent] : x.denominator) {
-    auto numerator = times_factor(std::move(result.numerator), factor, exponent);
+    auto numerator = multiply_by_factor(std::move(result.numerator), factor, exponent);
     if (!numerator) return std::nullopt;
     result.numerator = std::move(*numerator);
   }
   return reduce_roots(std::move(result));
 }
 
-Value Arithmetic::divide(const Value& x, const Value& y) {
+OptionalFraction Arithmetic::divide(const OptionalFraction& x, const OptionalFraction& y) {
   if (!x || !y) return std::nullopt;
   return multiply(x, reciprocal(*y));
 }
 
-Value Arithmetic::power(const Value& x, std::int32_t exponent) {
+OptionalFraction Arithmetic::power(const OptionalFraction& x, std::int32_t exponent) {
   if (!x) return std::nullopt;
   if (exponent < 0) return power(reciprocal(*x), -exponent);
-  Value result = fraction_of(cl_RA(1));
+  OptionalFraction result = fraction_of(cl_RA(1));
   for (std::int32_t i = 0; i < exponent; ++i) result = multiply(result, x);
   return result;
 }

@@ -9,11 +9,11 @@
 
 namespace elgen {
 
-using Value = std::optional<Fraction>;
+using OptionalFraction = std::optional<Fraction>;
 
 /// The atom of an exponential is e^(i m/12), with m a monomial of the angle. Therefore e^(i m/2),
 /// e^(i m/3) and e^(i m/4) are integer powers of the atom.
-inline constexpr int angle_parts = 12;
+inline constexpr int units_per_angle = 12;
 
 [[nodiscard]] Fraction fraction_of(const Polynomial& numerator);
 [[nodiscard]] Fraction fraction_of(const cln::cl_RA& value);
@@ -21,59 +21,65 @@ inline constexpr int angle_parts = 12;
 class Arithmetic {
  public:
   /// Limits: `work` products of terms in total, and `terms` terms in one sum.
-  explicit Arithmetic(Algebra& algebra, std::size_t work = PresentBudget{}.products,
-                      std::size_t terms = PresentBudget{}.terms)
-      : algebra_(algebra), work_(work), terms_(terms) {}
+  explicit Arithmetic(Algebra& algebra, std::size_t work = ClosedFormBudget{}.products,
+                      std::size_t terms = ClosedFormBudget{}.terms)
+      : algebra_(algebra), remaining_products_(work), most_terms_(terms) {}
 
   /// The remaining budget of term products.
-  [[nodiscard]] std::size_t work() const { return work_; }
+  [[nodiscard]] std::size_t remaining_products() const { return remaining_products_; }
 
-  [[nodiscard]] Value add(const Value& x, const Value& y);
-  [[nodiscard]] Value subtract(const Value& x, const Value& y) { return add(x, negate(y)); }
-  [[nodiscard]] Value negate(const Value& x) const;
-  [[nodiscard]] Value multiply(const Value& x, const Value& y);
-  [[nodiscard]] Value divide(const Value& x, const Value& y);
-  [[nodiscard]] Value power(const Value& x, std::int32_t exponent);
-  [[nodiscard]] Value square_root(const Value& x);
+  [[nodiscard]] OptionalFraction add(const OptionalFraction& x, const OptionalFraction& y);
+  [[nodiscard]] OptionalFraction subtract(const OptionalFraction& x, const OptionalFraction& y) {
+    return add(x, negate(y));
+  }
+  [[nodiscard]] OptionalFraction negate(const OptionalFraction& x) const;
+  [[nodiscard]] OptionalFraction multiply(const OptionalFraction& x, const OptionalFraction& y);
+  [[nodiscard]] OptionalFraction divide(const OptionalFraction& x, const OptionalFraction& y);
+  [[nodiscard]] OptionalFraction power(const OptionalFraction& x, std::int32_t exponent);
+  [[nodiscard]] OptionalFraction square_root(const OptionalFraction& x);
   /// The value of `function` at (x, y). A function of one argument ignores y.
-  [[nodiscard]] Value call(FunctionId function, const Value& x, const Value& y);
+  [[nodiscard]] OptionalFraction call(FunctionId function, const OptionalFraction& x,
+                                      const OptionalFraction& y);
 
-  [[nodiscard]] Value leaf(Opcode leaf, std::uint32_t index);
-  [[nodiscard]] Value pi();
+  [[nodiscard]] OptionalFraction leaf(Opcode leaf, std::uint32_t index);
+  [[nodiscard]] OptionalFraction pi();
   /// The atom in place of an unexpanded sum: `index` is its number in Algebra::sums, `form` its
   /// expanded value.
-  [[nodiscard]] Value whole_sum(std::uint32_t index, const Fraction& form);
+  [[nodiscard]] OptionalFraction unexpanded_sum(std::uint32_t index, const Fraction& form);
   /// Converts a constant operation by operation: sums, products, roots and calls.
-  [[nodiscard]] Value constant(const ConstantForm& form);
-  [[nodiscard]] Value constant(const Constant& constant) { return this->constant(constant.form); }
+  [[nodiscard]] OptionalFraction constant(const ConstantForm& form);
+  [[nodiscard]] OptionalFraction constant(const Constant& constant) {
+    return this->constant(constant.form);
+  }
 
  private:
-  Fraction atom(Atom wanted);
-  [[nodiscard]] Value within_term_limit(Fraction x) const;
+  Fraction intern_atom(Atom wanted);
+  [[nodiscard]] OptionalFraction check_term_limit(Fraction x) const;
   std::optional<Polynomial> multiply_sums(const Polynomial& x, const Polynomial& y);
-  std::optional<Polynomial> times_factor(Polynomial x, std::uint32_t factor, std::int32_t exponent);
-  std::optional<Polynomial> numerator_over(
+  std::optional<Polynomial> multiply_by_factor(Polynomial x, std::uint32_t factor,
+                                               std::int32_t exponent);
+  std::optional<Polynomial> expand_numerator(
       const Fraction& x, const std::map<std::uint32_t, std::int32_t>& denominator);
-  Value cancel_factors(Fraction x);
-  Value reduce_roots(Fraction x);
-  Value reciprocal(const Fraction& x);
-  void note_circular_factors(const Polynomial& rest);
+  OptionalFraction cancel_factors(Fraction x);
+  OptionalFraction reduce_roots(Fraction x);
+  OptionalFraction reciprocal(const Fraction& x);
+  void add_circular_factors(const Polynomial& rest);
   bool split_factors(Polynomial& rest, std::map<std::uint32_t, std::int32_t>& denominator);
   std::uint32_t factor_index(const Polynomial& polynomial, Polynomial& unit);
 
-  Value root_of_integer(cln::cl_I value);
+  OptionalFraction root_of_integer(cln::cl_I value);
   /// e^(i x), or e^(-i x) if `conjugate`; x must be real.
-  Value exponential(const Fraction& x, bool conjugate);
-  Value exponential_of_term(const Monomial& monomial, const cln::cl_RA& coefficient);
-  Value circle_twelfths(long twelfths);
-  Value sine_or_cosine(FunctionId function, const Fraction& x);
-  Value stumpff_quotient(const Fraction& x, const cln::cl_I& order);
-  Value real_exponential(const Fraction& x);
-  Value by_exponentials(FunctionId function, const Fraction& x);
+  OptionalFraction exponential(const Fraction& x, bool conjugate);
+  OptionalFraction exponential_of_term(const Monomial& monomial, const cln::cl_RA& coefficient);
+  OptionalFraction root_of_unity(long twelfths);
+  OptionalFraction sine_or_cosine(FunctionId function, const Fraction& x);
+  OptionalFraction stumpff_quotient(const Fraction& x, const cln::cl_I& order);
+  OptionalFraction real_exponential(const Fraction& x);
+  OptionalFraction expand_in_exponentials(FunctionId function, const Fraction& x);
 
   Algebra& algebra_;
-  std::size_t work_;
-  std::size_t terms_;
+  std::size_t remaining_products_;
+  std::size_t most_terms_;
 };
 
 }  // namespace elgen

@@ -38,22 +38,22 @@ Monomial power(const Monomial& x, std::int32_t exponent) {
   return result;
 }
 
-Gaussian product(const Gaussian& x, const Gaussian& y) {
-  const bool real = cln::zerop(x.imaginary) && cln::zerop(y.imaginary);
-  if (real) return {x.real * y.real, 0};
+GaussianRational product(const GaussianRational& x, const GaussianRational& y) {
+  const bool is_real_product = cln::zerop(x.imaginary) && cln::zerop(y.imaginary);
+  if (is_real_product) return {x.real * y.real, 0};
   return {x.real * y.real - x.imaginary * y.imaginary, x.real * y.imaginary + x.imaginary * y.real};
 }
 
-Gaussian reciprocal(const Gaussian& x) {
+GaussianRational reciprocal(const GaussianRational& x) {
   const cl_RA square = x.real * x.real + x.imaginary * x.imaginary;
   return {x.real / square, -x.imaginary / square};
 }
 
-bool is_zero(const Gaussian& x) { return cln::zerop(x.real) && cln::zerop(x.imaginary); }
+bool is_zero(const GaussianRational& x) { return cln::zerop(x.real) && cln::zerop(x.imaginary); }
 
-Polynomial constant(const cl_RA& value) {
+Polynomial constant_polynomial(const cl_RA& value) {
   if (cln::zerop(value)) return {};
-  return {{Monomial{}, Gaussian{value, 0}}};
+  return {{Monomial{}, GaussianRational{value, 0}}};
 }
 
 namespace {
@@ -66,12 +66,12 @@ Polynomial merge_terms(Iterator i, Iterator i_end, Iterator j, Iterator j_end) {
   while (i != i_end && j != j_end) {
     const Polynomial::value_type& x = *i;
     const Polynomial::value_type& y = *j;
-    const std::strong_ordering order = order_of(x.first, y.first);
+    const std::strong_ordering order = compare_exponents(x.first, y.first);
     if (order != 0) {
       terms.push_back(order < 0 ? *i++ : *j++);
       continue;
     }
-    Gaussian both{x.second.real + y.second.real, x.second.imaginary + y.second.imaginary};
+    GaussianRational both{x.second.real + y.second.real, x.second.imaginary + y.second.imaginary};
     if (!is_zero(both)) terms.emplace_back(x.first, std::move(both));
     ++i;
     ++j;
@@ -82,13 +82,13 @@ Polynomial merge_terms(Iterator i, Iterator i_end, Iterator j, Iterator j_end) {
 }
 
 /// The terms in [first, last) times y: merges the products of both halves.
-Polynomial product_of(Polynomial::const_iterator first, Polynomial::const_iterator last,
-                      const Polynomial& y) {
+Polynomial multiply_range(Polynomial::const_iterator first, Polynomial::const_iterator last,
+                          const Polynomial& y) {
   if (first == last) return {};
-  if (last - first == 1) return scaled(y, first->second, first->first);
+  if (last - first == 1) return multiply_by_term(y, first->second, first->first);
   const auto middle = first + (last - first) / 2;
-  Polynomial x = product_of(first, middle, y);
-  Polynomial z = product_of(middle, last, y);
+  Polynomial x = multiply_range(first, middle, y);
+  Polynomial z = multiply_range(middle, last, y);
   return merge_terms(std::make_move_iterator(x.begin()), std::make_move_iterator(x.end()),
                      std::make_move_iterator(z.begin()), std::make_move_iterator(z.end()));
 }
@@ -100,11 +100,12 @@ Polynomial sum(const Polynomial& x, const Polynomial& y) {
 }
 
 Polynomial product(const Polynomial& x, const Polynomial& y) {
-  return x.size() < y.size() ? product_of(x.begin(), x.end(), y)
-                             : product_of(y.begin(), y.end(), x);
+  return x.size() < y.size() ? multiply_range(x.begin(), x.end(), y)
+                             : multiply_range(y.begin(), y.end(), x);
 }
 
-Polynomial scaled(const Polynomial& x, const Gaussian& coefficient, const Monomial& monomial) {
+Polynomial multiply_by_term(const Polynomial& x, const GaussianRational& coefficient,
+                            const Monomial& monomial) {
   Polynomial::Terms terms;
   terms.reserve(x.size());
   for (const auto& [own, value] : x) {
@@ -115,7 +116,7 @@ Polynomial scaled(const Polynomial& x, const Gaussian& coefficient, const Monomi
 
 std::optional<cl_RA> ratio_of(const Polynomial& x, const Polynomial& y) {
   if (x.size() != y.size()) return std::nullopt;
-  const Gaussian ratio = product(x.begin()->second, reciprocal(y.begin()->second));
+  const GaussianRational ratio = product(x.begin()->second, reciprocal(y.begin()->second));
   if (!cln::zerop(ratio.imaginary)) return std::nullopt;
   const auto is_multiple = [&ratio](const auto& own, const auto& other) {
     return own.first == other.first && own.second == product(other.second, ratio);
@@ -131,7 +132,7 @@ std::optional<cl_RA> rational_value(const Polynomial& x) {
   return x.begin()->second.real;
 }
 
-SplitMonomial split(const Algebra& algebra, const Monomial& monomial) {
+SplitMonomial split_monomial(const Algebra& algebra, const Monomial& monomial) {
   SplitMonomial result;
   for (const AtomPower& factor : monomial) {
     const bool is_circular = algebra.atoms[factor.atom].kind == AtomKind::circular;
@@ -150,9 +151,8 @@ std::vector<AtomId> atoms_of(const Polynomial& sum) {
   return atoms;
 }
 
-std::map<Monomial, Polynomial, MonomialLess> group_terms_by(const Algebra& algebra,
-                                                            const Polynomial& sum,
-                                                            bool (*is_key_atom)(const Atom&)) {
+std::map<Monomial, Polynomial, MonomialLess> group_terms_by_atoms(
+    const Algebra& algebra, const Polynomial& sum, bool (*is_key_atom)(const Atom&)) {
   std::map<Monomial, Polynomial, MonomialLess> parts;
   for (const auto& [monomial, coefficient] : sum) {
     Monomial key;
@@ -175,8 +175,9 @@ Polynomial replace_squares(const Polynomial& sum, AtomId atom, AtomId other, int
     for (const AtomPower& power : monomial) {
       const bool is_square = power.atom == atom && power.exponent >= 2;
       const std::int32_t left = is_square ? power.exponent % 2 : power.exponent;
-      if (left != 0) term = scaled(term, {1, 0}, Monomial{{power.atom, left}});
-      const Polynomial square = elgen::sum(constant(one), {{Monomial{{other, 2}}, {1, 0}}});
+      if (left != 0) term = multiply_by_term(term, {1, 0}, Monomial{{power.atom, left}});
+      const Polynomial square =
+          elgen::sum(constant_polynomial(one), {{Monomial{{other, 2}}, {1, 0}}});
       for (std::int32_t i = 0; is_square && i < power.exponent / 2; ++i) {
         term = product(term, square);
       }
@@ -225,14 +226,14 @@ std::optional<Polynomial> square_root(const Polynomial& x) {
   const std::optional<Monomial> lead = square_root(x.rbegin()->first);
   if (!lead) return std::nullopt;
   Polynomial root{{*lead, {1, 0}}};
-  Polynomial rest = sum(x, scaled(product(root, root), {-1, 0}));
+  Polynomial rest = sum(x, multiply_by_term(product(root, root), {-1, 0}));
   while (!rest.empty()) {
     if (root.size() > x.size()) return std::nullopt;
-    const Gaussian& next = rest.rbegin()->second;
+    const GaussianRational& next = rest.rbegin()->second;
     const Monomial monomial = product(rest.rbegin()->first, power(*lead, -1));
     if (root.find(monomial) != root.end()) return std::nullopt;
     add_term(root, monomial, {next.real / 2, next.imaginary / 2});
-    rest = sum(x, scaled(product(root, root), {-1, 0}));
+    rest = sum(x, multiply_by_term(product(root, root), {-1, 0}));
   }
   return root;
 }
@@ -252,8 +253,8 @@ std::map<std::int32_t, Polynomial> coefficients_of(const Polynomial& x, AtomId a
   return by_powers;
 }
 
-Monomial lowest_powers(const Algebra& algebra, const Polynomial& sum) {
-  Monomial lowest = split(algebra, common_powers(sum)).powers;
+Monomial common_divisor_powers(const Algebra& algebra, const Polynomial& sum) {
+  Monomial lowest = split_monomial(algebra, common_powers(sum)).powers;
   erase_if(lowest, [](const AtomPower& power) { return power.exponent > 0; });
   return lowest;
 }
@@ -271,9 +272,9 @@ bool is_real(const Algebra& algebra, const Polynomial& sum) {
   });
 }
 
-bool holds_exponentials(const Algebra& algebra, const Polynomial& sum) {
+bool contains_exponentials(const Algebra& algebra, const Polynomial& sum) {
   return std::ranges::any_of(
-      sum, [&](const auto& term) { return !split(algebra, term.first).angle.empty(); });
+      sum, [&](const auto& term) { return !split_monomial(algebra, term.first).angle.empty(); });
 }
 
 }  // namespace elgen

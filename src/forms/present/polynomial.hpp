@@ -8,15 +8,16 @@ namespace elgen {
 [[nodiscard]] Monomial product(const Monomial& x, const Monomial& y);
 [[nodiscard]] Monomial power(const Monomial& x, std::int32_t exponent);
 
-[[nodiscard]] Gaussian product(const Gaussian& x, const Gaussian& y);
+[[nodiscard]] GaussianRational product(const GaussianRational& x, const GaussianRational& y);
 /// 1/x; x must not be 0.
-[[nodiscard]] Gaussian reciprocal(const Gaussian& x);
-[[nodiscard]] bool is_zero(const Gaussian& x);
+[[nodiscard]] GaussianRational reciprocal(const GaussianRational& x);
+[[nodiscard]] bool is_zero(const GaussianRational& x);
 
 /// to += coefficient * monomial, for a polynomial or another map of terms. The coefficient must not
 /// be 0; a term whose coefficient becomes 0 is erased.
 template <class Sum>
-void add_term(Sum& to, const typename Sum::key_type& monomial, const Gaussian& coefficient) {
+void add_term(Sum& to, const typename Sum::key_type& monomial,
+              const GaussianRational& coefficient) {
   const auto [at, is_new] = to.try_emplace(monomial, coefficient);
   if (is_new) return;
   at->second.real = at->second.real + coefficient.real;
@@ -24,12 +25,12 @@ void add_term(Sum& to, const typename Sum::key_type& monomial, const Gaussian& c
   if (is_zero(at->second)) to.erase(at);
 }
 
-[[nodiscard]] Polynomial constant(const cln::cl_RA& value);
+[[nodiscard]] Polynomial constant_polynomial(const cln::cl_RA& value);
 /// x + y. Cost: x.size() + y.size() comparisons of monomials.
 [[nodiscard]] Polynomial sum(const Polynomial& x, const Polynomial& y);
 /// x * coefficient * monomial
-[[nodiscard]] Polynomial scaled(const Polynomial& x, const Gaussian& coefficient,
-                                const Monomial& monomial = {});
+[[nodiscard]] Polynomial multiply_by_term(const Polynomial& x, const GaussianRational& coefficient,
+                                          const Monomial& monomial = {});
 /// x y. Cost: x.size() * y.size() products of terms.
 [[nodiscard]] Polynomial product(const Polynomial& x, const Polynomial& y);
 
@@ -40,7 +41,7 @@ void add_term(Sum& to, const typename Sum::key_type& monomial, const Gaussian& c
                                                  std::size_t& work);
 
 /// Cancels all denominator factors that divide the numerator; `work` as in quotient().
-void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work);
+void cancel_common_factors(Fraction& x, const Algebra& algebra, std::size_t& work);
 
 /// x/y if it is a rational number; otherwise none. Neither may be the empty sum.
 [[nodiscard]] std::optional<cln::cl_RA> ratio_of(const Polynomial& x, const Polynomial& y);
@@ -67,7 +68,7 @@ void divide_out(Fraction& x, const Algebra& algebra, std::size_t& work);
 [[nodiscard]] std::map<std::int32_t, Polynomial> coefficients_of(const Polynomial& x, AtomId atom);
 
 /// The least and greatest exponent of an atom in a sum. Terms without the atom have exponent 0.
-struct AtomRange {
+struct ExponentRange {
   AtomId atom = 0;
   std::int32_t least = 0;
   std::int32_t greatest = 0;
@@ -75,19 +76,19 @@ struct AtomRange {
 };
 
 /// The range of each atom in x, in ascending order of atoms.
-[[nodiscard]] std::vector<AtomRange> exponents_of(const Polynomial& x);
+[[nodiscard]] std::vector<ExponentRange> exponent_ranges(const Polynomial& x);
 
 /// The product of all atoms, each to its least exponent in x if that is not 0. After division by
 /// this product, x has neither divisors nor a power common to all terms.
 [[nodiscard]] Monomial common_powers(const Polynomial& x);
 
 /// The product of all atoms except exponentials, each to its least exponent if that is negative.
-[[nodiscard]] Monomial lowest_powers(const Algebra& algebra, const Polynomial& sum);
+[[nodiscard]] Monomial common_divisor_powers(const Algebra& algebra, const Polynomial& sum);
 
 /// True if the sum is its own complex conjugate.
 [[nodiscard]] bool is_real(const Algebra& algebra, const Polynomial& sum);
 
-[[nodiscard]] bool holds_exponentials(const Algebra& algebra, const Polynomial& sum);
+[[nodiscard]] bool contains_exponentials(const Algebra& algebra, const Polynomial& sum);
 
 /// The atoms in `sum`, ascending, without duplicates.
 [[nodiscard]] std::vector<AtomId> atoms_of(const Polynomial& sum);
@@ -98,11 +99,11 @@ struct SplitMonomial {
   Monomial angle;
 };
 
-[[nodiscard]] SplitMonomial split(const Algebra& algebra, const Monomial& monomial);
+[[nodiscard]] SplitMonomial split_monomial(const Algebra& algebra, const Monomial& monomial);
 
 /// Maps each product of atoms that satisfy `is_key_atom` to its coefficient, a sum of products of
 /// the other atoms.
-[[nodiscard]] std::map<Monomial, Polynomial, MonomialLess> group_terms_by(
+[[nodiscard]] std::map<Monomial, Polynomial, MonomialLess> group_terms_by_atoms(
     const Algebra& algebra, const Polynomial& sum, bool (*is_key_atom)(const Atom&));
 
 }  // namespace elgen

@@ -21,7 +21,7 @@ namespace {
 /// Long programs have closed forms that exceed any budget. Beyond `short_program` instructions the
 /// budget therefore falls with the square of the length. A failed attempt then costs less than
 /// lowering the program did.
-std::size_t budget_of(const Function& function, const PresentBudget& budget) {
+std::size_t budget_of(const Function& function, const ClosedFormBudget& budget) {
   constexpr double short_program = 500;
   const double length = std::max(static_cast<double>(function.instructions.size()), short_program);
   const double share = short_program / length;
@@ -29,143 +29,151 @@ std::size_t budget_of(const Function& function, const PresentBudget& budget) {
                                   share);
 }
 
-bool is_plain(const Algebra& algebra, const Monomial& monomial) {
+bool is_product_of_leaves(const Algebra& algebra, const Monomial& monomial) {
   return std::ranges::all_of(monomial, [&algebra](const AtomPower& factor) {
     const AtomKind kind = algebra.atoms[factor.atom].kind;
     return kind == AtomKind::leaf || kind == AtomKind::pi;
   });
 }
 
-ZeroProof proof_of(const Algebra& algebra, const std::optional<Fraction>& form) {
-  if (!form) return ZeroProof::open;
+ZeroProof zero_proof(const Algebra& algebra, const std::optional<Fraction>& form) {
+  if (!form) return ZeroProof::undecided;
   if (form->numerator.empty()) return ZeroProof::zero;
   const bool is_decided = std::ranges::all_of(form->numerator, [&algebra](const auto& term) {
     return std::ranges::all_of(term.first, [&algebra](const AtomPower& factor) {
       return is_independent(algebra, factor.atom);
     });
   });
-  return is_decided ? ZeroProof::not_zero : ZeroProof::open;
+  return is_decided ? ZeroProof::not_zero : ZeroProof::undecided;
 }
 
 /// One verdict per entry of functions[0], the only function.
-std::vector<ZeroProof> proofs_of(const ClosedForms& forms) {
+std::vector<ZeroProof> zero_proofs(const ClosedForms& forms) {
   std::vector<ZeroProof> result;
   for (const ClosedField& field : forms.functions[0].fields) {
     for (const std::optional<Fraction>& form : field.entries) {
-      result.push_back(proof_of(forms.algebra, form));
+      result.push_back(zero_proof(forms.algebra, form));
     }
   }
   return result;
 }
 
-Algebra algebra_of_proofs() { return {.has_quotients = true, .has_exponentials = true}; }
+Algebra proof_algebra() { return {.has_quotients = true, .has_exponentials = true}; }
 
 /// Whether a summary, a function whose entries repeat entries of other functions, gets closed
 /// forms.
-enum class Repeats : std::uint8_t { left_out, presented };
+enum class SummaryHandling : std::uint8_t { skipped, presented };
 
 /// Appends the closed forms of all entries of all functions, within one budget.
 /// values_of(arithmetic, function) returns the values of all instructions.
 template <class ValuesOf>
-void present_functions(const Program& program, const PresentBudget& budget, ClosedForms& forms,
-                       const ValuesOf& values_of, Repeats repeats = Repeats::left_out) {
+void present_functions(const Program& program, const ClosedFormBudget& budget, ClosedForms& forms,
+                       const ValuesOf& values_of,
+                       SummaryHandling repeats = SummaryHandling::skipped) {
   std::size_t left = budget.products;
   for (const Function& function : program.functions) {
     ClosedFunction& closed = forms.functions.emplace_back();
-    if (repeats == Repeats::left_out && output_row(function.kind).is_summary) continue;
+    if (repeats == SummaryHandling::skipped && output_row(function.kind).is_summary) continue;
     const std::size_t share = std::min(left, budget_of(function, budget));
     Arithmetic arithmetic(forms.algebra, share, budget.terms);
     // A function with a repeated block gets no closed forms, because they would contain M^-1.
     const bool is_open = function.repeated.count > 0;
-    const std::vector<Value> values = is_open ? std::vector<Value>(function.instructions.size())
-                                              : values_of(arithmetic, function);
+    const std::vector<OptionalFraction> values =
+        is_open ? std::vector<OptionalFraction>(function.instructions.size())
+                : values_of(arithmetic, function);
     for (const Field& field : function.fields) {
       ClosedField& entries = closed.fields.emplace_back(ClosedField{field.name, {}});
       for (const std::uint32_t entry : field.entries) entries.entries.push_back(values[entry]);
     }
-    left -= share - arithmetic.work();
+    left -= share - arithmetic.remaining_products();
   }
 }
 
-ClosedForms present_over(Algebra algebra, const Program& program, const PresentBudget& budget,
-                         Repeats repeats = Repeats::left_out) {
+ClosedForms present_in_algebra(Algebra algebra, const Program& program,
+                               const ClosedFormBudget& budget,
+                               SummaryHandling repeats = SummaryHandling::skipped) {
   ClosedForms forms{std::move(algebra), {}};
   const auto values_of = [&program](Arithmetic& arithmetic, const Function& function) {
-    return fold<Value>(arithmetic, program, function);
+    return fold<OptionalFraction>(arithmetic, program, function);
   };
   present_functions(program, budget, forms, values_of, repeats);
   return forms;
 }
 
 /// A value fully expanded, and with some sums unexpanded ("whole").
-struct PlainAndWhole {
-  Value plain = {};
-  Value whole = {};
+struct ExpansionPair {
+  OptionalFraction expanded = {};
+  OptionalFraction unexpanded = {};
 };
 
 /// Folding rules (fold.hpp) for values in both forms.
-class WholeArithmetic {
+class ExpansionPairRules {
  public:
-  WholeArithmetic(Arithmetic& arithmetic, const std::vector<Value>& sums)
+  ExpansionPairRules(Arithmetic& arithmetic, const std::vector<OptionalFraction>& sums)
       : arithmetic_(arithmetic), sums_(sums) {}
 
-  [[nodiscard]] PlainAndWhole constant(const Constant& value) {
-    return same_in_both(arithmetic_.constant(value));
+  [[nodiscard]] ExpansionPair constant(const Constant& value) {
+    return make_equal_pair(arithmetic_.constant(value));
   }
-  [[nodiscard]] PlainAndWhole leaf(Opcode kind, std::uint32_t number) {
-    return same_in_both(arithmetic_.leaf(kind, number));
+  [[nodiscard]] ExpansionPair leaf(Opcode kind, std::uint32_t number) {
+    return make_equal_pair(arithmetic_.leaf(kind, number));
   }
-  [[nodiscard]] PlainAndWhole negate(const PlainAndWhole& x) {
-    return {arithmetic_.negate(x.plain), arithmetic_.negate(x.whole)};
+  [[nodiscard]] ExpansionPair negate(const ExpansionPair& x) {
+    return {arithmetic_.negate(x.expanded), arithmetic_.negate(x.unexpanded)};
   }
-  [[nodiscard]] PlainAndWhole add(const PlainAndWhole& x, const PlainAndWhole& y) {
-    return shorter({arithmetic_.add(x.plain, y.plain), arithmetic_.add(x.whole, y.whole)});
+  [[nodiscard]] ExpansionPair add(const ExpansionPair& x, const ExpansionPair& y) {
+    return choose_shorter(
+        {arithmetic_.add(x.expanded, y.expanded), arithmetic_.add(x.unexpanded, y.unexpanded)});
   }
-  [[nodiscard]] PlainAndWhole subtract(const PlainAndWhole& x, const PlainAndWhole& y) {
+  [[nodiscard]] ExpansionPair subtract(const ExpansionPair& x, const ExpansionPair& y) {
     return add(x, negate(y));
   }
-  [[nodiscard]] PlainAndWhole multiply(const PlainAndWhole& x, const PlainAndWhole& y) {
-    return {arithmetic_.multiply(x.plain, y.plain), arithmetic_.multiply(x.whole, y.whole)};
+  [[nodiscard]] ExpansionPair multiply(const ExpansionPair& x, const ExpansionPair& y) {
+    return {arithmetic_.multiply(x.expanded, y.expanded),
+            arithmetic_.multiply(x.unexpanded, y.unexpanded)};
   }
-  [[nodiscard]] PlainAndWhole divide(const PlainAndWhole& x, const PlainAndWhole& y) {
-    return {arithmetic_.divide(x.plain, y.plain), arithmetic_.divide(x.whole, y.whole)};
+  [[nodiscard]] ExpansionPair divide(const ExpansionPair& x, const ExpansionPair& y) {
+    return {arithmetic_.divide(x.expanded, y.expanded),
+            arithmetic_.divide(x.unexpanded, y.unexpanded)};
   }
-  [[nodiscard]] PlainAndWhole square_root(const PlainAndWhole& x) {
-    return {arithmetic_.square_root(x.plain), arithmetic_.square_root(x.whole)};
+  [[nodiscard]] ExpansionPair square_root(const ExpansionPair& x) {
+    return {arithmetic_.square_root(x.expanded), arithmetic_.square_root(x.unexpanded)};
   }
-  [[nodiscard]] PlainAndWhole call(FunctionId function, const PlainAndWhole& x,
-                                   const PlainAndWhole& y) {
-    return {arithmetic_.call(function, x.plain, y.plain),
-            arithmetic_.call(function, x.whole, y.whole)};
+  [[nodiscard]] ExpansionPair call(FunctionId function, const ExpansionPair& x,
+                                   const ExpansionPair& y) {
+    return {arithmetic_.call(function, x.expanded, y.expanded),
+            arithmetic_.call(function, x.unexpanded, y.unexpanded)};
   }
 
  private:
-  static PlainAndWhole same_in_both(const Value& x) { return {x, x}; }
+  static ExpansionPair make_equal_pair(const OptionalFraction& x) { return {x, x}; }
 
   /// If x is a rational multiple of a whole sum, x.whole becomes this multiple. Otherwise x.whole
   /// becomes x.plain if x.plain has fewer terms.
-  PlainAndWhole shorter(PlainAndWhole x) {
-    if (!x.plain || x.plain->numerator.empty()) return same_in_both(x.plain);
+  ExpansionPair choose_shorter(ExpansionPair x) {
+    if (!x.expanded || x.expanded->numerator.empty()) return make_equal_pair(x.expanded);
     for (std::uint32_t i = 0; i < sums_.size(); ++i) {
-      if (!sums_[i] || sums_[i]->denominator != x.plain->denominator) continue;
-      const auto ratio = ratio_of(x.plain->numerator, sums_[i]->numerator);
+      if (!sums_[i] || sums_[i]->denominator != x.expanded->denominator) continue;
+      const auto ratio = ratio_of(x.expanded->numerator, sums_[i]->numerator);
       if (!ratio) continue;
-      x.whole = arithmetic_.multiply(fraction_of(*ratio), arithmetic_.whole_sum(i, *sums_[i]));
+      x.unexpanded =
+          arithmetic_.multiply(fraction_of(*ratio), arithmetic_.unexpanded_sum(i, *sums_[i]));
       return x;
     }
-    if (!x.whole || x.plain->numerator.size() < x.whole->numerator.size()) x.whole = x.plain;
+    if (!x.unexpanded || x.expanded->numerator.size() < x.unexpanded->numerator.size())
+      x.unexpanded = x.expanded;
     return x;
   }
 
   Arithmetic& arithmetic_;
-  const std::vector<Value>& sums_;  ///< expanded forms of the whole sums
+  const std::vector<OptionalFraction>& sums_;  ///< expanded forms of the whole sums
 };
 
 /// The expanded forms of the sums of typed_sums().
-std::vector<Value> plain_forms(Arithmetic& arithmetic, const Program& sums) {
-  std::vector<Value> forms;
+std::vector<OptionalFraction> expanded_forms(Arithmetic& arithmetic, const Program& sums) {
+  std::vector<OptionalFraction> forms;
   for (const Function& sum : sums.functions) {
-    forms.push_back(entries_of(sum, fold<Value>(arithmetic, sums, sum)).front());
+    forms.push_back(entries_of(sum, fold<OptionalFraction>(arithmetic, sums, sum)).front());
   }
   return forms;
 }
@@ -175,20 +183,20 @@ std::vector<Value> plain_forms(Arithmetic& arithmetic, const Program& sums) {
 bool is_independent(const Algebra& algebra, AtomId id) {
   const Atom& atom = algebra.atoms[id];
   if (atom.kind == AtomKind::leaf || atom.kind == AtomKind::pi) return true;
-  return atom.kind == AtomKind::circular && atom.divisor == angle_parts &&
-         is_plain(algebra, atom.arguments[0].numerator.begin()->first);
+  return atom.kind == AtomKind::circular && atom.divisor == units_per_angle &&
+         is_product_of_leaves(algebra, atom.arguments[0].numerator.begin()->first);
 }
 
-ClosedForms present(const Program& program, const PresentBudget& budget) {
-  return present_over({}, program, budget);
+ClosedForms present(const Program& program, const ClosedFormBudget& budget) {
+  return present_in_algebra({}, program, budget);
 }
 
-ClosedForms present_quotients(const Program& program, const PresentBudget& budget) {
-  return present_over({.has_quotients = true}, program, budget);
+ClosedForms present_quotients(const Program& program, const ClosedFormBudget& budget) {
+  return present_in_algebra({.has_quotients = true}, program, budget);
 }
 
-ClosedForms present_for_proofs(const Program& program, const PresentBudget& budget) {
-  return present_over(algebra_of_proofs(), program, budget);
+ClosedForms present_for_proofs(const Program& program, const ClosedFormBudget& budget) {
+  return present_in_algebra(proof_algebra(), program, budget);
 }
 
 bool is_rewritten_for_proofs(FunctionId function) {
@@ -196,16 +204,16 @@ bool is_rewritten_for_proofs(FunctionId function) {
          has_exponential_form(function);
 }
 
-ClosedForms present(const Program& program, Program whole_sums, const PresentBudget& budget) {
+ClosedForms present(const Program& program, Program whole_sums, const ClosedFormBudget& budget) {
   ClosedForms forms;
   Arithmetic plain(forms.algebra, budget.products_per_function, budget.terms);
-  const std::vector<Value> sums = plain_forms(plain, whole_sums);
-  forms.algebra.sums = std::make_shared<const Program>(std::move(whole_sums));
+  const std::vector<OptionalFraction> sums = expanded_forms(plain, whole_sums);
+  forms.algebra.unexpanded_sums = std::make_shared<const Program>(std::move(whole_sums));
   present_functions(program, budget, forms, [&](Arithmetic& arithmetic, const Function& function) {
-    std::vector<Value> values;
-    for (const PlainAndWhole& both :
-         fold<PlainAndWhole>(WholeArithmetic(arithmetic, sums), program, function)) {
-      values.push_back(both.whole);
+    std::vector<OptionalFraction> values;
+    for (const ExpansionPair& both :
+         fold<ExpansionPair>(ExpansionPairRules(arithmetic, sums), program, function)) {
+      values.push_back(both.unexpanded);
     }
     return values;
   });
@@ -213,26 +221,26 @@ ClosedForms present(const Program& program, Program whole_sums, const PresentBud
 }
 
 bool is_proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y) {
-  Arithmetic arithmetic(forms.algebra, PresentBudget{}.products_per_function);
-  const Value difference = arithmetic.subtract(x, y);
+  Arithmetic arithmetic(forms.algebra, ClosedFormBudget{}.products_per_function);
+  const OptionalFraction difference = arithmetic.subtract(x, y);
   return difference && difference->numerator.empty();
 }
 
 std::vector<ZeroProof> prove_zeros(const Program& program, Function function,
-                                   const PresentBudget& budget) {
+                                   const ClosedFormBudget& budget) {
   const Program alone{program.leaves, program.constants, {std::move(function)}};
   const auto proofs = [&](const Algebra& algebra) {
-    return proofs_of(present_over(algebra, alone, budget, Repeats::presented));
+    return zero_proofs(present_in_algebra(algebra, alone, budget, SummaryHandling::presented));
   };
   std::vector<ZeroProof> result = proofs({});
-  const bool is_open = std::ranges::find(result, ZeroProof::open) != result.end();
+  const bool is_open = std::ranges::find(result, ZeroProof::undecided) != result.end();
   const bool has_other_forms = std::ranges::any_of(function_table(), [&](const FunctionRow& row) {
-    return is_rewritten_for_proofs(row.id) && calls(alone, row.id);
+    return is_rewritten_for_proofs(row.id) && calls_function(alone, row.id);
   });
   if (!is_open || !has_other_forms) return result;
-  const std::vector<ZeroProof> others = proofs(algebra_of_proofs());
+  const std::vector<ZeroProof> others = proofs(proof_algebra());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (result[i] == ZeroProof::open) result[i] = others[i];
+    if (result[i] == ZeroProof::undecided) result[i] = others[i];
   }
   return result;
 }

@@ -25,54 +25,56 @@ bool takes_angle(FunctionId function) {
 class SumSearch {
  public:
   explicit SumSearch(const Function& function)
-      : function_(function), moves_(function.instructions.size()) {
-    for (std::uint32_t at = 0; at < moves_.size(); ++at) {
+      : function_(function), depends_on_motion_(function.instructions.size()) {
+    for (std::uint32_t at = 0; at < depends_on_motion_.size(); ++at) {
       const Instruction& i = function.instructions[at];
-      moves_[at] = i.opcode == Opcode::coordinate || i.opcode == Opcode::time;
+      depends_on_motion_[at] = i.opcode == Opcode::coordinate || i.opcode == Opcode::time;
       for (std::size_t k = 0; k < operand_count(i); ++k) {
-        if (moves_[k == 0 ? i.a : i.b]) moves_[at] = true;
+        if (depends_on_motion_[k == 0 ? i.a : i.b]) depends_on_motion_[at] = true;
       }
-      search(i);
+      search_operands(i);
     }
   }
 
   std::vector<std::uint32_t> found = {};
 
  private:
-  void search(const Instruction& i) {
-    if (i.opcode == Opcode::square_root) add_factors(i.a);
-    if (i.opcode == Opcode::divide) add_factors(i.b);
-    if (i.opcode == Opcode::multiply && i.a == i.b) add_factors(i.a);
+  void search_operands(const Instruction& i) {
+    if (i.opcode == Opcode::square_root) add_sum_factors(i.a);
+    if (i.opcode == Opcode::divide) add_sum_factors(i.b);
+    if (i.opcode == Opcode::multiply && i.a == i.b) add_sum_factors(i.a);
     if (i.opcode != Opcode::call || takes_angle(i.function)) return;
-    for (std::size_t k = 0; k < operand_count(i); ++k) add_factors(k == 0 ? i.a : i.b);
+    for (std::size_t k = 0; k < operand_count(i); ++k) add_sum_factors(k == 0 ? i.a : i.b);
   }
 
-  void add_factors(std::uint32_t at) {
+  void add_sum_factors(std::uint32_t at) {
     const Instruction& i = function_.instructions[at];
-    if (is_product(i)) add_factors(i.b);
-    if (is_product(i) || i.opcode == Opcode::negate) return add_factors(i.a);
-    if (is_sum(i) && moves_[at] && std::ranges::find(found, at) == found.end()) found.push_back(at);
+    if (is_product(i)) add_sum_factors(i.b);
+    if (is_product(i) || i.opcode == Opcode::negate) return add_sum_factors(i.a);
+    if (is_sum(i) && depends_on_motion_[at] && std::ranges::find(found, at) == found.end())
+      found.push_back(at);
   }
 
   const Function& function_;
-  std::vector<bool> moves_;
+  std::vector<bool> depends_on_motion_;
 };
 
 }  // namespace
 
-Program typed_sums(const Program& program) {
+Program unexpanded_sums(const Program& program) {
   Program sums{program.leaves, program.constants, {}};
   Algebra algebra;
   Arithmetic arithmetic(algebra);
-  std::vector<Value> known;
+  std::vector<OptionalFraction> known;
   for (const Function& function : program.functions) {
     const std::vector<std::uint32_t> found = SumSearch(function).found;
     if (found.empty()) continue;
-    const std::vector<Value> values = fold<Value>(arithmetic, program, function);
+    const std::vector<OptionalFraction> values =
+        fold<OptionalFraction>(arithmetic, program, function);
     for (const std::uint32_t at : found) {
-      const Value& value = values[at];
+      const OptionalFraction& value = values[at];
       if (!value || value->numerator.size() < 2) continue;
-      const bool is_known = std::ranges::any_of(known, [&](const Value& other) {
+      const bool is_known = std::ranges::any_of(known, [&](const OptionalFraction& other) {
         return other->denominator == value->denominator &&
                ratio_of(value->numerator, other->numerator);
       });

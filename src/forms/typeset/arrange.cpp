@@ -32,8 +32,8 @@ int rank_of_rates(const Algebra& algebra, const Monomial& rates, std::optional<s
 
 /// Pairs of a leaf's number and its negated exponent, sorted. Numbers of atoms are no sort key,
 /// because they depend on the order of creation.
-std::vector<std::pair<std::uint32_t, std::int32_t>> numbers_of(const Algebra& algebra,
-                                                               const Monomial& rates) {
+std::vector<std::pair<std::uint32_t, std::int32_t>> rate_sort_key(const Algebra& algebra,
+                                                                  const Monomial& rates) {
   std::vector<std::pair<std::uint32_t, std::int32_t>> numbers;
   for (const AtomPower& power : rates) {
     numbers.emplace_back(algebra.atoms[power.atom].index, -power.exponent);
@@ -50,42 +50,43 @@ struct RateGroup {
 std::vector<RateGroup> rate_groups(const Algebra& algebra, const Polynomial& sum,
                                    std::optional<std::uint32_t> own) {
   std::vector<RateGroup> groups;
-  for (auto& [rates, rest] : group_terms_by(algebra, sum, is_moving))
+  for (auto& [rates, rest] : group_terms_by_atoms(algebra, sum, is_moving))
     groups.push_back({rates, std::move(rest)});
   std::ranges::stable_sort(groups, {}, [&](const RateGroup& group) {
-    return std::pair(rank_of_rates(algebra, group.rates, own), numbers_of(algebra, group.rates));
+    return std::pair(rank_of_rates(algebra, group.rates, own), rate_sort_key(algebra, group.rates));
   });
   return groups;
 }
 
-bool divides_only(const BookProduct& product) {
+bool has_only_divisors(const TextbookProduct& product) {
   return std::ranges::all_of(product.factors,
-                             [](const BookFactor& factor) { return factor.exponent < 0; });
+                             [](const TextbookFactor& factor) { return factor.exponent < 0; });
 }
 
 /// True if a term of the bracketed sum starts with a factor that belongs before the first factor of
 /// the product. Textbooks do not write -g ((m1 + m2) a + m2 b).
-bool hides_leading_factors(const BookProduct& product) {
+bool hides_leading_factors(const TextbookProduct& product) {
   const FactorPlace first = product.factors.front().place;
-  const auto sum = std::ranges::find(product.factors, BookFactorKind::sum, &BookFactor::kind);
+  const auto sum =
+      std::ranges::find(product.factors, TextbookFactorKind::sum, &TextbookFactor::kind);
   if (sum == product.factors.end() || sum->exponent != 1) return false;
-  return std::ranges::any_of(sum->sum.terms, [&](const BookProduct& term) {
+  return std::ranges::any_of(sum->sum.terms, [&](const TextbookProduct& term) {
     return !term.factors.empty() && term.factors.front().place < first;
   });
 }
 
 }  // namespace
 
-BookSum Arranger::terms_without_rates(const Polynomial& sum) {
-  BookSum typed = product_with_typed_sum({sum, {}});
-  return typed.terms.empty() ? collected(mixed(sum)) : typed;
+TextbookSum Arranger::arrange_rateless_terms(const Polynomial& sum) {
+  TextbookSum typed = product_with_typed_sum({sum, {}});
+  return typed.terms.empty() ? collected_sum(real_term_sum(sum)) : typed;
 }
 
-BookSum Arranger::terms(const Polynomial& sum, std::optional<std::uint32_t> own) {
-  BookSum result;
+TextbookSum Arranger::arrange_terms(const Polynomial& sum, std::optional<std::uint32_t> own) {
+  TextbookSum result;
   for (const auto& [rates, rest] : rate_groups(algebra_, sum, own)) {
     if (rates.empty()) {
-      append(result, terms_without_rates(rest));
+      append_terms(result, arrange_rateless_terms(rest));
       continue;
     }
     result.terms.push_back(book_product(rest));
@@ -95,135 +96,137 @@ BookSum Arranger::terms(const Polynomial& sum, std::optional<std::uint32_t> own)
 }
 
 /// One product per product of rates in the numerator, each over its own reduced denominator.
-BookSum Arranger::parts(const Fraction& form, std::optional<std::uint32_t> own) {
-  BookSum result;
+TextbookSum Arranger::arrange_fraction_parts(const Fraction& form,
+                                             std::optional<std::uint32_t> own) {
+  TextbookSum result;
   for (auto& [rates, rest] : rate_groups(algebra_, form.numerator, own)) {
     Fraction part{std::move(rest), form.denominator};
-    divide_out(part, algebra_, work_);
+    cancel_common_factors(part, algebra_, work_);
     result.terms.push_back(book_product(part));
     multiply(result.terms.back(), rates);
   }
   return result;
 }
 
-BookSum Arranger::split_by_motion(const Fraction& form) {
+TextbookSum Arranger::split_by_motion(const Fraction& form) {
   Fraction moving{{}, form.denominator};
   Fraction resting{{}, form.denominator};
   for (const auto& [monomial, coefficient] : form.numerator) {
-    (moves(algebra_, monomial) ? moving : resting).numerator.try_emplace(monomial, coefficient);
+    (contains_rate(algebra_, monomial) ? moving : resting)
+        .numerator.try_emplace(monomial, coefficient);
   }
   if (moving.numerator.empty() || resting.numerator.empty()) return factor_out(form);
-  BookSum typed = product_with_typed_sum(form);
+  TextbookSum typed = product_with_typed_sum(form);
   if (!typed.terms.empty()) return typed;
-  divide_out(moving, algebra_, work_);
-  divide_out(resting, algebra_, work_);
-  BookSum result = factor_out(moving);
-  append(result, factor_out(resting));
+  cancel_common_factors(moving, algebra_, work_);
+  cancel_common_factors(resting, algebra_, work_);
+  TextbookSum result = factor_out(moving);
+  append_terms(result, factor_out(resting));
   return result;
 }
 
 /// One product if a typed sum divides the form; otherwise empty.
-BookSum Arranger::product_with_typed_sum(const Fraction& form) {
+TextbookSum Arranger::product_with_typed_sum(const Fraction& form) {
   SplitSum whole{{1, {}}, form.numerator};
-  if (!form.denominator.empty() || !take_typed(whole.rest, whole.front)) return {};
+  if (!form.denominator.empty() || !take_typed_sums(whole.rest, whole.front)) return {};
   take_monomial(whole.rest, whole.front);
   return {{book_product(whole)}};
 }
 
-BookSum Arranger::factor_out_each(const std::vector<Fraction>& summands) {
-  BookSum result;
-  for (const Fraction& form : summands) append(result, factor_out(form));
+TextbookSum Arranger::factor_out_each(const std::vector<Fraction>& summands) {
+  TextbookSum result;
+  for (const Fraction& form : summands) append_terms(result, factor_out(form));
   return result;
 }
 
-BookSum Arranger::factor_out(const Fraction& form) {
+TextbookSum Arranger::factor_out(const Fraction& form) {
   if (form.numerator.empty()) return {};
   SplitSum whole = split_sum(form.numerator);
   if (form.denominator.empty()) {
-    if (whole.front.factors.empty()) return positive_first(terms(whole.rest));
-    if (divides_only(whole.front)) return terms(form.numerator);
-    BookProduct product = this->book_product(whole);
-    if (hides_leading_factors(product)) return terms(form.numerator);
+    if (whole.front.factors.empty()) return move_positive_first(arrange_terms(whole.rest));
+    if (has_only_divisors(whole.front)) return arrange_terms(form.numerator);
+    TextbookProduct product = this->book_product(whole);
+    if (hides_leading_factors(product)) return arrange_terms(form.numerator);
     return {{std::move(product)}};
   }
   const std::vector<Fraction> roots = split_by_roots(algebra_, form);
   if (roots.size() > 1) return factor_out_each(roots);
-  BookSum sum = parts({whole.rest, form.denominator});
-  const auto divided = std::ranges::count_if(sum.terms, [](const BookProduct& term) {
+  TextbookSum sum = arrange_fraction_parts({whole.rest, form.denominator});
+  const auto divided = std::ranges::count_if(sum.terms, [](const TextbookProduct& term) {
     return std::ranges::any_of(term.factors,
-                               [](const BookFactor& factor) { return factor.exponent < 0; });
+                               [](const TextbookFactor& factor) { return factor.exponent < 0; });
   });
   const bool is_nested = std::ranges::any_of(whole.rest, [&](const auto& term) {
-    return std::ranges::any_of(split(algebra_, term.first).powers,
+    return std::ranges::any_of(split_monomial(algebra_, term.first).powers,
                                [](const AtomPower& power) { return power.exponent < 0; });
   });
   if (sum.terms.size() > 1 && (divided < 2 || is_nested)) {
-    if (divides_only(whole.front)) {
-      for (BookProduct& term : sum.terms) elgen::multiply(term, whole.front);
+    if (has_only_divisors(whole.front)) {
+      for (TextbookProduct& term : sum.terms) elgen::multiply(term, whole.front);
       return sum;
     }
     multiply(whole.front, std::move(sum), 1);
     return {{std::move(whole.front)}};
   }
-  BookProduct product = this->book_product(whole);
+  TextbookProduct product = this->book_product(whole);
   divide(product, form);
   return {{std::move(product)}};
 }
 
-BookSum Arranger::arrange_summand(const Fraction& form, std::uint32_t own) {
-  BookSum typed = product_with_typed_sum(form);
+TextbookSum Arranger::arrange_summand(const Fraction& form, std::uint32_t own) {
+  TextbookSum typed = product_with_typed_sum(form);
   return typed.terms.empty() ? collect_by_rates(form, own) : typed;
 }
 
-BookSum Arranger::collect_by_rates(const Fraction& form, std::optional<std::uint32_t> own) {
+TextbookSum Arranger::collect_by_rates(const Fraction& form, std::optional<std::uint32_t> own) {
   const Polynomial numerator = reduce_hyperbolic_squares(algebra_, form.numerator);
-  if (form.denominator.empty()) return terms(numerator, own);
+  if (form.denominator.empty()) return arrange_terms(numerator, own);
   const std::vector<Fraction> roots = split_by_roots(algebra_, {numerator, form.denominator});
-  if (roots.size() == 1) return parts(roots.front(), own);
-  BookSum result;
-  for (const Fraction& part : roots) append(result, collect_by_rates(part, own));
+  if (roots.size() == 1) return arrange_fraction_parts(roots.front(), own);
+  TextbookSum result;
+  for (const Fraction& part : roots) append_terms(result, collect_by_rates(part, own));
   return result;
 }
 
 bool Arranger::is_one_product(const Fraction& form) {
-  const BookSum written = factor_out(form);
+  const TextbookSum written = factor_out(form);
   return written.terms.size() == 1 &&
-         std::ranges::none_of(written.terms.front().factors, [](const BookFactor& factor) {
-           return factor.kind == BookFactorKind::sum;
+         std::ranges::none_of(written.terms.front().factors, [](const TextbookFactor& factor) {
+           return factor.kind == TextbookFactorKind::sum;
          });
 }
 
-BookSum Arranger::quotient(const Fraction& above, const Fraction& below) {
+TextbookSum Arranger::arrange_quotient(const Fraction& above, const Fraction& below) {
   if (above.numerator.empty()) return {};
-  if (above.denominator != below.denominator) throw TooLongForABook();
+  if (above.denominator != below.denominator) throw TextbookLengthError();
   SplitSum numerator{{1, {}}, reduce_hyperbolic_squares(algebra_, above.numerator)};
   SplitSum denominator{{1, {}}, reduce_hyperbolic_squares(algebra_, below.numerator)};
   for (SplitSum* const part : {&numerator, &denominator}) {
     take_monomial(part->rest, part->front);
-    const Monomial divisors = lowest_powers(algebra_, part->rest);
+    const Monomial divisors = common_divisor_powers(algebra_, part->rest);
     multiply(part->front, divisors);
-    part->rest = scaled(part->rest, {1, 0}, power(divisors, -1));
+    part->rest = multiply_by_term(part->rest, {1, 0}, power(divisors, -1));
   }
-  BookProduct front = std::move(numerator.front);
+  TextbookProduct front = std::move(numerator.front);
   elgen::divide(front, {1, denominator.front.factors});
-  BookSum divisor = terms(denominator.rest);
+  TextbookSum divisor = arrange_terms(denominator.rest);
   sort_terms(divisor);
-  front.number = front.number / take_number(divisor);
-  BookSum dividend = terms(numerator.rest);
+  front.number = front.number / extract_numeric_content(divisor);
+  TextbookSum dividend = arrange_terms(numerator.rest);
   if (divisor.terms.size() > 1) {
-    BookFactor factor;
-    factor.kind = BookFactorKind::sum;
+    TextbookFactor factor;
+    factor.kind = TextbookFactorKind::sum;
     factor.place = {FactorGroup::sum, UINT32_MAX};
     factor.exponent = -1;
     factor.sum = std::move(divisor);
     add_factor(front, std::move(factor));
     sort_terms(dividend);
-    front.number = front.number * take_number(dividend);
-    multiply_once(front, std::move(dividend));
+    front.number = front.number * extract_numeric_content(dividend);
+    multiply_by_sum(front, std::move(dividend));
     return {{std::move(front)}};
   }
   elgen::divide(front, {1, divisor.terms.front().factors});
-  for (BookProduct& term : dividend.terms) elgen::multiply(term, front);
+  for (TextbookProduct& term : dividend.terms) elgen::multiply(term, front);
   return dividend;
 }
 

@@ -37,11 +37,11 @@ struct TypedForms {
   std::vector<TypedSum> sums = {};  ///< longest first, without duplicates
   /// The position of each parameter among the factors of a product: as in the products of the
   /// model, otherwise as declared, with gravity after the masses (m g l).
-  std::vector<std::uint32_t> places = {};
+  std::vector<std::uint32_t> parameter_places = {};
   std::vector<bool> are_accelerations = {};  ///< by parameter: true for g and other accelerations
   /// For each prescribed function: its value if this is a single term with a root or a function,
   /// otherwise the empty sum. Angles with such a value are written with the function's name.
-  std::vector<Polynomial> prescribed = {};
+  std::vector<Polynomial> prescribed_values = {};
 };
 
 /// Cost: one closed form per typed sum. A model with more than 200 sums, such as a robot, gets no
@@ -50,90 +50,92 @@ struct TypedForms {
                                      const FixedParameters& fixed);
 
 /// Thrown for a sum with more terms than anyone reads.
-struct TooLongForABook : std::length_error {
-  TooLongForABook() : std::length_error("a sum of too many terms") {}
+struct TextbookLengthError : std::length_error {
+  TextbookLengthError() : std::length_error("a sum of too many terms") {}
 };
 
 /// The most operations of an entry, and the most factors of a typed sum, if common subexpressions
 /// are written out. Each level of nested functions doubles the number of operations.
-inline constexpr std::size_t longest_entry_of_a_book = 5'000;
+inline constexpr std::size_t longest_textbook_entry = 5'000;
 
 /// The rank of sums that are not typed in the model.
-inline constexpr std::uint32_t untyped = 10'000;
+inline constexpr std::uint32_t untyped_rank = 10'000;
 
 /// Longer sums are not searched for common factors, which nobody would see there.
-inline constexpr std::size_t longest_collected = 40;
+inline constexpr std::size_t most_collected_terms = 40;
 
 class Arranger {
  public:
   Arranger(const Algebra& algebra, const TypedForms& typed) : algebra_(algebra), typed_(typed) {}
 
-  [[nodiscard]] BookSum factor_out(const Fraction& form);
+  [[nodiscard]] TextbookSum factor_out(const Fraction& form);
   /// Arranges each summand separately.
-  [[nodiscard]] BookSum factor_out_each(const std::vector<Fraction>& summands);
+  [[nodiscard]] TextbookSum factor_out_each(const std::vector<Fraction>& summands);
   /// Arranges the terms with rates or momenta first, then the other terms: T before V in an energy.
-  [[nodiscard]] BookSum split_by_motion(const Fraction& form);
+  [[nodiscard]] TextbookSum split_by_motion(const Fraction& form);
   /// Collects the coefficient of each product of rates. `own` is the velocity whose acceleration
   /// comes first.
-  [[nodiscard]] BookSum collect_by_rates(const Fraction& form,
-                                         std::optional<std::uint32_t> own = {});
+  [[nodiscard]] TextbookSum collect_by_rates(const Fraction& form,
+                                             std::optional<std::uint32_t> own = {});
   /// One product if a typed sum divides the form; otherwise collect_by_rates().
-  [[nodiscard]] BookSum arrange_summand(const Fraction& form, std::uint32_t own);
+  [[nodiscard]] TextbookSum arrange_summand(const Fraction& form, std::uint32_t own);
   /// above / below. Each term of `above` is reduced by the powers that it shares with `below`.
-  [[nodiscard]] BookSum quotient(const Fraction& above, const Fraction& below);
+  [[nodiscard]] TextbookSum arrange_quotient(const Fraction& above, const Fraction& below);
   /// True if the form is written as a single product without brackets.
   [[nodiscard]] bool is_one_product(const Fraction& form);
 
  private:
   /// A sum with real sines and cosines.
-  using MixedSum = std::vector<RealTerm>;
+  using RealTermSum = std::vector<RealTerm>;
 
   /// front * rest.
   struct SplitSum {
-    BookProduct front;
+    TextbookProduct front;
     Polynomial rest = {};
   };
 
   [[nodiscard]] SplitSum split_sum(Polynomial sum);
-  void take_monomial(Polynomial& sum, BookProduct& front) const;
-  bool take_typed(Polynomial& sum, BookProduct& front);
+  void take_monomial(Polynomial& sum, TextbookProduct& front) const;
+  bool take_typed_sums(Polynomial& sum, TextbookProduct& front);
   void take_square(SplitSum& taken);
   bool take_coefficient(SplitSum& taken);
-  [[nodiscard]] BookFactor typed_factor(std::size_t typed);
+  [[nodiscard]] TextbookFactor typed_factor(std::size_t typed);
 
-  [[nodiscard]] BookSum product_with_typed_sum(const Fraction& form);
-  [[nodiscard]] BookProduct book_product(const Polynomial& sum);
-  [[nodiscard]] BookProduct book_product(const SplitSum& taken);
-  [[nodiscard]] BookProduct book_product(const Fraction& form);
-  void divide(BookProduct& product, const Fraction& form);
-  void divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent);
+  [[nodiscard]] TextbookSum product_with_typed_sum(const Fraction& form);
+  [[nodiscard]] TextbookProduct book_product(const Polynomial& sum);
+  [[nodiscard]] TextbookProduct book_product(const SplitSum& taken);
+  [[nodiscard]] TextbookProduct book_product(const Fraction& form);
+  void divide(TextbookProduct& product, const Fraction& form);
+  void divide(TextbookProduct& product, const Polynomial& factor, std::int32_t exponent);
 
-  [[nodiscard]] BookSum parts(const Fraction& form, std::optional<std::uint32_t> own = {});
-  [[nodiscard]] BookSum terms(const Polynomial& sum, std::optional<std::uint32_t> own = {});
-  [[nodiscard]] BookSum terms_without_rates(const Polynomial& sum);
-  [[nodiscard]] MixedSum mixed(const Polynomial& sum);
-  [[nodiscard]] const BookSum& collected(const MixedSum& sum);
-  [[nodiscard]] BookSum collect_terms(const MixedSum& sum);
-  [[nodiscard]] BookProduct shared_powers(const MixedSum& sum) const;
-  [[nodiscard]] BookSum group_by_kind(const MixedSum& sum);
-  [[nodiscard]] std::optional<BookSum> collect_by_parameter(const MixedSum& sum);
-  [[nodiscard]] BookProduct book_product(MixedSum sum);
-  [[nodiscard]] BookProduct book_product(const RealTerm& term) const;
+  [[nodiscard]] TextbookSum arrange_fraction_parts(const Fraction& form,
+                                                   std::optional<std::uint32_t> own = {});
+  [[nodiscard]] TextbookSum arrange_terms(const Polynomial& sum,
+                                          std::optional<std::uint32_t> own = {});
+  [[nodiscard]] TextbookSum arrange_rateless_terms(const Polynomial& sum);
+  [[nodiscard]] RealTermSum real_term_sum(const Polynomial& sum);
+  [[nodiscard]] const TextbookSum& collected_sum(const RealTermSum& sum);
+  [[nodiscard]] TextbookSum collect_terms(const RealTermSum& sum);
+  [[nodiscard]] TextbookProduct shared_powers(const RealTermSum& sum) const;
+  [[nodiscard]] TextbookSum group_by_coordinates(const RealTermSum& sum);
+  [[nodiscard]] std::optional<TextbookSum> collect_by_parameter(const RealTermSum& sum);
+  [[nodiscard]] TextbookProduct book_product(RealTermSum sum);
+  [[nodiscard]] TextbookProduct book_product(const RealTerm& term) const;
 
-  void multiply(BookProduct& product, const Monomial& powers) const;
-  void multiply(BookProduct& product, BookSum sum, std::int32_t exponent) const;
-  void multiply_once(BookProduct& product, BookSum sum) const;
-  [[nodiscard]] FactorPlace place_of_sum(const BookSum& sum, std::uint32_t rank) const;
-  [[nodiscard]] BookFactor atom_factor(const AtomPower& power) const;
+  void multiply(TextbookProduct& product, const Monomial& powers) const;
+  void multiply(TextbookProduct& product, TextbookSum sum, std::int32_t exponent) const;
+  void multiply_by_sum(TextbookProduct& product, TextbookSum sum) const;
+  [[nodiscard]] FactorPlace place_of_sum(const TextbookSum& sum, std::uint32_t rank) const;
+  [[nodiscard]] TextbookFactor atom_factor(const AtomPower& power) const;
 
   const Algebra& algebra_;
   const TypedForms& typed_;
   std::size_t first_typed_ = 0;   ///< number of the first typed sum to try
   std::size_t work_ = 1'000'000;  ///< budget of term products for divisions
   /// Memoised by number of the typed sum, because nested sums recur.
-  std::shared_ptr<std::map<std::size_t, BookFactor>> typed_factors_ =
-      std::make_shared<std::map<std::size_t, BookFactor>>();
-  std::map<MixedSum, BookSum> collected_ = {};  ///< memoised
+  std::shared_ptr<std::map<std::size_t, TextbookFactor>> typed_factors_ =
+      std::make_shared<std::map<std::size_t, TextbookFactor>>();
+  std::map<RealTermSum, TextbookSum> collected_ = {};  ///< memoised
 };
 
 }  // namespace elgen

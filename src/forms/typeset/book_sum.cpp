@@ -21,21 +21,22 @@ FactorGroup group_of(const Atom& atom) {
   return leaf_row(atom.leaf).group;
 }
 
-bool is_same(const BookFactor& x, const BookFactor& y);
+bool has_same_base(const TextbookFactor& x, const TextbookFactor& y);
 
-bool are_same(const BookSum& x, const BookSum& y) {
-  const auto same_power = [](const BookFactor& a, const BookFactor& b) {
-    return a.exponent == b.exponent && is_same(a, b);
+bool are_equal_sums(const TextbookSum& x, const TextbookSum& y) {
+  const auto same_power = [](const TextbookFactor& a, const TextbookFactor& b) {
+    return a.exponent == b.exponent && has_same_base(a, b);
   };
-  return std::ranges::equal(x.terms, y.terms, [&](const BookProduct& a, const BookProduct& b) {
-    return a.number == b.number && std::ranges::equal(a.factors, b.factors, same_power);
-  });
+  return std::ranges::equal(
+      x.terms, y.terms, [&](const TextbookProduct& a, const TextbookProduct& b) {
+        return a.number == b.number && std::ranges::equal(a.factors, b.factors, same_power);
+      });
 }
 
 /// True if the bases are equal; exponents are ignored.
-bool is_same(const BookFactor& x, const BookFactor& y) {
+bool has_same_base(const TextbookFactor& x, const TextbookFactor& y) {
   return x.kind == y.kind && x.atom == y.atom && x.angle == y.angle &&
-         x.definition == y.definition && are_same(x.sum, y.sum);
+         x.definition == y.definition && are_equal_sums(x.sum, y.sum);
 }
 
 /// The order of terms: by the group of the last factor (l1^2 + l2^2 + 2 l1 l2 cos x), then by the
@@ -47,18 +48,18 @@ struct TermKey {
   friend auto operator<=>(const TermKey&, const TermKey&) = default;
 };
 
-TermKey key_of(const BookProduct& product) {
+TermKey key_of(const TextbookProduct& product) {
   TermKey key;
   if (!product.factors.empty()) key.last = product.factors.back().place.group;
   key.count = product.factors.size();
-  for (const BookFactor& factor : product.factors) {
+  for (const TextbookFactor& factor : product.factors) {
     key.factors.emplace_back(factor.place, -factor.exponent);
   }
   return key;
 }
 
 /// The first coordinate in a sum, counted from 1; 0 without coordinates.
-std::uint32_t first_coordinate(const Algebra& algebra, const Polynomial& sum) {
+std::uint32_t first_coordinate_number(const Algebra& algebra, const Polynomial& sum) {
   std::uint32_t first = 0;
   for (const AtomId id : atoms_of(sum)) {
     const Atom& atom = algebra.atoms[id];
@@ -72,7 +73,7 @@ std::uint32_t rank_of_angle(const Algebra& algebra, const Monomial& angle) {
   std::uint32_t rank = 0;
   for (const AtomPower& part : angle) {
     const Polynomial& argument = algebra.atoms[part.atom].arguments[0].numerator;
-    const std::uint32_t first = first_coordinate(algebra, argument);
+    const std::uint32_t first = first_coordinate_number(algebra, argument);
     if (first > 0 && (rank == 0 || first < rank)) rank = first;
   }
   return rank;
@@ -104,12 +105,12 @@ bool is_moving(const Atom& atom) {
          group == FactorGroup::input || group == FactorGroup::multiplier;
 }
 
-bool moves(const Algebra& algebra, const Monomial& term) {
+bool contains_rate(const Algebra& algebra, const Monomial& term) {
   return std::ranges::any_of(
       term, [&](const AtomPower& power) { return is_moving(algebra.atoms[power.atom]); });
 }
 
-bool is_of_parameters(const Algebra& algebra, const Polynomial& sum) {
+bool contains_only_parameters(const Algebra& algebra, const Polynomial& sum) {
   return std::ranges::all_of(sum, [&](const auto& term) {
     return std::ranges::all_of(term.first, [&](const AtomPower& power) {
       return group_of(algebra.atoms[power.atom]) == FactorGroup::parameter;
@@ -117,93 +118,94 @@ bool is_of_parameters(const Algebra& algebra, const Polynomial& sum) {
   });
 }
 
-std::size_t written_factors(const BookSum& sum, bool opens_names) {
+std::size_t count_written_factors(const TextbookSum& sum, bool opens_names) {
   std::size_t count = 0;
-  for (const BookProduct& product : sum.terms) {
+  for (const TextbookProduct& product : sum.terms) {
     count += product.number == 1 || product.number == -1 ? 0 : 1;
-    for (const BookFactor& factor : product.factors) {
-      const bool is_opened = factor.kind == BookFactorKind::sum ||
-                             (opens_names && factor.kind == BookFactorKind::name);
-      count += is_opened ? written_factors(factor.sum, opens_names) : 1;
+    for (const TextbookFactor& factor : product.factors) {
+      const bool is_opened = factor.kind == TextbookFactorKind::sum ||
+                             (opens_names && factor.kind == TextbookFactorKind::name);
+      count += is_opened ? count_written_factors(factor.sum, opens_names) : 1;
     }
   }
   return count;
 }
 
-void add_factor(BookProduct& product, BookFactor factor) {
+void add_factor(TextbookProduct& product, TextbookFactor factor) {
   const auto at = std::ranges::find_if(
-      product.factors, [&](const BookFactor& known) { return is_same(known, factor); });
+      product.factors, [&](const TextbookFactor& known) { return has_same_base(known, factor); });
   if (at != product.factors.end()) {
     at->exponent += factor.exponent;
     if (at->exponent == 0) product.factors.erase(at);
     return;
   }
   const auto place =
-      std::ranges::upper_bound(product.factors, factor.place, {}, &BookFactor::place);
+      std::ranges::upper_bound(product.factors, factor.place, {}, &TextbookFactor::place);
   product.factors.insert(place, std::move(factor));
 }
 
-void multiply(BookProduct& product, const BookProduct& by) {
+void multiply(TextbookProduct& product, const TextbookProduct& by) {
   product.number = product.number * by.number;
-  for (const BookFactor& factor : by.factors) add_factor(product, factor);
+  for (const TextbookFactor& factor : by.factors) add_factor(product, factor);
 }
 
-void divide(BookProduct& product, const BookProduct& by, std::int32_t exponent) {
+void divide(TextbookProduct& product, const TextbookProduct& by, std::int32_t exponent) {
   product.number = product.number / cln::expt(by.number, exponent);
-  for (BookFactor factor : by.factors) {
+  for (TextbookFactor factor : by.factors) {
     factor.exponent *= -exponent;
     add_factor(product, std::move(factor));
   }
 }
 
-void multiply(BookProduct& product, const Algebra& algebra, const CircularPower& power) {
+void multiply(TextbookProduct& product, const Algebra& algebra, const CircularPower& power) {
   const std::uint32_t rank = 2 * rank_of_angle(algebra, power.angle);
-  const auto add = [&](BookFactorKind kind, std::int32_t exponent, std::uint32_t place) {
+  const auto add = [&](TextbookFactorKind kind, std::int32_t exponent, std::uint32_t place) {
     if (exponent == 0) return;
-    BookFactor factor;
+    TextbookFactor factor;
     factor.place = {FactorGroup::function, place};
     factor.kind = kind;
     factor.exponent = exponent;
     factor.angle = power.angle;
     add_factor(product, std::move(factor));
   };
-  add(BookFactorKind::sine, power.sine, rank);
-  add(BookFactorKind::cosine, power.cosine, rank + 1);
+  add(TextbookFactorKind::sine, power.sine, rank);
+  add(TextbookFactorKind::cosine, power.cosine, rank + 1);
 }
 
-void append(BookSum& to, BookSum from) {
-  for (BookProduct& term : from.terms) to.terms.push_back(std::move(term));
+void append_terms(TextbookSum& to, TextbookSum from) {
+  for (TextbookProduct& term : from.terms) to.terms.push_back(std::move(term));
 }
 
-cln::cl_RA take_number(BookSum& sum) {
+cln::cl_RA extract_numeric_content(TextbookSum& sum) {
   cln::cl_I above = 0;
   cln::cl_I below = 1;
-  for (const BookProduct& term : sum.terms) {
+  for (const TextbookProduct& term : sum.terms) {
     above = cln::gcd(above, cln::numerator(term.number));
     below = cln::lcm(below, cln::denominator(term.number));
   }
   const bool is_negative = cln::minusp(sum.terms.front().number);
   const cln::cl_RA number = (is_negative ? -cln::cl_RA(above) : cln::cl_RA(above)) / below;
-  for (BookProduct& term : sum.terms) term.number = term.number / number;
+  for (TextbookProduct& term : sum.terms) term.number = term.number / number;
   return number;
 }
 
-std::vector<BookFactor> take_sinusoids(BookSum& sum) {
-  std::vector<BookFactor> common;
-  for (BookFactor circular : sum.terms.front().factors) {
+std::vector<TextbookFactor> take_sinusoids(TextbookSum& sum) {
+  std::vector<TextbookFactor> common;
+  for (TextbookFactor circular : sum.terms.front().factors) {
     const bool is_sine_or_cosine =
-        circular.kind == BookFactorKind::sine || circular.kind == BookFactorKind::cosine;
-    for (const BookProduct& term : sum.terms) {
-      const auto own = std::ranges::find_if(
-          term.factors, [&](const BookFactor& factor) { return is_same(factor, circular); });
+        circular.kind == TextbookFactorKind::sine || circular.kind == TextbookFactorKind::cosine;
+    for (const TextbookProduct& term : sum.terms) {
+      const auto own = std::ranges::find_if(term.factors, [&](const TextbookFactor& factor) {
+        return has_same_base(factor, circular);
+      });
       circular.exponent =
           own == term.factors.end() ? 0 : std::min(circular.exponent, own->exponent);
     }
     if (is_sine_or_cosine && circular.exponent > 0) common.push_back(std::move(circular));
   }
-  for (const BookFactor& circular : common) {
-    for (BookProduct& term : sum.terms) {
-      BookFactor inverse = circular;
+  for (const TextbookFactor& circular : common) {
+    for (TextbookProduct& term : sum.terms) {
+      TextbookFactor inverse = circular;
       inverse.exponent = -circular.exponent;
       add_factor(term, std::move(inverse));
     }
@@ -211,17 +213,17 @@ std::vector<BookFactor> take_sinusoids(BookSum& sum) {
   return common;
 }
 
-BookSum positive_first(BookSum sum) {
+TextbookSum move_positive_first(TextbookSum sum) {
   const auto first = std::ranges::find_if(
-      sum.terms, [](const BookProduct& term) { return cln::plusp(term.number); });
+      sum.terms, [](const TextbookProduct& term) { return cln::plusp(term.number); });
   if (first != sum.terms.end()) std::rotate(sum.terms.begin(), first, first + 1);
   return sum;
 }
 
-void sort_terms(BookSum& sum) {
+void sort_terms(TextbookSum& sum) {
   std::ranges::stable_sort(sum.terms, {}, key_of);
   std::stable_partition(sum.terms.begin(), sum.terms.end(),
-                        [](const BookProduct& term) { return cln::plusp(term.number); });
+                        [](const TextbookProduct& term) { return cln::plusp(term.number); });
 }
 
 }  // namespace elgen

@@ -1,4 +1,4 @@
-// BookSum: a value in textbook notation, a sum of products in reading order.
+// TextbookSum: a value in textbook notation, a sum of products in reading order.
 //
 //     1/2 m (r'^2 + r^2 phi'^2)     one product: 1/2, m, and a sum of two products
 //
@@ -21,21 +21,21 @@ struct FactorPlace {
   friend auto operator<=>(const FactorPlace&, const FactorPlace&) = default;
 };
 
-struct BookFactor;
+struct TextbookFactor;
 
 /// number * product of powers. Powers with negative exponents are divisors.
-struct BookProduct {
+struct TextbookProduct {
   cln::cl_RA number = 1;
-  std::vector<BookFactor> factors;  // no initializer: BookFactor is incomplete here
+  std::vector<TextbookFactor> factors;  // no initializer: TextbookFactor is incomplete here
 };
 
 /// A sum; 0 if it has no terms. Unlike a Polynomial it has brackets, and an order of terms and
 /// factors for readers.
-struct BookSum {
-  std::vector<BookProduct> terms;
+struct TextbookSum {
+  std::vector<TextbookProduct> terms;
 };
 
-enum class BookFactorKind : std::uint8_t {
+enum class TextbookFactorKind : std::uint8_t {
   atom,    ///< atom of the algebra: a leaf, pi, a root, a call
   sine,    ///< of `angle`
   cosine,  ///< of `angle`
@@ -45,19 +45,19 @@ enum class BookFactorKind : std::uint8_t {
   prescribed  ///< a prescribed function of the model with the value `sum`
 };
 
-struct BookFactor {
+struct TextbookFactor {
   FactorPlace place = {};
-  BookFactorKind kind = BookFactorKind::atom;
+  TextbookFactorKind kind = TextbookFactorKind::atom;
   std::int32_t exponent = 1;
   AtomId atom = 0;
   Monomial angle = {};
-  BookSum sum;
+  TextbookSum sum;
   std::uint32_t definition = 0;  ///< index in Model::definitions or Model::prescribed
 };
 
 /// The number of printed factors, including factors in sums, but not factors ±1. A name counts as
 /// one factor, or as the factors of its value if `opens_names`.
-[[nodiscard]] std::size_t written_factors(const BookSum& sum, bool opens_names = false);
+[[nodiscard]] std::size_t count_written_factors(const TextbookSum& sum, bool opens_names = false);
 
 [[nodiscard]] FactorPlace place_of(const Atom& atom, const std::vector<std::uint32_t>& places);
 
@@ -65,39 +65,39 @@ struct BookFactor {
 [[nodiscard]] bool is_moving(const Atom& atom);
 
 /// True if a factor of the term is_moving().
-[[nodiscard]] bool moves(const Algebra& algebra, const Monomial& term);
+[[nodiscard]] bool contains_rate(const Algebra& algebra, const Monomial& term);
 
 /// True for pi, and for roots and functions of rational numbers.
 [[nodiscard]] bool is_number(const Atom& atom);
 
 /// True if a sum contains only numbers and parameters.
-[[nodiscard]] bool is_of_parameters(const Algebra& algebra, const Polynomial& sum);
+[[nodiscard]] bool contains_only_parameters(const Algebra& algebra, const Polynomial& sum);
 
 /// Inserts a factor at its place; equal bases become one power.
-void add_factor(BookProduct& product, BookFactor factor);
+void add_factor(TextbookProduct& product, TextbookFactor factor);
 
-void multiply(BookProduct& product, const BookProduct& by);
+void multiply(TextbookProduct& product, const TextbookProduct& by);
 
 /// Divides product by by^exponent.
-void divide(BookProduct& product, const BookProduct& by, std::int32_t exponent = 1);
+void divide(TextbookProduct& product, const TextbookProduct& by, std::int32_t exponent = 1);
 
-void append(BookSum& to, BookSum from);
+void append_terms(TextbookSum& to, TextbookSum from);
 
 /// Multiplies `product` by `power`, a power of the sine and a power of the cosine of one angle.
-void multiply(BookProduct& product, const Algebra& algebra, const CircularPower& power);
+void multiply(TextbookProduct& product, const Algebra& algebra, const CircularPower& power);
 
 /// Divides `sum` by the largest number that leaves integer coefficients and a positive first term.
 /// Returns this number.
-[[nodiscard]] cln::cl_RA take_number(BookSum& sum);
+[[nodiscard]] cln::cl_RA extract_numeric_content(TextbookSum& sum);
 
 /// Divides by the sines and cosines common to all terms, and returns them.
-[[nodiscard]] std::vector<BookFactor> take_sinusoids(BookSum& sum);
+[[nodiscard]] std::vector<TextbookFactor> take_sinusoids(TextbookSum& sum);
 
 /// Moves the first positive term to the front, as in 1 - v^2/c^2 under a root. The other terms keep
 /// their order.
-[[nodiscard]] BookSum positive_first(BookSum sum);
+[[nodiscard]] TextbookSum move_positive_first(TextbookSum sum);
 
 /// Sorts terms by their factors; positive terms come first.
-void sort_terms(BookSum& sum);
+void sort_terms(TextbookSum& sum);
 
 }  // namespace elgen

@@ -12,33 +12,33 @@
 namespace elgen {
 namespace {
 
-bool holds_typed_sum(const BookProduct& product) {
-  return std::ranges::any_of(product.factors, [](const BookFactor& factor) {
-    return factor.place.group == FactorGroup::sum && factor.place.rank < untyped;
+bool contains_typed_sum(const TextbookProduct& product) {
+  return std::ranges::any_of(product.factors, [](const TextbookFactor& factor) {
+    return factor.place.group == FactorGroup::sum && factor.place.rank < untyped_rank;
   });
 }
 
 }  // namespace
 
-Arranger::MixedSum Arranger::mixed(const Polynomial& sum) {
-  const auto parts = group_terms_by(
+Arranger::RealTermSum Arranger::real_term_sum(const Polynomial& sum) {
+  const auto parts = group_terms_by_atoms(
       algebra_, sum, [](const Atom& atom) { return atom.kind != AtomKind::circular; });
-  MixedSum result;
+  RealTermSum result;
   for (const auto& [powers, circular] : parts) {
     if (circular.size() == 1 && circular.begin()->first.empty()) {
       result.push_back({circular.begin()->second.real, powers, {}});
       continue;
     }
     const auto terms = shortest_terms(algebra_, circular, most_terms);
-    if (!terms) throw TooLongForABook();
+    if (!terms) throw TextbookLengthError();
     for (const RealTerm& term : *terms) result.push_back({term.coefficient, powers, term.circular});
   }
-  if (result.size() > most_terms) throw TooLongForABook();
+  if (result.size() > most_terms) throw TextbookLengthError();
   return result;
 }
 
-BookProduct Arranger::book_product(const RealTerm& term) const {
-  BookProduct result;
+TextbookProduct Arranger::book_product(const RealTerm& term) const {
+  TextbookProduct result;
   result.number = term.coefficient;
   multiply(result, term.powers);
   for (const CircularPower& power : term.circular) elgen::multiply(result, algebra_, power);
@@ -46,19 +46,20 @@ BookProduct Arranger::book_product(const RealTerm& term) const {
 }
 
 /// The powers common to all terms.
-BookProduct Arranger::shared_powers(const MixedSum& sum) const {
+TextbookProduct Arranger::shared_powers(const RealTermSum& sum) const {
   Polynomial powers;
-  for (const RealTerm& term : sum) powers.try_emplace(term.powers, Gaussian{1, 0});
-  BookProduct shared;
+  for (const RealTerm& term : sum) powers.try_emplace(term.powers, GaussianRational{1, 0});
+  TextbookProduct shared;
   take_monomial(powers, shared);
   return shared;
 }
 
 /// The common factors of all terms times the sum of the remaining factors.
-BookProduct Arranger::book_product(MixedSum sum) {
-  BookProduct result = shared_powers(sum);
+TextbookProduct Arranger::book_product(RealTermSum sum) {
+  TextbookProduct result = shared_powers(sum);
   Monomial taken;
-  for (const BookFactor& factor : result.factors) taken.push_back({factor.atom, -factor.exponent});
+  for (const TextbookFactor& factor : result.factors)
+    taken.push_back({factor.atom, -factor.exponent});
   std::ranges::sort(taken, {}, &AtomPower::atom);
   for (RealTerm& term : sum) term.powers = elgen::product(term.powers, taken);
   const bool is_plain =
@@ -72,15 +73,15 @@ BookProduct Arranger::book_product(MixedSum sum) {
       return result;
     }
   }
-  multiply_once(result, collected(sum));
+  multiply_by_sum(result, collected_sum(sum));
   return result;
 }
 
 /// Combines all terms with the same coordinates, sines and cosines into one product.
-BookSum Arranger::group_by_kind(const MixedSum& sum) {
+TextbookSum Arranger::group_by_coordinates(const RealTermSum& sum) {
   struct Kind {
     RealTerm shared = {};
-    MixedSum of_parameters = {};
+    RealTermSum of_parameters = {};
   };
   std::vector<Kind> kinds;
   for (const RealTerm& term : sum) {
@@ -96,7 +97,7 @@ BookSum Arranger::group_by_kind(const MixedSum& sum) {
     if (known == kinds.end()) known = kinds.insert(known, Kind{std::move(shared), {}});
     known->of_parameters.push_back(std::move(rest));
   }
-  BookSum result;
+  TextbookSum result;
   for (const auto& [shared, of_parameters] : kinds) {
     const bool stands_alone = shared.powers.empty() && shared.circular.empty() &&
                               shared_powers(of_parameters).factors.empty();
@@ -114,7 +115,7 @@ BookSum Arranger::group_by_kind(const MixedSum& sum) {
 }
 
 /// m (a + b) + c, if m is the parameter that most terms, but not all, contain.
-std::optional<BookSum> Arranger::collect_by_parameter(const MixedSum& sum) {
+std::optional<TextbookSum> Arranger::collect_by_parameter(const RealTermSum& sum) {
   std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // numbers share one place
   for (const RealTerm& term : sum) {
     for (const AtomPower& power : term.powers) {
@@ -128,42 +129,42 @@ std::optional<BookSum> Arranger::collect_by_parameter(const MixedSum& sum) {
     if (count > most.second && count < sum.size()) most = {parameter.second, count};
   }
   if (most.second < 2) return std::nullopt;
-  MixedSum with;
-  MixedSum without;
+  RealTermSum with;
+  RealTermSum without;
   for (const RealTerm& term : sum) {
     const bool has_it = std::ranges::any_of(
         term.powers, [&](const AtomPower& p) { return p.atom == most.first && p.exponent > 0; });
     (has_it ? with : without).push_back(term);
   }
-  BookSum result = collected(without);
-  BookProduct whole = book_product(with);
+  TextbookSum result = collected_sum(without);
+  TextbookProduct whole = book_product(with);
   for (RealTerm& term : with) {
     term.powers = elgen::product(term.powers, Monomial{{most.first, -1}});
   }
-  BookProduct group;
+  TextbookProduct group;
   multiply(group, Monomial{{most.first, 1}});
-  multiply(group, collected(with), 1);
-  const bool is_whole =
-      holds_typed_sum(whole) || written_factors({{whole}}) < written_factors({{group}});
+  multiply(group, collected_sum(with), 1);
+  const bool is_whole = contains_typed_sum(whole) ||
+                        count_written_factors({{whole}}) < count_written_factors({{group}});
   result.terms.push_back(is_whole ? std::move(whole) : std::move(group));
   return result;
 }
 
-const BookSum& Arranger::collected(const MixedSum& sum) {
+const TextbookSum& Arranger::collected_sum(const RealTermSum& sum) {
   const auto known = collected_.find(sum);
   if (known != collected_.end()) return known->second;
   return collected_.emplace(sum, collect_terms(sum)).first->second;
 }
 
-/// The shorter result of group_by_kind() and collect_by_parameter(). If both are equally long, the
-/// result that contains a typed sum.
-BookSum Arranger::collect_terms(const MixedSum& sum) {
-  BookSum best = group_by_kind(sum);
-  if (sum.size() > 2 && sum.size() <= longest_collected) {
-    std::optional<BookSum> other = collect_by_parameter(sum);
-    const bool is_typed = other && std::ranges::any_of(other->terms, holds_typed_sum);
+/// The shorter result of group_by_coordinates() and collect_by_parameter(). If both are equally
+/// long, the result that contains a typed sum.
+TextbookSum Arranger::collect_terms(const RealTermSum& sum) {
+  TextbookSum best = group_by_coordinates(sum);
+  if (sum.size() > 2 && sum.size() <= most_collected_terms) {
+    std::optional<TextbookSum> other = collect_by_parameter(sum);
+    const bool is_typed = other && std::ranges::any_of(other->terms, contains_typed_sum);
     const std::size_t margin = is_typed ? 1 : 0;
-    if (other && written_factors(*other) < written_factors(best) + margin) {
+    if (other && count_written_factors(*other) < count_written_factors(best) + margin) {
       best = std::move(*other);
     }
   }

@@ -10,28 +10,28 @@
 namespace elgen {
 namespace {
 
-bool moves(const Algebra& algebra, const Fraction& form) {
-  return std::ranges::any_of(form.numerator,
-                             [&](const auto& term) { return elgen::moves(algebra, term.first); });
+bool contains_rate(const Algebra& algebra, const Fraction& form) {
+  return std::ranges::any_of(
+      form.numerator, [&](const auto& term) { return elgen::contains_rate(algebra, term.first); });
 }
 
 /// The acceleration among the factors of a term, which has at most one; the end if it has none.
-Monomial::const_iterator acceleration_in(const Algebra& algebra, const Monomial& term) {
+Monomial::const_iterator find_acceleration(const Algebra& algebra, const Monomial& term) {
   return std::ranges::find_if(term, [&](const AtomPower& power) {
     const Atom& atom = algebra.atoms[power.atom];
     return atom.kind == AtomKind::leaf && atom.leaf == Opcode::acceleration;
   });
 }
 
-Fraction opposite(const Fraction& form) {
-  return {scaled(form.numerator, {-1, 0}), form.denominator};
+Fraction negate_form(const Fraction& form) {
+  return {multiply_by_term(form.numerator, {-1, 0}), form.denominator};
 }
 
 /// Removes zeros and pairs that cancel: V = a*x + b - a*x exerts no force.
-std::vector<Fraction> remove_cancelled(std::vector<Fraction> summands) {
+std::vector<Fraction> remove_cancelling_pairs(std::vector<Fraction> summands) {
   for (std::size_t i = 0; i < summands.size(); ++i) {
     for (std::size_t k = i + 1; k < summands.size(); ++k) {
-      if (summands[i] != opposite(summands[k])) continue;
+      if (summands[i] != negate_form(summands[k])) continue;
       summands[i] = {};
       summands[k] = {};
     }
@@ -44,70 +44,71 @@ std::vector<Fraction> remove_cancelled(std::vector<Fraction> summands) {
 
 /// The summands without zeros and cancelling pairs; empty if all summands add up to 0, as for
 /// V = a*x + b*x - (a + b)*x.
-std::vector<Fraction> Equations::nonzero_summands(const std::vector<Fraction>& summands) {
-  Value sum = Fraction{};
+std::vector<Fraction> EquationArranger::nonzero_summands(const std::vector<Fraction>& summands) {
+  OptionalFraction sum = Fraction{};
   for (const Fraction& form : summands) sum = arithmetic_.add(sum, form);
   if (sum && sum->numerator.empty()) return {};
-  return remove_cancelled(summands);
+  return remove_cancelling_pairs(summands);
 }
 
-Fraction Equations::total(const std::vector<Fraction>& summands) {
-  Value sum = Fraction{};
+Fraction EquationArranger::total(const std::vector<Fraction>& summands) {
+  OptionalFraction sum = Fraction{};
   for (const Fraction& form : summands) sum = arithmetic_.add(sum, form);
-  if (!sum) throw TooLongForABook();
+  if (!sum) throw TextbookLengthError();
   return *sum;
 }
 
-std::optional<EquationRow> Equations::row(const ClosedFunction& function) {
+std::optional<EquationRow> EquationArranger::read_row(const ClosedFunction& function) {
   EquationRow result;
-  const auto forms = [&](BookField field) {
+  const auto forms = [&](LagrangeStepField field) {
     return function.fields[static_cast<std::size_t>(field)].entries;
   };
-  const auto rates = forms(BookField::momentum_rate);
-  const auto partials = forms(BookField::partial);
+  const auto rates = forms(LagrangeStepField::momentum_rate);
+  const auto partials = forms(LagrangeStepField::partial);
   for (std::size_t k = 0; k < rates.size(); ++k) {
-    const Value part = arithmetic_.subtract(rates[k], partials[k]);
+    const OptionalFraction part = arithmetic_.subtract(rates[k], partials[k]);
     if (!part) return std::nullopt;
     result.inertia.push_back(*part);
   }
-  for (const std::optional<Fraction>& form : forms(BookField::dissipation)) {
+  for (const std::optional<Fraction>& form : forms(LagrangeStepField::dissipation)) {
     if (!form) return std::nullopt;
     result.dissipation.push_back(*form);
   }
-  const std::optional<Fraction> force = forms(BookField::force).front();
+  const std::optional<Fraction> force = forms(LagrangeStepField::force).front();
   if (!force) return std::nullopt;
   result.force = *force;
   return result;
 }
 
-BookSum Equations::arrange_row(std::vector<Fraction> summands, std::uint32_t own,
-                               const std::vector<Fraction>& dissipation) {
+TextbookSum EquationArranger::arrange_row(std::vector<Fraction> summands, std::uint32_t own,
+                                          const std::vector<Fraction>& dissipation) {
   const auto resting =
       std::stable_partition(summands.begin(), summands.end(),
-                            [&](const Fraction& form) { return moves(algebra_, form); });
-  BookSum result = arranger_.collect_by_rates(total({summands.begin(), resting}), own);
+                            [&](const Fraction& form) { return contains_rate(algebra_, form); });
+  TextbookSum result = arranger_.collect_by_rates(total({summands.begin(), resting}), own);
   for (const std::vector<Fraction>& part : {dissipation, {resting, summands.end()}}) {
     for (const Fraction& form : nonzero_summands(part))
-      append(result, arranger_.arrange_summand(form, own));
+      append_terms(result, arranger_.arrange_summand(form, own));
   }
   return result;
 }
 
-struct Equations::Linear {
+struct EquationArranger::LinearRow {
   std::map<std::uint32_t, Fraction> inertia = {};  ///< coefficient of each acceleration
   Fraction rest = {};                              ///< force minus all terms without acceleration
 };
 
-std::optional<Equations::Linear> Equations::linear(const std::optional<EquationRow>& row) {
+std::optional<EquationArranger::LinearRow> EquationArranger::split_accelerations(
+    const std::optional<EquationRow>& row) {
   if (!row) return std::nullopt;
   std::vector<Fraction> all = row->inertia;
   all.insert(all.end(), row->dissipation.begin(), row->dissipation.end());
-  all.push_back(opposite(row->force));
+  all.push_back(negate_form(row->force));
   const Fraction whole = total(all);
-  Linear result;
+  LinearRow result;
   result.rest.denominator = whole.denominator;
   for (const auto& [monomial, coefficient] : whole.numerator) {
-    const auto at = acceleration_in(algebra_, monomial);
+    const auto at = find_acceleration(algebra_, monomial);
     if (at == monomial.end()) {
       add_term(result.rest.numerator, monomial, {-coefficient.real, -coefficient.imaginary});
       continue;
@@ -120,44 +121,44 @@ std::optional<Equations::Linear> Equations::linear(const std::optional<EquationR
 }
 
 /// The acceleration `own`, with each term divided by `inertia`, which must be a single product.
-BookSum Equations::divided_terms(const EquationRow& row, const Fraction& inertia,
-                                 std::uint32_t own) {
+TextbookSum EquationArranger::divide_by_inertia(const EquationRow& row, const Fraction& inertia,
+                                                std::uint32_t own) {
   std::vector<Fraction> moving;
   std::vector<Fraction> resting;
   for (const Fraction& form : row.inertia) {
-    (moves(algebra_, form) ? moving : resting).push_back(opposite(form));
+    (contains_rate(algebra_, form) ? moving : resting).push_back(negate_form(form));
   }
   Fraction whole = total(moving);
   erase_if(whole.numerator, [&](const auto& term) {
-    return acceleration_in(algebra_, term.first) != term.first.end();
+    return find_acceleration(algebra_, term.first) != term.first.end();
   });
   std::vector<Fraction> parts = nonzero_summands(resting);
   parts.insert(parts.begin(), std::move(whole));
-  for (const Fraction& form : nonzero_summands(row.dissipation)) parts.push_back(opposite(form));
+  for (const Fraction& form : nonzero_summands(row.dissipation)) parts.push_back(negate_form(form));
   parts.push_back(row.force);
-  BookSum result;
+  TextbookSum result;
   for (const Fraction& part : parts) {
-    const Value divided = arithmetic_.divide(part, inertia);
-    if (!divided) throw TooLongForABook();
-    append(result, arranger_.arrange_summand(*divided, own));
+    const OptionalFraction divided = arithmetic_.divide(part, inertia);
+    if (!divided) throw TextbookLengthError();
+    append_terms(result, arranger_.arrange_summand(*divided, own));
   }
   return result;
 }
 
-std::optional<BookSum> Equations::solve_acceleration(
+std::optional<TextbookSum> EquationArranger::solve_acceleration(
     const std::vector<std::optional<EquationRow>>& rows, std::uint32_t own) {
-  const std::optional<Linear> first = linear(rows[own]);
+  const std::optional<LinearRow> first = split_accelerations(rows[own]);
   if (!first || first->inertia.count(own) == 0 || first->inertia.size() > 2) return std::nullopt;
   const Fraction& inertia = first->inertia.at(own);
   if (first->inertia.size() == 1) {
     const bool is_product = arranger_.is_one_product(inertia);
-    if (is_product) return divided_terms(*rows[own], inertia, own);
-    return arranger_.quotient(first->rest, inertia);
+    if (is_product) return divide_by_inertia(*rows[own], inertia, own);
+    return arranger_.arrange_quotient(first->rest, inertia);
   }
   const std::uint32_t other = first->inertia.begin()->first == own
                                   ? std::next(first->inertia.begin())->first
                                   : first->inertia.begin()->first;
-  const std::optional<Linear> second = linear(rows[other]);
+  const std::optional<LinearRow> second = split_accelerations(rows[other]);
   const bool is_pair = second && second->inertia.size() == 2 && second->inertia.count(own) == 1;
   if (!is_pair) return std::nullopt;
   // Cramer's rule.
@@ -167,10 +168,10 @@ std::optional<BookSum> Equations::solve_acceleration(
   };
   const Fraction& coupling = first->inertia.at(other);
   const Fraction& theirs = second->inertia.at(other);
-  const Value above = minor(theirs, first->rest, coupling, second->rest);
-  const Value below = minor(inertia, theirs, coupling, second->inertia.at(own));
+  const OptionalFraction above = minor(theirs, first->rest, coupling, second->rest);
+  const OptionalFraction below = minor(inertia, theirs, coupling, second->inertia.at(own));
   if (!above || !below) return std::nullopt;
-  return arranger_.quotient(*above, *below);
+  return arranger_.arrange_quotient(*above, *below);
 }
 
 }  // namespace elgen

@@ -22,40 +22,40 @@ struct EquationRow {
 };
 
 /// Arranges rows. Adds new atoms to the algebra.
-class Equations {
+class EquationArranger {
  public:
-  Equations(Algebra& algebra, Arranger& arranger)
+  EquationArranger(Algebra& algebra, Arranger& arranger)
       : algebra_(algebra), arithmetic_(algebra), arranger_(arranger) {}
 
   /// The row in the closed forms of `function`; none if a closed form is missing.
-  [[nodiscard]] std::optional<EquationRow> row(const ClosedFunction& function);
+  [[nodiscard]] std::optional<EquationRow> read_row(const ClosedFunction& function);
 
   /// Arranges each summand separately; empty if all summands add up to 0.
-  [[nodiscard]] BookSum each(const std::vector<Fraction>& summands) {
+  [[nodiscard]] TextbookSum arrange_summands(const std::vector<Fraction>& summands) {
     return arranger_.factor_out_each(nonzero_summands(summands));
   }
   /// Arranges a row; `own` is its velocity. Dissipation comes after the terms with rates.
-  [[nodiscard]] BookSum arrange_row(std::vector<Fraction> summands, std::uint32_t own,
-                                    const std::vector<Fraction>& dissipation = {});
+  [[nodiscard]] TextbookSum arrange_row(std::vector<Fraction> summands, std::uint32_t own,
+                                        const std::vector<Fraction>& dissipation = {});
   /// d/dt dL/dv - dL/dq + dD/dv.
-  [[nodiscard]] BookSum left(const EquationRow& row, std::uint32_t own) {
+  [[nodiscard]] TextbookSum arrange_left_side(const EquationRow& row, std::uint32_t own) {
     return arrange_row(row.inertia, own, row.dissipation);
   }
 
   /// The acceleration `own` as a sum, if its row contains no other acceleration, or one other
   /// acceleration whose row contains no third acceleration. Otherwise none.
-  [[nodiscard]] std::optional<BookSum> solve_acceleration(
+  [[nodiscard]] std::optional<TextbookSum> solve_acceleration(
       const std::vector<std::optional<EquationRow>>& rows, std::uint32_t own);
 
  private:
   /// A row in the form M a = rest.
-  struct Linear;
+  struct LinearRow;
 
   [[nodiscard]] std::vector<Fraction> nonzero_summands(const std::vector<Fraction>& summands);
   [[nodiscard]] Fraction total(const std::vector<Fraction>& summands);
-  [[nodiscard]] std::optional<Linear> linear(const std::optional<EquationRow>& row);
-  [[nodiscard]] BookSum divided_terms(const EquationRow& row, const Fraction& inertia,
-                                      std::uint32_t own);
+  [[nodiscard]] std::optional<LinearRow> split_accelerations(const std::optional<EquationRow>& row);
+  [[nodiscard]] TextbookSum divide_by_inertia(const EquationRow& row, const Fraction& inertia,
+                                              std::uint32_t own);
 
   Algebra& algebra_;
   Arithmetic arithmetic_;

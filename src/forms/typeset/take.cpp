@@ -16,102 +16,103 @@ namespace {
 /// A sum with more factors is written as a name if a definition of the model has the same value.
 constexpr std::size_t longest_unnamed_sum = 12;
 
-bool is_root_of(const Algebra& algebra, const BookFactor& factor, const Polynomial& radicand) {
-  if (factor.kind != BookFactorKind::atom || factor.exponent < 1) return false;
+bool is_root_of(const Algebra& algebra, const TextbookFactor& factor, const Polynomial& radicand) {
+  if (factor.kind != TextbookFactorKind::atom || factor.exponent < 1) return false;
   const Atom& atom = algebra.atoms[factor.atom];
   return atom.kind == AtomKind::root && atom.arguments[0] == Fraction{radicand, {}};
 }
 
 }  // namespace
 
-BookFactor Arranger::atom_factor(const AtomPower& power) const {
-  BookFactor factor;
-  factor.place = place_of(algebra_.atoms[power.atom], typed_.places);
+TextbookFactor Arranger::atom_factor(const AtomPower& power) const {
+  TextbookFactor factor;
+  factor.place = place_of(algebra_.atoms[power.atom], typed_.parameter_places);
   factor.atom = power.atom;
   factor.exponent = power.exponent;
   return factor;
 }
 
-void Arranger::multiply(BookProduct& product, const Monomial& powers) const {
+void Arranger::multiply(TextbookProduct& product, const Monomial& powers) const {
   for (const AtomPower& power : powers) add_factor(product, atom_factor(power));
 }
 
 /// The place of a sum. A sum of parameters has the place of its first parameter, as in
 /// (m1 + m2) g l, unless this parameter is g, as in m R (g - R Omega^2).
-FactorPlace Arranger::place_of_sum(const BookSum& sum, std::uint32_t rank) const {
-  BookFactor first;
-  first.kind = BookFactorKind::sum;  // sums of numbers have no parameter
+FactorPlace Arranger::place_of_sum(const TextbookSum& sum, std::uint32_t rank) const {
+  TextbookFactor first;
+  first.kind = TextbookFactorKind::sum;  // sums of numbers have no parameter
   first.place = {FactorGroup::parameter, UINT32_MAX};
-  for (const BookProduct& term : sum.terms) {
-    for (const BookFactor& each : term.factors) {
+  for (const TextbookProduct& term : sum.terms) {
+    for (const TextbookFactor& each : term.factors) {
       if (each.place.group != FactorGroup::parameter) return {FactorGroup::sum, rank};
       if (each.place < first.place) first = each;
     }
   }
-  if (first.kind != BookFactorKind::atom) return first.place;
+  if (first.kind != TextbookFactorKind::atom) return first.place;
   const Atom& atom = algebra_.atoms[first.atom];
   const bool is_acceleration = atom.kind == AtomKind::leaf && typed_.are_accelerations[atom.index];
   return is_acceleration ? FactorPlace{FactorGroup::sum, rank} : first.place;
 }
 
-void Arranger::multiply(BookProduct& product, BookSum sum, std::int32_t exponent) const {
-  for (BookFactor& circular : take_sinusoids(sum)) {
+void Arranger::multiply(TextbookProduct& product, TextbookSum sum, std::int32_t exponent) const {
+  for (TextbookFactor& circular : take_sinusoids(sum)) {
     circular.exponent *= exponent;
     add_factor(product, std::move(circular));
   }
   sort_terms(sum);
-  product.number = product.number * cln::expt(take_number(sum), exponent);
-  BookFactor factor;
-  factor.kind = BookFactorKind::sum;
-  factor.place = place_of_sum(sum, untyped);
+  product.number = product.number * cln::expt(extract_numeric_content(sum), exponent);
+  TextbookFactor factor;
+  factor.kind = TextbookFactorKind::sum;
+  factor.place = place_of_sum(sum, untyped_rank);
   factor.exponent = exponent;
   factor.sum = std::move(sum);
   add_factor(product, std::move(factor));
 }
 
 /// Multiplies by a sum; a single term needs no brackets.
-void Arranger::multiply_once(BookProduct& product, BookSum sum) const {
+void Arranger::multiply_by_sum(TextbookProduct& product, TextbookSum sum) const {
   if (sum.terms.size() == 1) return elgen::multiply(product, sum.terms.front());
   multiply(product, std::move(sum), 1);
 }
 
 /// Extracts powers that have the same sign in all terms; exponentials are excluded.
-void Arranger::take_monomial(Polynomial& sum, BookProduct& front) const {
+void Arranger::take_monomial(Polynomial& sum, TextbookProduct& front) const {
   Monomial common;
-  for (const AtomRange& range : exponents_of(sum)) {
+  for (const ExponentRange& range : exponent_ranges(sum)) {
     const std::int32_t exponent = range.least > 0 ? range.least : std::min(range.greatest, 0);
     const bool is_circular = algebra_.atoms[range.atom].kind == AtomKind::circular;
     if (exponent != 0 && !is_circular) common.push_back({range.atom, exponent});
   }
   if (common.empty()) return;
-  sum = scaled(sum, {1, 0}, power(common, -1));
+  sum = multiply_by_term(sum, {1, 0}, power(common, -1));
   multiply(front, common);
 }
 
-BookFactor Arranger::typed_factor(std::size_t typed) {
+TextbookFactor Arranger::typed_factor(std::size_t typed) {
   const auto known = typed_factors_->find(typed);
   if (known != typed_factors_->end()) return known->second;
   const TypedSum& sum = typed_.sums[typed];
-  BookFactor factor;
-  factor.kind = BookFactorKind::sum;
+  TextbookFactor factor;
+  factor.kind = TextbookFactorKind::sum;
   // The terms contain only shorter sums, so the recursion ends.
   Arranger inner(algebra_, typed_);
   inner.first_typed_ = typed + 1;
   inner.typed_factors_ = typed_factors_;
-  for (const Fraction& term : sum.terms) append(factor.sum, inner.factor_out(term));
+  for (const Fraction& term : sum.terms) append_terms(factor.sum, inner.factor_out(term));
   // A factor this long is not typeset; the page shows the code's form.
-  const bool is_too_long = written_factors(factor.sum, true) > longest_entry_of_a_book;
+  const bool is_too_long = count_written_factors(factor.sum, true) > longest_textbook_entry;
   if (is_too_long) throw std::length_error("a typed sum");
   factor.place = place_of_sum(factor.sum, static_cast<std::uint32_t>(typed));
-  const bool of_parameters = is_of_parameters(algebra_, sum.value);
-  if (sum.definition && (of_parameters || written_factors(factor.sum) > longest_unnamed_sum)) {
-    factor.kind = BookFactorKind::name;
+  const bool of_parameters = contains_only_parameters(algebra_, sum.value);
+  if (sum.definition &&
+      (of_parameters || count_written_factors(factor.sum) > longest_unnamed_sum)) {
+    factor.kind = TextbookFactorKind::name;
     factor.definition = *sum.definition;
   }
   return typed_factors_->emplace(typed, std::move(factor)).first->second;
 }
 
-bool Arranger::take_typed(Polynomial& sum, BookProduct& front) {
+bool Arranger::take_typed_sums(Polynomial& sum, TextbookProduct& front) {
   bool is_taken = false;
   const std::vector<AtomId> atoms = atoms_of(sum);
   for (std::size_t i = first_typed_; i < typed_.sums.size() && sum.size() > 1; ++i) {
@@ -129,7 +130,7 @@ bool Arranger::take_typed(Polynomial& sum, BookProduct& front) {
     if (!typed_.sums[i].square.empty()) divide_by(typed_.sums[i].square, 2);
     if (exponent == 0) continue;
     is_taken = true;
-    BookFactor factor = typed_factor(i);
+    TextbookFactor factor = typed_factor(i);
     factor.exponent = exponent;
     add_factor(front, std::move(factor));
   }
@@ -140,7 +141,7 @@ Arranger::SplitSum Arranger::split_sum(Polynomial sum) {
   SplitSum result;
   result.rest = reduce_hyperbolic_squares(algebra_, std::move(sum));
   take_monomial(result.rest, result.front);
-  if (take_typed(result.rest, result.front)) take_monomial(result.rest, result.front);
+  if (take_typed_sums(result.rest, result.front)) take_monomial(result.rest, result.front);
   take_square(result);
   while (take_coefficient(result)) continue;
   return result;
@@ -149,37 +150,38 @@ Arranger::SplitSum Arranger::split_sum(Polynomial sum) {
 /// If rest = c (a + b)^2 with real a and b, extracts the square. For a square of sines, division
 /// gives an imaginary root; it is multiplied by i, and c changes its sign.
 void Arranger::take_square(SplitSum& taken) {
-  if (taken.rest.size() < 3 || taken.rest.size() > longest_collected) return;
-  const Gaussian lead = taken.rest.rbegin()->second;
+  if (taken.rest.size() < 3 || taken.rest.size() > most_collected_terms) return;
+  const GaussianRational lead = taken.rest.rbegin()->second;
   if (!cln::zerop(lead.imaginary)) return;
-  std::optional<Polynomial> root = square_root(scaled(taken.rest, {cl_RA(1) / lead.real, 0}));
+  std::optional<Polynomial> root =
+      square_root(multiply_by_term(taken.rest, {cl_RA(1) / lead.real, 0}));
   if (!root) return;
   cl_RA number = lead.real;
   if (!is_real(algebra_, *root)) {
-    root = scaled(*root, {0, 1});
+    root = multiply_by_term(*root, {0, 1});
     number = -number;
     if (!is_real(algebra_, *root)) return;
   }
-  const Monomial below = lowest_powers(algebra_, *root);
-  BookSum base = terms(scaled(*root, {1, 0}, power(below, -1)));
+  const Monomial below = common_divisor_powers(algebra_, *root);
+  TextbookSum base = arrange_terms(multiply_by_term(*root, {1, 0}, power(below, -1)));
   if (base.terms.size() < 2) return;
   multiply(taken.front, power(below, 2));
   multiply(taken.front, std::move(base), 2);
-  taken.rest = constant(number);
+  taken.rest = constant_polynomial(number);
 }
 
 /// Extracts (a + b) from (a + b) (c + d): the coefficient of the highest power of a parameter, if
 /// it divides the sum. An imaginary coefficient, as from the sine of a number, is skipped.
 bool Arranger::take_coefficient(SplitSum& taken) {
-  if (taken.rest.size() < 4 || taken.rest.size() > longest_collected) return false;
+  if (taken.rest.size() < 4 || taken.rest.size() > most_collected_terms) return false;
   for (const AtomId id : atoms_of(taken.rest)) {
     if (atom_factor({id, 1}).place.group != FactorGroup::parameter) continue;
     const Polynomial coefficient = coefficients_of(taken.rest, id).rbegin()->second;
-    if (coefficient.size() < 2 || !is_of_parameters(algebra_, coefficient)) continue;
+    if (coefficient.size() < 2 || !contains_only_parameters(algebra_, coefficient)) continue;
     if (!is_real(algebra_, coefficient)) continue;
     auto divided = elgen::quotient(taken.rest, coefficient, work_);
     if (!divided || divided->size() < 2) continue;
-    BookSum factor = terms(coefficient);
+    TextbookSum factor = arrange_terms(coefficient);
     if (factor.terms.size() < 2) continue;
     multiply(taken.front, std::move(factor), 1);
     taken.rest = std::move(*divided);
@@ -189,51 +191,54 @@ bool Arranger::take_coefficient(SplitSum& taken) {
 }
 
 /// front * rest, with the divisors of the terms of `rest` as divisors of the product.
-BookProduct Arranger::book_product(const SplitSum& taken) {
-  BookProduct result = taken.front;
+TextbookProduct Arranger::book_product(const SplitSum& taken) {
+  TextbookProduct result = taken.front;
   if (is_one(taken.rest)) return result;
-  const Monomial below = lowest_powers(algebra_, taken.rest);
+  const Monomial below = common_divisor_powers(algebra_, taken.rest);
   multiply(result, below);
-  BookSum rest = terms(scaled(taken.rest, {1, 0}, power(below, -1)));
+  TextbookSum rest = arrange_terms(multiply_by_term(taken.rest, {1, 0}, power(below, -1)));
   if (rest.terms.empty()) return {0, {}};
-  multiply_once(result, std::move(rest));
+  multiply_by_sum(result, std::move(rest));
   return result;
 }
 
-BookProduct Arranger::book_product(const Polynomial& sum) { return book_product(split_sum(sum)); }
+TextbookProduct Arranger::book_product(const Polynomial& sum) {
+  return book_product(split_sum(sum));
+}
 
-void Arranger::divide(BookProduct& product, const Polynomial& factor, std::int32_t exponent) {
+void Arranger::divide(TextbookProduct& product, const Polynomial& factor, std::int32_t exponent) {
   if (exponent == 0) return;
   elgen::divide(product, this->book_product(factor), exponent);
 }
 
 /// Divides by the denominator of `form`. Denominator factors with sines and cosines are multiplied
 /// first, since present writes sin x as 2 sin(x/2) cos(x/2).
-void Arranger::divide(BookProduct& product, const Fraction& form) {
-  Polynomial circular_factors = constant(1);
+void Arranger::divide(TextbookProduct& product, const Fraction& form) {
+  Polynomial circular_factors = constant_polynomial(1);
   for (const auto& [factor, exponent] : form.denominator) {
     const Polynomial& shown = algebra_.factors[factor].shown;
-    const auto root = std::ranges::find_if(
-        product.factors, [&](const BookFactor& each) { return is_root_of(algebra_, each, shown); });
+    const auto root = std::ranges::find_if(product.factors, [&](const TextbookFactor& each) {
+      return is_root_of(algebra_, each, shown);
+    });
     if (root != product.factors.end()) {  // sqrt(r)/r
-      BookFactor twice = *root;
+      TextbookFactor twice = *root;
       twice.exponent = -2;
       add_factor(product, std::move(twice));
       divide(product, shown, exponent - 1);
-    } else if (!holds_exponentials(algebra_, shown)) {
+    } else if (!contains_exponentials(algebra_, shown)) {
       divide(product, shown, exponent);
     } else {
       for (std::int32_t i = 0; i < exponent; ++i) {
         circular_factors = elgen::product(circular_factors, shown);
       }
     }
-    if (circular_factors.size() > most_terms) throw TooLongForABook();
+    if (circular_factors.size() > most_terms) throw TextbookLengthError();
   }
   if (!is_one(circular_factors)) divide(product, circular_factors, 1);
 }
 
-BookProduct Arranger::book_product(const Fraction& form) {
-  BookProduct result = book_product(form.numerator);
+TextbookProduct Arranger::book_product(const Fraction& form) {
+  TextbookProduct result = book_product(form.numerator);
   divide(result, form);
   return result;
 }

@@ -35,7 +35,7 @@ bool is_typed_by_author(const Model& model, const Root& root) {
 /// All expressions of energies, definitions, points, bodies, forces and constraints that the author
 /// wrote, in this order. If a sum occurs several times, its first occurrence decides how it is
 /// written.
-std::vector<ExpressionId> written_roots(const Model& model) {
+std::vector<ExpressionId> typed_roots(const Model& model) {
   const std::vector<Root> all = roots_of(model);
   std::vector<ExpressionId> written;
   for (const EntityKind kind : {EntityKind::energy, EntityKind::definition, EntityKind::point,
@@ -48,7 +48,7 @@ std::vector<ExpressionId> written_roots(const Model& model) {
   return written;
 }
 
-std::vector<ExpressionId> sums_of(const Model& model, const std::vector<ExpressionId>& all) {
+std::vector<ExpressionId> find_sums(const Model& model, const std::vector<ExpressionId>& all) {
   std::vector<ExpressionId> sums;
   for (const ExpressionId id : all) {
     const Expression& e = model.expressions[id];
@@ -76,7 +76,7 @@ std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
     return forms.algebra.atoms[atom].kind == AtomKind::root;
   });
   if (holds_root) {
-    const Value square = Arithmetic(forms.algebra).multiply(*whole, *whole);
+    const OptionalFraction square = Arithmetic(forms.algebra).multiply(*whole, *whole);
     if (square && square->denominator.empty()) sum.square = square->numerator;
   }
   const auto named =
@@ -89,8 +89,8 @@ std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
 
 /// The value of an expression, if it is a single term with a root or a function; otherwise the
 /// empty sum.
-Polynomial long_term(ClosedForms& forms, const Model& model, const FixedParameters& fixed,
-                     ExpressionId id) {
+Polynomial single_function_term(ClosedForms& forms, const Model& model,
+                                const FixedParameters& fixed, ExpressionId id) {
   const std::optional<Fraction> form = closed_form(forms, model, fixed, id);
   if (!form || !form->denominator.empty() || form->numerator.size() != 1) return {};
   const bool is_long = std::ranges::any_of(atoms_of(form->numerator), [&forms](AtomId atom) {
@@ -107,7 +107,7 @@ std::vector<bool> parameter_flags(const Model& model, const Unit& unit,
   for (const Parameter& parameter : model.parameters) {
     result.push_back(parameter.unit && *parameter.unit == unit);
   }
-  for (const ExpressionId id : reachable_from(model, expressions)) {
+  for (const ExpressionId id : reachable_expressions(model, expressions)) {
     const Expression& e = model.expressions[id];
     if (is_leaf(e, Opcode::parameter)) result[e.index] = true;
   }
@@ -115,15 +115,16 @@ std::vector<bool> parameter_flags(const Model& model, const Unit& unit,
 }
 
 /// For each parameter: true for g and other accelerations.
-std::vector<bool> accelerations(const Model& model) {
+std::vector<bool> acceleration_flags(const Model& model) {
   static const Unit second = *find_unit("s");
-  return parameter_flags(
-      model, *find_unit("m") / (second * second),
-      roots_if(model, [](const Root& root) { return root.entity.kind == EntityKind::gravity; }));
+  return parameter_flags(model, *find_unit("m") / (second * second),
+                         filter_roots(model, [](const Root& root) {
+                           return root.entity.kind == EntityKind::gravity;
+                         }));
 }
 
-std::vector<bool> masses(const Model& model) {
-  return parameter_flags(model, *find_unit("kg"), roots_if(model, [](const Root& root) {
+std::vector<bool> mass_flags(const Model& model) {
+  return parameter_flags(model, *find_unit("kg"), filter_roots(model, [](const Root& root) {
                            return root.role == RootRole::mass;
                          }));
 }
@@ -131,7 +132,7 @@ std::vector<bool> masses(const Model& model) {
 /// The order of declaration, except that g and other accelerations follow the last mass.
 std::vector<std::uint32_t> declared_order(const Model& model,
                                           const std::vector<bool>& are_accelerations) {
-  const std::vector<bool> are_masses = masses(model);
+  const std::vector<bool> are_masses = mass_flags(model);
   std::vector<std::uint32_t> order;
   std::vector<std::uint32_t> weights;
   std::size_t behind_masses = 0;
@@ -149,11 +150,12 @@ std::vector<std::uint32_t> declared_order(const Model& model,
 }
 
 /// The parameters in each factor of a typed product: k and l for k*(x - l)^2.
-std::vector<std::vector<std::uint32_t>> factors_of(const Model& model, const Expression& product) {
+std::vector<std::vector<std::uint32_t>> parameters_by_factor(const Model& model,
+                                                             const Expression& product) {
   std::vector<std::vector<std::uint32_t>> factors;
   for (const ExpressionId operand : product.operands) {
     std::vector<std::uint32_t>& parameters = factors.emplace_back();
-    for (const ExpressionId id : reachable_from(model, {operand})) {
+    for (const ExpressionId id : reachable_expressions(model, {operand})) {
       const Expression& e = model.expressions[id];
       if (is_leaf(e, Opcode::parameter)) parameters.push_back(e.index);
     }
@@ -162,12 +164,12 @@ std::vector<std::vector<std::uint32_t>> factors_of(const Model& model, const Exp
 }
 
 /// Reorders parameters as in typed products. The first product with a pair decides its order.
-class ProductOrder {
+class ParameterOrder {
  public:
-  explicit ProductOrder(std::vector<std::uint32_t> declared)
+  explicit ParameterOrder(std::vector<std::uint32_t> declared)
       : order_(std::move(declared)), is_known_(order_.size() * order_.size()) {}
 
-  void follow(const std::vector<std::vector<std::uint32_t>>& factors) {
+  void add_product(const std::vector<std::vector<std::uint32_t>>& factors) {
     for (std::size_t i = 0; i + 1 < factors.size(); ++i) {
       for (std::size_t k = i + 1; k < factors.size(); ++k) {
         for (const std::uint32_t first : factors[i]) {
@@ -177,7 +179,7 @@ class ProductOrder {
     }
   }
 
-  [[nodiscard]] std::vector<std::uint32_t> places() const {
+  [[nodiscard]] std::vector<std::uint32_t> parameter_positions() const {
     std::vector<std::uint32_t> result(order_.size());
     for (std::uint32_t i = 0; i < order_.size(); ++i) result[order_[i]] = i;
     return result;
@@ -208,21 +210,22 @@ class ProductOrder {
 }  // namespace
 
 TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParameters& fixed) {
-  const std::vector<ExpressionId> all = reachable_from(model, written_roots(model));
-  const std::vector<ExpressionId> ids = sums_of(model, all);
+  const std::vector<ExpressionId> all = reachable_expressions(model, typed_roots(model));
+  const std::vector<ExpressionId> ids = find_sums(model, all);
   TypedForms result;
-  result.are_accelerations = accelerations(model);
-  ProductOrder order(declared_order(model, result.are_accelerations));
+  result.are_accelerations = acceleration_flags(model);
+  ParameterOrder order(declared_order(model, result.are_accelerations));
   const bool is_robot = ids.size() > most_sums;
   for (const ExpressionId id : all) {
     const Expression& e = model.expressions[id];
-    if (!is_robot && e.kind == ExpressionKind::multiply) order.follow(factors_of(model, e));
+    if (!is_robot && e.kind == ExpressionKind::multiply)
+      order.add_product(parameters_by_factor(model, e));
   }
-  result.places = order.places();
+  result.parameter_places = order.parameter_positions();
   if (is_robot) return result;
   ClosedForms forms{std::move(algebra), {}};
   for (const NamedExpression& function : model.prescribed) {
-    result.prescribed.push_back(long_term(forms, model, fixed, function.value));
+    result.prescribed_values.push_back(single_function_term(forms, model, fixed, function.value));
   }
   for (const ExpressionId id : ids) {
     std::optional<TypedSum> sum = typed_sum(forms, model, fixed, id);

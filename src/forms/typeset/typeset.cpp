@@ -14,28 +14,28 @@
 namespace elgen {
 namespace {
 
-bool is_written_out(const Function& function) {
-  const std::vector<std::size_t> sizes = expanded_sizes(function, longest_entry_of_a_book);
+bool is_short_when_expanded(const Function& function) {
+  const std::vector<std::size_t> sizes = expanded_sizes(function, longest_textbook_entry);
   return std::ranges::all_of(entries_of(function), [&sizes](std::uint32_t entry) {
-    return sizes[entry] <= longest_entry_of_a_book;
+    return sizes[entry] <= longest_textbook_entry;
   });
 }
 
 /// `like` with the fields that `write` adds; without fields if an entry is too long to be read.
 template <class Write>
-Function written(const Function& like, const Write& write) {
+Function write_function(const Function& like, const Write& write) {
   Function result = without_body(like);
   result.form = Form::closed;
   try {
     write(result);
-    if (!is_written_out(result)) throw TooLongForABook();
+    if (!is_short_when_expanded(result)) throw TextbookLengthError();
   } catch (const std::length_error&) {
     result.fields.clear();
     result.instructions.clear();
     result.names.clear();
     return result;
   }
-  return pruned(result);
+  return eliminate_dead_code(result);
 }
 
 /// The most terms of a typeset form, counted as exponentials: about twice as many terms as anyone
@@ -43,12 +43,12 @@ Function written(const Function& like, const Write& write) {
 /// form that choose found.
 constexpr std::size_t longest_form = 120;
 
-bool is_short(const std::optional<Fraction>& form) {
+bool is_short_form(const std::optional<Fraction>& form) {
   return form && form->numerator.size() <= longest_form;
 }
 
-const Fraction& readable_form(const std::optional<Fraction>& form) {
-  if (!is_short(form)) throw TooLongForABook();
+const Fraction& readable_form_or_throw(const std::optional<Fraction>& form) {
+  if (!is_short_form(form)) throw TextbookLengthError();
   return *form;
 }
 
@@ -62,23 +62,23 @@ bool is_sum_of_forces(OutputKind kind) {
 /// The closed form of field number `place` if this field is called `name`, otherwise of the first
 /// field called `name`. The numbers differ if fields that readers do not see are missing. Some
 /// fields have no name.
-const ClosedField& closed_field(const std::vector<ClosedField>& fields, std::size_t place,
-                                const std::string& name) {
+const ClosedField& find_closed_field(const std::vector<ClosedField>& fields, std::size_t place,
+                                     const std::string& name) {
   if (place < fields.size() && fields[place].name == name) return fields[place];
   const auto found = std::ranges::find(fields, name, &ClosedField::name);
-  if (found == fields.end()) throw TooLongForABook();
+  if (found == fields.end()) throw TextbookLengthError();
   return *found;
 }
 
 std::vector<Fraction> summands(const ClosedField& field) {
   std::vector<Fraction> result;
   for (const std::optional<Fraction>& entry : field.entries) {
-    result.push_back(readable_form(entry));
+    result.push_back(readable_form_or_throw(entry));
   }
   return result;
 }
 
-void add_scalar(Function& function, const std::string& name, std::uint32_t entry) {
+void add_scalar_field(Function& function, const std::string& name, std::uint32_t entry) {
   function.fields.push_back({name, 1, 1, {entry}});
 }
 
@@ -95,73 +95,75 @@ class Typesetter {
         typed_(typed_forms(algebra_, model_, checked.scene.specialisation.fixed)) {}
 
   /// Writes an output. An entry that is too long keeps its readable form.
-  Function output(std::size_t index) {
+  Function write_output(std::size_t index) {
     const Function& function = program_.functions[index];
     const bool is_read =
         index < program_.readable.size() && !program_.readable[index].fields.empty();
     const std::vector<ClosedField>& fields = forms_.functions[index].fields;
-    return written(function, [&](Function& result) {
-      BookWriter write(model_, algebra_, typed_, program_, result);
+    return write_function(function, [&](Function& result) {
+      TextbookWriter write(model_, algebra_, typed_, program_, result);
       for (std::size_t f = 0; f < function.fields.size(); ++f) {
         Field& field = result.fields.emplace_back(function.fields[f]);
-        const ClosedField& closed = closed_field(fields, f, field.name);
+        const ClosedField& closed = find_closed_field(fields, f, field.name);
         for (std::uint32_t i = 0; i < field.entries.size(); ++i) {
           const std::optional<std::uint32_t> entry =
-              entry_of(write, closed.entries[i], function.kind, i);
-          if (!entry && !is_read) throw TooLongForABook();
-          field.entries[i] = entry ? *entry : copied(write, index, f, i);
+              write_entry(write, closed.entries[i], function.kind, i);
+          if (!entry && !is_read) throw TextbookLengthError();
+          field.entries[i] = entry ? *entry : copy_entry(write, index, f, i);
         }
       }
       write.name_shared_divisors();
     });
   }
 
-  Function energies(std::size_t index) {
-    return written(program_.functions[index], [&](Function& result) {
-      BookWriter write(model_, algebra_, typed_, program_, result);
+  Function write_energies(std::size_t index) {
+    return write_function(program_.functions[index], [&](Function& result) {
+      TextbookWriter write(model_, algebra_, typed_, program_, result);
       const std::vector<ClosedField>& fields = forms_.functions[index].fields;
-      BookSum whole;
+      TextbookSum whole;
       for (const ClosedField& field : fields) {
-        BookSum sum = write.arranger.factor_out_each(summands(field));
-        add_scalar(result, field.name, write(sum));
-        for (BookProduct& term : sum.terms) {
+        TextbookSum sum = write.arranger.factor_out_each(summands(field));
+        add_scalar_field(result, field.name, write(sum));
+        for (TextbookProduct& term : sum.terms) {
           if (field.name == "V") term.number = -term.number;
           whole.terms.push_back(std::move(term));
         }
       }
-      if (fields.size() > 1) add_scalar(result, "L", write(whole));
+      if (fields.size() > 1) add_scalar_field(result, "L", write(whole));
     });
   }
 
-  /// Writes the fields (BookField) of Lagrange's equation for one velocity.
-  Function equation(std::size_t index, std::uint32_t velocity) {
-    return written(program_.functions[index], [&](Function& result) {
-      BookWriter write(model_, algebra_, typed_, program_, result);
-      Equations equations(algebra_, write.arranger);
+  /// Writes the fields (LagrangeStepField) of Lagrange's equation for one velocity.
+  Function write_equation(std::size_t index, std::uint32_t velocity) {
+    return write_function(program_.functions[index], [&](Function& result) {
+      TextbookWriter write(model_, algebra_, typed_, program_, result);
+      EquationArranger equations(algebra_, write.arranger);
       for (const ClosedField& field : forms_.functions[index].fields) {
-        add_scalar(result, field.name, write(equations.arrange_row(summands(field), velocity)));
+        add_scalar_field(result, field.name,
+                         write(equations.arrange_row(summands(field), velocity)));
       }
       const auto rows = equation_rows(equations, index - velocity);
-      if (!rows[velocity]) throw TooLongForABook();
-      add_scalar(result, "left", write(equations.left(*rows[velocity], velocity)));
+      if (!rows[velocity]) throw TextbookLengthError();
+      add_scalar_field(result, "left",
+                       write(equations.arrange_left_side(*rows[velocity], velocity)));
     });
   }
 
-  Function accelerations(std::size_t first) {
+  Function write_accelerations(std::size_t first) {
     Function like;
     like.kind = OutputKind::user_value;
     like.name = "accelerations";
-    return written(like, [&](Function& result) {
-      BookWriter write(model_, algebra_, typed_, program_, result);
-      Equations equations(algebra_, write.arranger);
+    return write_function(like, [&](Function& result) {
+      TextbookWriter write(model_, algebra_, typed_, program_, result);
+      EquationArranger equations(algebra_, write.arranger);
       const auto rows = equation_rows(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
         // No solution after an expansion, because a quotient would need the dropped terms. No
         // solution with constraints, because the multipliers are unknown.
         if (model_.approximation || !model_.constraints.empty()) continue;
-        const std::optional<BookSum> solution = equations.solve_acceleration(rows, i);
-        if (!solution || written_factors(*solution) > longest_solution) continue;
+        const std::optional<TextbookSum> solution = equations.solve_acceleration(rows, i);
+        if (!solution || count_written_factors(*solution) > longest_solution) continue;
         field.rows = 1;
         field.entries = {write(*solution)};
       }
@@ -169,41 +171,41 @@ class Typesetter {
     });
   }
 
-  Function invariants(std::size_t index) {
-    return written(program_.functions[index], [&](Function& result) {
-      BookWriter write(model_, algebra_, typed_, program_, result);
-      Equations equations(algebra_, write.arranger);
+  Function write_invariants(std::size_t index) {
+    return write_function(program_.functions[index], [&](Function& result) {
+      TextbookWriter write(model_, algebra_, typed_, program_, result);
+      EquationArranger equations(algebra_, write.arranger);
       for (const ClosedField& field : forms_.functions[index].fields) {
-        add_scalar(result, field.name, write(equations.each(summands(field))));
+        add_scalar_field(result, field.name, write(equations.arrange_summands(summands(field))));
       }
     });
   }
 
  private:
-  [[nodiscard]] std::uint32_t copied(BookWriter& write, std::size_t index, std::size_t field,
-                                     std::size_t entry) const {
+  [[nodiscard]] std::uint32_t copy_entry(TextbookWriter& write, std::size_t index,
+                                         std::size_t field, std::size_t entry) const {
     const Function& known = program_.readable[index];
-    return write.copied(known, known.fields[field].entries[entry]);
+    return write.copy_instruction(known, known.fields[field].entries[entry]);
   }
 
   /// Writes an entry and returns its instruction; none if the entry is too long.
-  static std::optional<std::uint32_t> entry_of(BookWriter& write,
-                                               const std::optional<Fraction>& form, OutputKind kind,
-                                               std::uint32_t row) {
-    if (!is_short(form)) return std::nullopt;
+  static std::optional<std::uint32_t> write_entry(TextbookWriter& write,
+                                                  const std::optional<Fraction>& form,
+                                                  OutputKind kind, std::uint32_t row) {
+    if (!is_short_form(form)) return std::nullopt;
     try {
       return write(is_sum_of_forces(kind) ? write.arranger.collect_by_rates(*form, row)
                                           : write.arranger.split_by_motion(*form));
-    } catch (const TooLongForABook&) {
+    } catch (const TextbookLengthError&) {
       return std::nullopt;
     }
   }
 
-  [[nodiscard]] std::vector<std::optional<EquationRow>> equation_rows(Equations& equations,
+  [[nodiscard]] std::vector<std::optional<EquationRow>> equation_rows(EquationArranger& equations,
                                                                       std::size_t first) const {
     std::vector<std::optional<EquationRow>> rows;
     for (std::size_t i = 0; i < model_.velocities.size(); ++i) {
-      rows.push_back(equations.row(forms_.functions[first + i]));
+      rows.push_back(equations.read_row(forms_.functions[first + i]));
     }
     return rows;
   }
@@ -219,13 +221,13 @@ class Typesetter {
 
 bool is_readable(const ClosedFunction& function) {
   return std::ranges::all_of(function.fields, [](const ClosedField& field) {
-    return std::ranges::all_of(field.entries, is_short);
+    return std::ranges::all_of(field.entries, is_short_form);
   });
 }
 
 bool has_short_entry(const ClosedFunction& function) {
   return std::ranges::any_of(function.fields, [](const ClosedField& field) {
-    return std::ranges::any_of(field.entries, is_short);
+    return std::ranges::any_of(field.entries, is_short_form);
   });
 }
 
@@ -235,7 +237,7 @@ Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program p
   Typesetter typesetting(checked, forms, program);
   program.readable.resize(program.functions.size());
   for (std::size_t i = 0; i < forms.functions.size(); ++i) {
-    Function read = typesetting.output(i);
+    Function read = typesetting.write_output(i);
     if (!read.fields.empty()) program.readable[i] = std::move(read);
   }
   return program;
@@ -245,9 +247,9 @@ namespace {
 
 /// Replaces the summands of each field by their sum, in terms of the definitions of the derivation.
 /// Pages print this sum if there is no closed form.
-Function add_summands(Program& program, Function function, bool is_velocity) {
-  Instructions instructions(function);
-  const auto zero = position_of(rational_constant(0), program.constants);
+Function replace_summands_by_sum(Program& program, Function function, bool is_velocity) {
+  InstructionBuilder instructions(function);
+  const auto zero = intern_constant(rational_constant(0), program.constants);
   for (Field& field : function.fields) {
     std::optional<std::uint32_t> total;
     for (const std::uint32_t term : field.entries) {
@@ -258,10 +260,12 @@ Function add_summands(Program& program, Function function, bool is_velocity) {
   }
   const auto entry = [&function](std::size_t field) { return function.fields[field].entries[0]; };
   if (is_velocity) {
-    const auto of = [&entry](BookField line) { return entry(static_cast<std::size_t>(line)); };
-    const std::uint32_t inertia =
-        instructions.add(Opcode::subtract, of(BookField::momentum_rate), of(BookField::partial));
-    const std::uint32_t damping = of(BookField::dissipation);
+    const auto of = [&entry](LagrangeStepField line) {
+      return entry(static_cast<std::size_t>(line));
+    };
+    const std::uint32_t inertia = instructions.add(
+        Opcode::subtract, of(LagrangeStepField::momentum_rate), of(LagrangeStepField::partial));
+    const std::uint32_t damping = of(LagrangeStepField::dissipation);
     const bool is_damped = !loads_zero(program, function.instructions[damping]);
     const std::uint32_t left =
         is_damped ? instructions.add(Opcode::add, inertia, damping) : inertia;
@@ -270,26 +274,28 @@ Function add_summands(Program& program, Function function, bool is_velocity) {
     const std::uint32_t whole = instructions.add(Opcode::subtract, entry(0), entry(1));
     function.fields.push_back({"L", 1, 1, {whole}});
   }
-  return pruned(function);
+  return eliminate_dead_code(function);
 }
 
 }  // namespace
 
-Program typeset_steps(const CheckedModel& checked, const ClosedForms& forms, Program derived) {
+Program typeset_derivation(const CheckedModel& checked, const ClosedForms& forms, Program derived) {
   Typesetter typesetting(checked, forms, derived);
   const std::size_t count = derived.functions.size();
   const std::size_t velocities = checked.model.velocities.size();
   const std::size_t first = count - 1 - velocities;
-  for (std::size_t i = 0; i + 1 < first; ++i) derived.readable.push_back(typesetting.output(i));
-  derived.readable.push_back(typesetting.energies(first - 1));
+  for (std::size_t i = 0; i + 1 < first; ++i)
+    derived.readable.push_back(typesetting.write_output(i));
+  derived.readable.push_back(typesetting.write_energies(first - 1));
   for (std::size_t i = 0; i < velocities; ++i) {
-    derived.readable.push_back(typesetting.equation(first + i, static_cast<std::uint32_t>(i)));
+    derived.readable.push_back(
+        typesetting.write_equation(first + i, static_cast<std::uint32_t>(i)));
   }
-  derived.readable.push_back(typesetting.invariants(count - 1));
-  derived.readable.push_back(typesetting.accelerations(first));
+  derived.readable.push_back(typesetting.write_invariants(count - 1));
+  derived.readable.push_back(typesetting.write_accelerations(first));
   for (std::size_t i = first - 1; i < count; ++i) {
-    derived.functions[i] =
-        add_summands(derived, std::move(derived.functions[i]), i >= first && i + 1 < count);
+    derived.functions[i] = replace_summands_by_sum(derived, std::move(derived.functions[i]),
+                                                   i >= first && i + 1 < count);
   }
   Function unsolved = derived.readable.back();
   if (unsolved.fields.empty()) unsolved.fields.resize(velocities, Field{"", 0, 1, {}});
@@ -302,15 +308,15 @@ Function typeset_value(const Model& model, const Algebra& algebra, const Fractio
   Algebra own = algebra;
   TypedForms typed = typed_forms(own, model, {});
   for (TypedSum& sum : typed.sums) sum.definition.reset();
-  typed.prescribed.clear();
+  typed.prescribed_values.clear();
   const Function shape{.fields = {Field{"", 1, 1, {0}}}};
-  Function book = written(shape, [&](Function& result) {
-    BookWriter write(model, own, typed, program, result);
-    add_scalar(result, "", write(write.arranger.split_by_motion(form)));
+  Function book = write_function(shape, [&](Function& result) {
+    TextbookWriter write(model, own, typed, program, result);
+    add_scalar_field(result, "", write(write.arranger.split_by_motion(form)));
   });
   if (!book.fields.empty()) return book;
-  const auto read =
-      shortest(rewritings_of(algebra, form).collected, nullptr, mixed_points(program.leaves));
+  const auto read = choose_readable_form(rewritings_of(algebra, form).collected, nullptr,
+                                         mixed_magnitude_points(program.leaves));
   return read ? lower_separately({read}, shape, program) : book;
 }
 

@@ -11,10 +11,10 @@ namespace elgen {
 
 /// Writes into a function of a program, and may add constants to the program. Named values of the
 /// model keep their names in the function.
-class BookWriter {
+class TextbookWriter {
  public:
-  BookWriter(const Model& model, const Algebra& algebra, const TypedForms& typed, Program& program,
-             Function& function)
+  TextbookWriter(const Model& model, const Algebra& algebra, const TypedForms& typed,
+                 Program& program, Function& function)
       : arranger(algebra, typed),
         model_(model),
         algebra_(algebra),
@@ -25,28 +25,28 @@ class BookWriter {
 
   Arranger arranger;  ///< also arranges angles and arguments
 
-  [[nodiscard]] std::uint32_t operator()(const BookSum& sum);
+  [[nodiscard]] std::uint32_t operator()(const TextbookSum& sum);
   /// Copies an instruction from another function of the program, with its operands.
-  [[nodiscard]] std::uint32_t copied(const Function& function, std::uint32_t instruction);
+  [[nodiscard]] std::uint32_t copy_instruction(const Function& function, std::uint32_t instruction);
   /// Names divisors that at least two written products share: Delta, or Delta_1, …
   void name_shared_divisors();
 
  private:
-  [[nodiscard]] std::uint32_t write_product(const BookProduct& product);
-  [[nodiscard]] std::uint32_t factor(const BookFactor& factor);
-  [[nodiscard]] std::uint32_t trigonometric(FunctionId function, const Monomial& angle);
-  [[nodiscard]] std::uint32_t angle(const Monomial& parts);
-  [[nodiscard]] BookSum angle_term(const Fraction& argument);
-  [[nodiscard]] std::uint32_t atom(AtomId id);
-  [[nodiscard]] std::uint32_t new_atom(AtomId id);
-  [[nodiscard]] std::uint32_t number(const cln::cl_RA& value);
+  [[nodiscard]] std::uint32_t write_product(const TextbookProduct& product);
+  [[nodiscard]] std::uint32_t write_factor(const TextbookFactor& factor);
+  [[nodiscard]] std::uint32_t write_circular_call(FunctionId function, const Monomial& angle);
+  [[nodiscard]] std::uint32_t write_angle(const Monomial& parts);
+  [[nodiscard]] TextbookSum arrange_angle(const Fraction& argument);
+  [[nodiscard]] std::uint32_t write_atom(AtomId id);
+  [[nodiscard]] std::uint32_t write_new_atom(AtomId id);
+  [[nodiscard]] std::uint32_t write_number(const cln::cl_RA& value);
 
   const Model& model_;
   const Algebra& algebra_;
   const TypedForms& typed_;
   Program& program_;
   Function& function_;
-  Instructions instructions_;
+  InstructionBuilder instructions_;
   std::map<AtomId, std::uint32_t> atoms_ = {};                   ///< memoised, as arguments nest
   std::map<Monomial, std::uint32_t, MonomialLess> angles_ = {};  ///< memoised
   std::map<std::uint32_t, std::size_t> divisors_ = {};           ///< divisor -> number of uses

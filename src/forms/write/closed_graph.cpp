@@ -1,4 +1,4 @@
-// closed_graph: see closed_graph.hpp. If sqrt(r) divides the numerator and r divides the
+// build_closed_graph: see closed_graph.hpp. If sqrt(r) divides the numerator and r divides the
 // denominator (sqrt(r)/r^2), both are written as one power.
 #include "forms/write/closed_graph.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 using cln::cl_RA;
 
 /// Thrown if a sum exceeds the limit of terms.
-struct TooLong {};
+struct TooManyTerms {};
 
 /// The divisors that at least two terms contain, each with its lowest exponent; exponentials are
 /// excluded.
@@ -24,7 +24,7 @@ Monomial shared_divisors(const Algebra& algebra, const Polynomial& sum) {
   };
   std::map<AtomId, Divisor> divisors;
   for (const auto& [monomial, coefficient] : sum) {
-    for (const AtomPower& power : split(algebra, monomial).powers) {
+    for (const AtomPower& power : split_monomial(algebra, monomial).powers) {
       if (power.exponent > 0) continue;
       Divisor& divisor = divisors[power.atom];
       divisor.exponent = std::min(divisor.exponent, power.exponent);
@@ -38,7 +38,7 @@ Monomial shared_divisors(const Algebra& algebra, const Polynomial& sum) {
   return shared;
 }
 
-std::optional<AtomId> root_of(const Algebra& algebra, const Polynomial& radicand) {
+std::optional<AtomId> find_root_atom(const Algebra& algebra, const Polynomial& radicand) {
   for (AtomId id = 0; id < algebra.atoms.size(); ++id) {
     const Atom& atom = algebra.atoms[id];
     if (atom.kind != AtomKind::root || !atom.arguments[0].denominator.empty()) continue;
@@ -48,7 +48,7 @@ std::optional<AtomId> root_of(const Algebra& algebra, const Polynomial& radicand
 }
 
 std::vector<RealTerm> terms_or_throw(std::optional<std::vector<RealTerm>> terms) {
-  if (!terms) throw TooLong();
+  if (!terms) throw TooManyTerms();
   return std::move(*terms);
 }
 
@@ -60,10 +60,10 @@ std::vector<RealTerm> terms_of(const Algebra& algebra, const Polynomial& polynom
     return terms_or_throw(real_terms(algebra, polynomial, *layout.trigonometry, most));
   }
   std::vector<RealTerm> all;
-  for (const auto& [rates, rest] : group_terms_by(algebra, polynomial, is_rate)) {
-    const Polynomial part = scaled(rest, {1, 0}, rates);
+  for (const auto& [rates, rest] : group_terms_by_atoms(algebra, polynomial, is_rate)) {
+    const Polynomial part = multiply_by_term(rest, {1, 0}, rates);
     const auto terms = terms_or_throw(shortest_terms(algebra, part, most));
-    if (all.size() + terms.size() > most) throw TooLong();
+    if (all.size() + terms.size() > most) throw TooManyTerms();
     all.insert(all.end(), terms.begin(), terms.end());
   }
   return all;
@@ -77,48 +77,49 @@ struct TermFactors {
   std::vector<Power> rest = {};
 };
 
-class ClosedGraph {
+class ClosedGraphBuilder {
  public:
-  ClosedGraph(Graph& graph, const Algebra& algebra, Layout layout, std::size_t most)
+  ClosedGraphBuilder(Graph& graph, const Algebra& algebra, Layout layout, std::size_t most)
       : graph_(graph), algebra_(algebra), layout_(layout), most_(most) {}
 
-  Ref fraction(const Fraction& form) {
-    std::vector<Ref> parts;
+  SignedNode build_fraction(const Fraction& form) {
+    std::vector<SignedNode> parts;
     for (const Fraction& part : split_by_roots(algebra_, form))
-      parts.push_back(part_of_fraction(part));
+      parts.push_back(build_fraction_part(part));
     return graph_.sum(parts);
   }
 
  private:
-  Ref part_of_fraction(Fraction form) {
+  SignedNode build_fraction_part(Fraction form) {
     std::vector<Power> factors;
-    take_root(form, factors);
+    merge_root_powers(form, factors);
     // x/l + y/l^2 = (x l + y)/l^2
     const Monomial divisors = shared_divisors(algebra_, form.numerator);
-    for (const AtomPower& power : divisors) factors.push_back({atom(power.atom), power.exponent});
-    form.numerator = scaled(form.numerator, {1, 0}, power(divisors, -1));
-    factors.push_back({sum(form.numerator), 1});
+    for (const AtomPower& power : divisors)
+      factors.push_back({build_atom(power.atom), power.exponent});
+    form.numerator = multiply_by_term(form.numerator, {1, 0}, power(divisors, -1));
+    factors.push_back({build_sum(form.numerator), 1});
     for (const auto& [factor, exponent] : form.denominator) {
-      factors.push_back({sum(algebra_.factors[factor].shown), -exponent});
+      factors.push_back({build_sum(algebra_.factors[factor].shown), -exponent});
     }
     return graph_.product(factors);
   }
 
   /// n sqrt(r) / r^k -> n sqrt(r)^-1 / r^(k-1)
-  void take_root(Fraction& form, std::vector<Power>& factors) {
+  void merge_root_powers(Fraction& form, std::vector<Power>& factors) {
     for (auto& [factor, exponent] : form.denominator) {
-      const std::optional<AtomId> root = root_of(algebra_, algebra_.factors[factor].shown);
+      const std::optional<AtomId> root = find_root_atom(algebra_, algebra_.factors[factor].shown);
       if (!root || exponent == 0) continue;
       if (exponent_of(common_powers(form.numerator), *root) < 1) continue;
-      form.numerator = scaled(form.numerator, {1, 0}, Monomial{{*root, -1}});
+      form.numerator = multiply_by_term(form.numerator, {1, 0}, Monomial{{*root, -1}});
       --exponent;
-      const Ref radicand = arguments_of(*root)[0];
+      const SignedNode radicand = arguments_of(*root)[0];
       factors.push_back({graph_.square_root(radicand), -1});
     }
     std::erase_if(form.denominator, [](const auto& factor) { return factor.second == 0; });
   }
 
-  Ref sum(const Polynomial& polynomial) {
+  SignedNode build_sum(const Polynomial& polynomial) {
     std::vector<TermFactors> factors;
     for (const RealTerm& term : terms_of(algebra_, polynomial, layout_, most_)) {
       factors.push_back(factors_of(term));
@@ -127,8 +128,8 @@ class ClosedGraph {
     return sum_of_groups(factors, &TermFactors::rates);
   }
 
-  Ref sum_of_products(const std::vector<TermFactors>& terms) {
-    std::vector<Ref> refs;
+  SignedNode sum_of_products(const std::vector<TermFactors>& terms) {
+    std::vector<SignedNode> refs;
     for (const TermFactors& term : terms) {
       std::vector<Power> all = term.rest;
       all.insert(all.end(), term.coordinates.begin(), term.coordinates.end());
@@ -140,11 +141,12 @@ class ClosedGraph {
 
   /// Collects terms whose factors `key` are equal. Each group gives one product: `key` times the
   /// sum of the remaining factors.
-  Ref sum_of_groups(const std::vector<TermFactors>& terms, std::vector<Power> TermFactors::*key) {
-    using Group = std::pair<Ref, std::vector<TermFactors>>;
+  SignedNode sum_of_groups(const std::vector<TermFactors>& terms,
+                           std::vector<Power> TermFactors::*key) {
+    using Group = std::pair<SignedNode, std::vector<TermFactors>>;
     std::vector<Group> groups;
     for (TermFactors term : terms) {
-      const Ref shared = graph_.product(term.*key);
+      const SignedNode shared = graph_.product(term.*key);
       (term.*key).clear();
       auto known = std::ranges::find(groups, shared, &Group::first);
       if (known == groups.end()) known = groups.insert(known, Group{shared, {}});
@@ -152,10 +154,10 @@ class ClosedGraph {
     }
     const bool is_split_again =
         key == &TermFactors::rates && layout_.grouping == Grouping::by_rates_and_coordinates;
-    std::vector<Ref> refs;
+    std::vector<SignedNode> refs;
     for (const auto& [shared, members] : groups) {
-      const Ref rest = is_split_again ? sum_of_groups(members, &TermFactors::coordinates)
-                                      : sum_of_products(members);
+      const SignedNode rest = is_split_again ? sum_of_groups(members, &TermFactors::coordinates)
+                                             : sum_of_products(members);
       refs.push_back(graph_.product({{shared, 1}, {rest, 1}}));
     }
     return graph_.sum(refs);
@@ -169,51 +171,52 @@ class ClosedGraph {
       auto& part = is_rate(atom)        ? factors.rates
                    : is_parameter(atom) ? factors.rest
                                         : factors.coordinates;
-      part.push_back({this->atom(power.atom), power.exponent});
+      part.push_back({this->build_atom(power.atom), power.exponent});
     }
     for (const CircularPower& power : term.circular) {
-      const Ref value = angle(power.angle);
-      const Ref cosine = graph_.call(FunctionId::cos, {value});
-      const Ref sine = graph_.call(FunctionId::sin, {value});
+      const SignedNode value = build_angle(power.angle);
+      const SignedNode cosine = graph_.call(FunctionId::cos, {value});
+      const SignedNode sine = graph_.call(FunctionId::sin, {value});
       if (power.cosine != 0) factors.coordinates.push_back({cosine, power.cosine});
       if (power.sine != 0) factors.coordinates.push_back({sine, power.sine});
     }
     return factors;
   }
 
-  Ref angle(const Monomial& parts) {
-    std::vector<Ref> terms;
+  SignedNode build_angle(const Monomial& parts) {
+    std::vector<SignedNode> terms;
     for (const AtomPower& part : parts) {
       const Atom& atom = algebra_.atoms[part.atom];
-      const Ref argument = arguments_of(part.atom)[0];
-      const Ref multiple = graph_.rational(cl_RA(part.exponent) / atom.divisor);
+      const SignedNode argument = arguments_of(part.atom)[0];
+      const SignedNode multiple = graph_.rational(cl_RA(part.exponent) / atom.divisor);
       terms.push_back(graph_.product({{multiple, 1}, {argument, 1}}));
     }
     return graph_.sum(terms);
   }
 
-  Ref atom(AtomId id) {
+  SignedNode build_atom(AtomId id) {
     const Atom& atom = algebra_.atoms[id];
     if (atom.kind == AtomKind::leaf) return graph_.leaf(atom.leaf, atom.index);
     if (atom.kind == AtomKind::pi) return graph_.pi();
-    if (atom.kind == AtomKind::sum) return as_typed(*algebra_.sums, atom.index);
-    const std::vector<Ref>& arguments = arguments_of(id);
+    if (atom.kind == AtomKind::unexpanded_sum)
+      return copy_typed_sum(*algebra_.unexpanded_sums, atom.index);
+    const std::vector<SignedNode>& arguments = arguments_of(id);
     if (atom.kind == AtomKind::root) return graph_.square_root(arguments[0]);
     return graph_.call(atom.function, arguments);
   }
 
-  Ref as_typed(const Program& sums, std::uint32_t index) {
+  SignedNode copy_typed_sum(const Program& sums, std::uint32_t index) {
     const Function& sum = sums.functions[index];
-    return copy_value(graph_, from_program(sums, sum, entries_of(sum)));
+    return copy_value(graph_, expressions_from_program(sums, sum, entries_of(sum)));
   }
 
   /// The arguments of an atom, memoised because arguments nest and an atom occurs in many terms.
-  const std::vector<Ref>& arguments_of(AtomId id) {
+  const std::vector<SignedNode>& arguments_of(AtomId id) {
     const auto known = arguments_.find(id);
     if (known != arguments_.end()) return known->second;
-    std::vector<Ref> arguments;
+    std::vector<SignedNode> arguments;
     for (const Fraction& argument : algebra_.atoms[id].arguments) {
-      arguments.push_back(fraction(argument));
+      arguments.push_back(build_fraction(argument));
     }
     return arguments_.emplace(id, std::move(arguments)).first->second;
   }
@@ -222,19 +225,19 @@ class ClosedGraph {
   const Algebra& algebra_;
   Layout layout_;
   std::size_t most_;
-  std::map<AtomId, std::vector<Ref>> arguments_ = {};
+  std::map<AtomId, std::vector<SignedNode>> arguments_ = {};
 };
 
 }  // namespace
 
 std::vector<Fraction> split_by_roots(const Algebra& algebra, const Fraction& form) {
-  const auto parts = group_terms_by(algebra, form.numerator,
-                                    [](const Atom& atom) { return atom.kind == AtomKind::root; });
+  const auto parts = group_terms_by_atoms(
+      algebra, form.numerator, [](const Atom& atom) { return atom.kind == AtomKind::root; });
   std::vector<Fraction> result;
   for (const auto& [roots, rest] : parts) {
     std::size_t work = 100'000;
-    Fraction part{scaled(rest, {1, 0}, roots), form.denominator};
-    if (parts.size() > 1) divide_out(part, algebra, work);
+    Fraction part{multiply_by_term(rest, {1, 0}, roots), form.denominator};
+    if (parts.size() > 1) cancel_common_factors(part, algebra, work);
     result.push_back(std::move(part));
   }
   return result;
@@ -250,11 +253,12 @@ bool is_parameter(const Atom& atom) {
          (atom.kind == AtomKind::leaf && atom.leaf == Opcode::parameter);
 }
 
-std::optional<Ref> closed_graph(Graph& graph, const Algebra& algebra, const Fraction& form,
-                                Layout layout, std::size_t most) {
+std::optional<SignedNode> build_closed_graph(Graph& graph, const Algebra& algebra,
+                                             const Fraction& form, Layout layout,
+                                             std::size_t most) {
   try {
-    return ClosedGraph(graph, algebra, layout, most).fraction(form);
-  } catch (const TooLong&) {
+    return ClosedGraphBuilder(graph, algebra, layout, most).build_fraction(form);
+  } catch (const TooManyTerms&) {
     return std::nullopt;
   }
 }

@@ -1,4 +1,4 @@
-// closed_graph: converts a closed form to a Graph, as sums of products over denominators.
+// build_closed_graph: converts a closed form to a Graph, as sums of products over denominators.
 #pragma once
 
 #include <optional>
@@ -34,8 +34,8 @@ struct Layout {
 [[nodiscard]] std::vector<Fraction> split_by_roots(const Algebra& algebra, const Fraction& form);
 
 /// `form` as a value of `graph`; none if a sum in `form` has more than `most` terms.
-[[nodiscard]] std::optional<Ref> closed_graph(Graph& graph, const Algebra& algebra,
-                                              const Fraction& form, Layout layout,
-                                              std::size_t most);
+[[nodiscard]] std::optional<SignedNode> build_closed_graph(Graph& graph, const Algebra& algebra,
+                                                           const Fraction& form, Layout layout,
+                                                           std::size_t most);
 
 }  // namespace elgen

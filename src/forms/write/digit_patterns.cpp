@@ -1,4 +1,4 @@
-// digit_patterns: parses the rows of digit_rows.def into terms over a common graph.
+// rule_patterns: parses the rows of digit_rows.def into terms over a common graph.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -9,21 +9,22 @@
 namespace elgen {
 namespace {
 
-constexpr std::array table_of_rows{
-#define ELGEN_DIGIT_ROW(from, to, condition) DigitRow{from, to, RowCondition::condition},
+constexpr std::array rule_table{
+#define ELGEN_DIGIT_ROW(from, to, condition) RewriteRule{from, to, RuleCondition::condition},
 #include "forms/write/digit_rows.def"
 #undef ELGEN_DIGIT_ROW
 };
 
-DigitPattern read_row(Graph& graph, const DigitRow& row) {
+RulePattern parse_rule(Graph& graph, const RewriteRule& row) {
   const std::vector<std::string> letters{"a", "b", "c"};
-  const Ref from = read_value(graph, std::string(row.from), letters).value();
-  const Ref to = read_value(graph, std::string(row.to), letters).value();
-  const GraphTerms reader(graph);
-  DigitPattern pattern{.to = to, .condition = row.condition};
+  const SignedNode from = read_value(graph, std::string(row.from), letters).value();
+  const SignedNode to = read_value(graph, std::string(row.to), letters).value();
+  const GraphTermBuilder reader(graph);
+  RulePattern pattern{.to = to, .condition = row.condition};
   const bool is_sum = graph.node(from.node).kind == NodeKind::sum;
-  for (const Ref term : is_sum ? reader.terms_of(from.node) : std::vector<Ref>{from}) {
-    pattern.terms.push_back(reader.scaled(with_sign(term, is_sum && from.negative)));
+  for (const SignedNode term :
+       is_sum ? reader.terms_of(from.node) : std::vector<SignedNode>{from}) {
+    pattern.terms.push_back(reader.split_term(with_sign(term, is_sum && from.is_negative)));
   }
   // The number of calls if all factors are calls; otherwise 0.
   const auto calls = [&graph](const ScaledTerm& term) {
@@ -33,31 +34,31 @@ DigitPattern read_row(Graph& graph, const DigitRow& row) {
     return static_cast<std::size_t>(count) == term.factors.size() ? count : 0;
   };
   std::iter_swap(pattern.terms.begin(), std::ranges::max_element(pattern.terms, {}, calls));
-  pattern.functions = functions_of(graph, pattern.terms.front());
+  pattern.functions = called_function_bits(graph, pattern.terms.front());
   return pattern;
 }
 
 }  // namespace
 
-std::span<const DigitRow> digit_rows() { return table_of_rows; }
+std::span<const RewriteRule> rewrite_rules() { return rule_table; }
 
-const DigitPatterns& digit_patterns() {
-  static const DigitPatterns all = [] {
-    DigitPatterns table;
-    for (const DigitRow& row : table_of_rows) table.rows.push_back(read_row(table.graph, row));
+const RulePatternTable& rule_patterns() {
+  static const RulePatternTable all = [] {
+    RulePatternTable table;
+    for (const RewriteRule& row : rule_table) table.rows.push_back(parse_rule(table.graph, row));
     return table;
   }();
   return all;
 }
 
-std::optional<std::size_t> letter_of(NodeId pattern) {
-  const Graph& graph = digit_patterns().graph;
+std::optional<std::size_t> pattern_variable(NodeId pattern) {
+  const Graph& graph = rule_patterns().graph;
   const Node& node = graph.node(pattern);
   const Node& inner = node.operands.empty() ? node : graph.node(node.operands[0].node);
   return inner.kind == NodeKind::leaf ? std::optional<std::size_t>(inner.index) : std::nullopt;
 }
 
-std::uint64_t functions_of(const Graph& graph, const ScaledTerm& term) {
+std::uint64_t called_function_bits(const Graph& graph, const ScaledTerm& term) {
   std::uint64_t functions = 0;
   for (const Operand& factor : term.factors) {
     const Node& node = graph.node(factor.node);

@@ -1,6 +1,6 @@
-// digit_rows: see digit_rows.hpp. The term of a row with the most calls is matched first. Its calls
-// determine letters, and its remaining factors are the common factor of the row. Each other term is
-// then known completely, or determines a further letter.
+// rewrite_rules: see digit_rows.hpp. The term of a row with the most calls is matched first. Its
+// calls determine letters, and its remaining factors are the common factor of the row. Each other
+// term is then known completely, or determines a further letter.
 #include "forms/write/digit_rows.hpp"
 
 #include <algorithm>
@@ -12,73 +12,76 @@ namespace {
 
 using cln::cl_RA;
 
-using Letters = std::array<std::optional<Ref>, 3>;
+using PatternSubstitution = std::array<std::optional<SignedNode>, 3>;
 
 /// The letters found so far, the common factor, and the positions of the matched terms.
 struct Match {
-  Letters letters = {};
+  PatternSubstitution substitution = {};
   ScaledTerm common_factor = {};
-  std::vector<std::size_t> places = {};
+  std::vector<std::size_t> term_indices = {};
 };
 
 /// Writes the replacement of a row whose letters are known.
-class RowWriter : protected GraphTerms {
+class ReplacementBuilder : protected GraphTermBuilder {
  public:
-  RowWriter(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
+  ReplacementBuilder(Graph& graph, RewriteOptions keeping)
+      : GraphTermBuilder(graph), options_(keeping) {}
 
   /// The replacement of the matched terms.
-  Ref replacement(const DigitPattern& row, const Match& match) {
-    return times(product(match.common_factor), substitute_letters(row.to, match.letters, true));
+  SignedNode build_replacement(const RulePattern& row, const Match& match) {
+    return multiply(product(match.common_factor),
+                    substitute_letters(row.to, match.substitution, true));
   }
 
   /// The value of a pattern term, times the common factor.
-  ScaledTerm known_term(const ScaledTerm& pattern, const Match& match) {
+  ScaledTerm instantiate_term(const ScaledTerm& pattern, const Match& match) {
     std::vector<Power> powers{{product(match.common_factor)},
                               {graph_.rational(pattern.coefficient)}};
     for (const Operand& factor : pattern.factors) {
-      append_powers(factor, match.letters, false, powers);
+      append_powers(factor, match.substitution, false, powers);
     }
-    return scaled(graph_.product(powers));
+    return split_term(graph_.product(powers));
   }
 
  protected:
-  RewriteOptions keeping_;
+  RewriteOptions options_;
 
  private:
   /// Substitutes the letters in a pattern. If `is_kept`, sums in the result are rewritten too,
   /// except in divisors.
-  Ref substitute_letters(Ref pattern, const Letters& letters, bool is_kept) {
-    const Node& node = digit_patterns().graph.node(pattern.node);
-    if (node.kind == NodeKind::leaf) return with_sign(*letters[node.index], pattern.negative);
+  SignedNode substitute_letters(SignedNode pattern, const PatternSubstitution& letters,
+                                bool is_kept) {
+    const Node& node = rule_patterns().graph.node(pattern.node);
+    if (node.kind == NodeKind::leaf) return with_sign(*letters[node.index], pattern.is_negative);
     if (node.kind == NodeKind::product || node.kind == NodeKind::rational) {
       std::vector<Power> powers;
       append_powers({pattern.node, 1}, letters, is_kept, powers);
-      return with_sign(graph_.product(powers), pattern.negative);
+      return with_sign(graph_.product(powers), pattern.is_negative);
     }
-    std::vector<Ref> operands;
+    std::vector<SignedNode> operands;
     for (const Operand& operand : node.operands) {
       operands.push_back(substitute_letters({operand.node, operand.weight < 0}, letters, is_kept));
     }
-    Ref value = graph_.pi();
+    SignedNode value = graph_.pi();
     if (node.kind == NodeKind::call) value = graph_.call(node.function, operands);
     if (node.kind == NodeKind::square_root) value = graph_.square_root(operands.front());
     if (node.kind == NodeKind::sum) {
       value = short_sum(operands);
-      if (is_kept) value = rewrite_sum(graph_, keeping_, value).value_or(value);
+      if (is_kept) value = rewrite_sum(graph_, options_, value).value_or(value);
     }
-    return with_sign(value, pattern.negative);
+    return with_sign(value, pattern.is_negative);
   }
 
-  void append_powers(const Operand& pattern, const Letters& letters, bool is_kept,
+  void append_powers(const Operand& pattern, const PatternSubstitution& letters, bool is_kept,
                      std::vector<Power>& powers) {
-    const Graph& read = digit_patterns().graph;
+    const Graph& read = rule_patterns().graph;
     const Node& node = read.node(pattern.node);
     if (node.kind == NodeKind::rational) {
       return powers.push_back({graph_.rational(read.rational_of(pattern.node)), pattern.weight});
     }
     if (node.kind != NodeKind::product) {
       const bool is_kept_too = is_kept && pattern.weight > 0;
-      const Ref base = substitute_letters({pattern.node, false}, letters, is_kept_too);
+      const SignedNode base = substitute_letters({pattern.node, false}, letters, is_kept_too);
       return powers.push_back({base, pattern.weight});
     }
     for (const Operand& factor : node.operands) {
@@ -88,28 +91,28 @@ class RowWriter : protected GraphTerms {
 };
 
 /// Finds the letters of rows in the terms of a graph.
-class RowMatcher : protected RowWriter {
+class RuleMatcher : protected ReplacementBuilder {
  public:
-  using RowWriter::replacement;
-  using RowWriter::RowWriter;
+  using ReplacementBuilder::build_replacement;
+  using ReplacementBuilder::ReplacementBuilder;
 
   /// All ways to write `value` as the pattern times a common factor. An odd function matches with
   /// either sign of its argument.
-  [[nodiscard]] std::vector<Match> matches(const ScaledTerm& pattern, const ScaledTerm& value,
-                                           const Letters& known) const {
+  [[nodiscard]] std::vector<Match> find_matches(const ScaledTerm& pattern, const ScaledTerm& value,
+                                                const PatternSubstitution& known) const {
     std::vector<Match> found;
     Match start{known, value};
     start.common_factor.coefficient = value.coefficient / pattern.coefficient;
-    extend(pattern, 0, start, found);
+    extend_match(pattern, 0, start, found);
     const auto odd = std::ranges::find_if(pattern.factors, [&](const Operand& factor) {
-      const Node& node = digit_patterns().graph.node(factor.node);
+      const Node& node = rule_patterns().graph.node(factor.node);
       return node.kind == NodeKind::call && function_row(node.function).parity == Parity::odd &&
-             !known[*letter_of(factor.node)];
+             !known[*pattern_variable(factor.node)];
     });
     if (odd == pattern.factors.end()) return found;
     std::vector<Match> turned = found;
     for (Match& match : turned) {
-      std::optional<Ref>& letter = match.letters[*letter_of(odd->node)];
+      std::optional<SignedNode>& letter = match.substitution[*pattern_variable(odd->node)];
       letter = -*letter;
       match.common_factor.coefficient = -match.common_factor.coefficient;
     }
@@ -119,9 +122,9 @@ class RowMatcher : protected RowWriter {
 
   /// Matches `value` with the pattern a^n or sqrt(a) and sets the letter a. False if `value` is not
   /// an n-th power (for a^n) or not a root (for sqrt(a)).
-  bool match_root(const Operand& pattern, const ScaledTerm& value, Letters& letters) {
-    std::optional<Ref>& letter = letters[*letter_of(pattern.node)];
-    if (digit_patterns().graph.node(pattern.node).kind == NodeKind::leaf) {
+  bool match_root(const Operand& pattern, const ScaledTerm& value, PatternSubstitution& letters) {
+    std::optional<SignedNode>& letter = letters[*pattern_variable(pattern.node)];
+    if (rule_patterns().graph.node(pattern.node).kind == NodeKind::leaf) {
       letter = exact_root(value, pattern.weight);
       return letter.has_value();
     }
@@ -133,19 +136,18 @@ class RowMatcher : protected RowWriter {
     return true;
   }
 
-  bool holds(RowCondition condition, const Letters& letters) {
+  bool is_satisfied(RuleCondition condition, const PatternSubstitution& letters) {
     switch (condition) {
-      case RowCondition::always:
+      case RuleCondition::always:
         return true;
-      case RowCondition::shorter:
+      case RuleCondition::shorter:
         return term_count(*letters[1]) <= term_count(*letters[0]);
-      case RowCondition::factored:
-        return keeping_.squares == Squares::factored;
-      case RowCondition::anchored:
+      case RuleCondition::factored:
+        return options_.squares == SquareHandling::factored;
+      case RuleCondition::anchored:
         return !has_branches(*letters[0]) && !has_branches(*letters[1]) &&
-               (has_parameter_term_expanded(*letters[0]) ||
-                has_parameter_term_expanded(*letters[1]));
-      case RowCondition::computed:
+               (expands_to_parameter_term(*letters[0]) || expands_to_parameter_term(*letters[1]));
+      case RuleCondition::computed:
         return graph_.node(letters[0]->node).kind != NodeKind::leaf;
     }
     return false;
@@ -153,35 +155,35 @@ class RowMatcher : protected RowWriter {
 
  private:
   /// has_parameter_term() after expansion, so that (2 + x)^2 counts.
-  bool has_parameter_term_expanded(Ref value) {
+  bool expands_to_parameter_term(SignedNode value) {
     const auto terms = expanded_terms({value});
     return has_parameter_term(terms ? graph_.sum(*terms) : value);
   }
 
-  void extend(const ScaledTerm& pattern, std::size_t next, const Match& match,
-              std::vector<Match>& found) const {
+  void extend_match(const ScaledTerm& pattern, std::size_t next, const Match& match,
+                    std::vector<Match>& found) const {
     if (next == pattern.factors.size()) return found.push_back(match);
     const Operand& wanted = pattern.factors[next];
     for (std::size_t i = 0; i < match.common_factor.factors.size(); ++i) {
       const Operand& factor = match.common_factor.factors[i];
-      Letters letters = match.letters;
+      PatternSubstitution letters = match.substitution;
       if (factor.weight < wanted.weight || !match_call(wanted.node, factor.node, letters)) continue;
       Match further{letters, match.common_factor};
       further.common_factor.factors[i].weight -= wanted.weight;
       std::erase_if(further.common_factor.factors,
                     [](const Operand& left) { return left.weight == 0; });
-      extend(pattern, next + 1, further, found);
+      extend_match(pattern, next + 1, further, found);
     }
   }
 
   /// True if `value` calls the function of the pattern, with the argument that the letter already
   /// has. A letter without a value is set to the argument.
-  bool match_call(NodeId pattern, NodeId value, Letters& letters) const {
-    const Node& wanted = digit_patterns().graph.node(pattern);
+  bool match_call(NodeId pattern, NodeId value, PatternSubstitution& letters) const {
+    const Node& wanted = rule_patterns().graph.node(pattern);
     const Node& node = graph_.node(value);
     if (wanted.kind != NodeKind::call || !is_call(node, wanted.function)) return false;
-    std::optional<Ref>& letter = letters[*letter_of(pattern)];
-    const Ref argument = argument_of(node);
+    std::optional<SignedNode>& letter = letters[*pattern_variable(pattern)];
+    const SignedNode argument = argument_of(node);
     if (!letter) letter = argument;
     const bool is_even = function_row(wanted.function).parity == Parity::even;
     return is_even ? letter->node == argument.node : *letter == argument;
@@ -189,45 +191,46 @@ class RowMatcher : protected RowWriter {
 };
 
 /// A term that matches the call of a unit row (one call and a constant).
-struct UnitTerm {
-  const DigitPattern* row = nullptr;
+struct MatchedCall {
+  const RulePattern* row = nullptr;
   Match match = {};
   ScaledTerm constant = {};  ///< the constant term that completes the row
 };
 
 /// Replaces terms of one sum by rows.
-class RowsOfSum : RowMatcher {
+class SumRuleApplier : RuleMatcher {
  public:
-  RowsOfSum(Graph& graph, RewriteOptions keeping, std::vector<Ref>& terms)
-      : RowMatcher(graph, keeping), terms_(terms) {
-    for (const Ref term : terms) {
-      parts_.push_back(scaled(term));
-      functions_.push_back(functions_of(graph_, parts_.back()));
+  SumRuleApplier(Graph& graph, RewriteOptions keeping, std::vector<SignedNode>& terms)
+      : RuleMatcher(graph, keeping), terms_(terms) {
+    for (const SignedNode term : terms) {
+      split_terms_.push_back(split_term(term));
+      functions_.push_back(called_function_bits(graph_, split_terms_.back()));
     }
   }
 
-  bool replace_one() {
+  bool apply_one_rule() {
     const auto is_free = [](std::uint64_t functions) { return functions == 0; };
     if (std::ranges::all_of(functions_, is_free)) return false;
-    return replace_by_rows(3) || replace_units() || replace_by_rows(2);
+    return apply_rules_of_size(3) || apply_constant_rules() || apply_rules_of_size(2);
   }
 
  private:
   /// Tries all rows of `size` terms with calls, except unit rows.
-  bool replace_by_rows(std::size_t size) {
-    return std::ranges::any_of(digit_patterns().rows, [&](const DigitPattern& row) {
-      const bool is_tried = row.terms.size() == size && row.functions != 0 && !row.is_unit();
-      return is_tried && replace_by(row);
+  bool apply_rules_of_size(std::size_t size) {
+    return std::ranges::any_of(rule_patterns().rows, [&](const RulePattern& row) {
+      const bool is_tried =
+          row.terms.size() == size && row.functions != 0 && !row.is_call_and_constant();
+      return is_tried && apply_rule(row);
     });
   }
 
-  bool replace_by(const DigitPattern& row) {
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
+  bool apply_rule(const RulePattern& row) {
+    for (std::size_t i = 0; i < split_terms_.size(); ++i) {
       if ((row.functions & functions_[i]) != row.functions) continue;
-      for (Match& match : matches(row.terms[0], parts_[i], {})) {
-        match.places = {i};
-        if (!complete(row, match)) continue;
-        replace_terms(replacement(row, match), match.places);
+      for (Match& match : find_matches(row.terms[0], split_terms_[i], {})) {
+        match.term_indices = {i};
+        if (!complete_match(row, match)) continue;
+        replace_terms(build_replacement(row, match), match.term_indices);
         return true;
       }
     }
@@ -235,23 +238,26 @@ class RowsOfSum : RowMatcher {
   }
 
   /// Finds the remaining terms of the row; false if a term is missing or the condition fails.
-  bool complete(const DigitPattern& row, Match& match) {
-    if (match.places.size() == row.terms.size()) return holds(row.condition, match.letters);
-    const ScaledTerm& pattern = row.terms[match.places.size()];
+  bool complete_match(const RulePattern& row, Match& match) {
+    if (match.term_indices.size() == row.terms.size())
+      return is_satisfied(row.condition, match.substitution);
+    const ScaledTerm& pattern = row.terms[match.term_indices.size()];
     const bool is_known = std::ranges::all_of(pattern.factors, [&](const Operand& factor) {
-      const auto letter = letter_of(factor.node);
-      return !letter || match.letters[*letter];
+      const auto letter = pattern_variable(factor.node);
+      return !letter || match.substitution[*letter];
     });
-    const ScaledTerm known = is_known ? known_term(pattern, match) : pattern;
-    for (std::size_t k = 0; k < parts_.size(); ++k) {
-      if (std::ranges::find(match.places, k) != match.places.end()) continue;
-      if (is_known && !is_same(known, parts_[k])) continue;
-      std::vector<Match> ways =
-          is_known ? std::vector{match} : matches(pattern, parts_[k], match.letters);
-      for (Match& way : ways) {
-        way.places = match.places;
-        way.places.push_back(k);
-        if (!is_same(way.common_factor, match.common_factor) || !complete(row, way)) continue;
+    const ScaledTerm known = is_known ? instantiate_term(pattern, match) : pattern;
+    for (std::size_t k = 0; k < split_terms_.size(); ++k) {
+      if (std::ranges::find(match.term_indices, k) != match.term_indices.end()) continue;
+      if (is_known && !are_equal_terms(known, split_terms_[k])) continue;
+      std::vector<Match> completions =
+          is_known ? std::vector{match}
+                   : find_matches(pattern, split_terms_[k], match.substitution);
+      for (Match& way : completions) {
+        way.term_indices = match.term_indices;
+        way.term_indices.push_back(k);
+        if (!are_equal_terms(way.common_factor, match.common_factor) || !complete_match(row, way))
+          continue;
         match = std::move(way);
         return true;
       }
@@ -261,41 +267,41 @@ class RowsOfSum : RowMatcher {
 
   /// Rewrites c - c_1 cos(x_1) - c_2 cos(x_2) - ... if the sum of all c_i is at
   /// least 7/8 of c and at most c.
-  bool replace_units() {
-    std::vector<UnitTerm> all;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-      for (const DigitPattern& row : digit_patterns().rows) {
-        if (!row.is_unit() || (row.functions & functions_[i]) == 0) continue;
-        for (Match& match : matches(row.terms[0], parts_[i], {})) {
-          match.places = {i};
+  bool apply_constant_rules() {
+    std::vector<MatchedCall> all;
+    for (std::size_t i = 0; i < split_terms_.size(); ++i) {
+      for (const RulePattern& row : rule_patterns().rows) {
+        if (!row.is_call_and_constant() || (row.functions & functions_[i]) == 0) continue;
+        for (Match& match : find_matches(row.terms[0], split_terms_[i], {})) {
+          match.term_indices = {i};
           ScaledTerm constant = match.common_factor;
           constant.coefficient = constant.coefficient * row.terms[1].coefficient;
           all.push_back({&row, std::move(match), std::move(constant)});
         }
       }
     }
-    for (std::size_t place = 0; place < parts_.size() && !all.empty(); ++place) {
-      if (replace_units_of(place, all)) return true;
+    for (std::size_t place = 0; place < split_terms_.size() && !all.empty(); ++place) {
+      if (apply_constant_rules_at(place, all)) return true;
     }
     return false;
   }
 
-  bool replace_units_of(std::size_t place, const std::vector<UnitTerm>& all) {
-    const cl_RA constant = parts_[place].coefficient;
-    const std::vector<Operand>& factors = parts_[place].factors;
-    std::vector<const UnitTerm*> chosen;
+  bool apply_constant_rules_at(std::size_t place, const std::vector<MatchedCall>& all) {
+    const cl_RA constant = split_terms_[place].coefficient;
+    const std::vector<Operand>& factors = split_terms_[place].factors;
+    std::vector<const MatchedCall*> chosen;
     cl_RA total = 0;
-    for (const UnitTerm& unit : all) {
-      const std::size_t own = unit.match.places[0];
+    for (const MatchedCall& unit : all) {
+      const std::size_t own = unit.match.term_indices[0];
       const cl_RA& taken = unit.constant.coefficient;
       const bool is_beside = own != place && cln::minusp(taken) == cln::minusp(constant) &&
-                             is_same({taken, factors}, unit.constant);
-      if (!is_beside || (!chosen.empty() && chosen.back()->match.places[0] == own)) continue;
+                             are_equal_terms({taken, factors}, unit.constant);
+      if (!is_beside || (!chosen.empty() && chosen.back()->match.term_indices[0] == own)) continue;
       chosen.push_back(&unit);
       total = total + taken;
     }
     const auto alone = std::ranges::find_if(
-        chosen, [&](const UnitTerm* unit) { return unit->constant.coefficient == constant; });
+        chosen, [&](const MatchedCall* unit) { return unit->constant.coefficient == constant; });
     if (alone != chosen.end() && total != constant) {
       chosen = {*alone};
       total = constant;
@@ -303,8 +309,8 @@ class RowsOfSum : RowMatcher {
     // If the sum of the c_i is less than 7/8 of c, fewer than three bits cancel.
     const cl_RA share = total / constant;
     if (share * 8 < 7 || share > 1) return false;
-    for (const UnitTerm* unit : chosen) {
-      terms_[unit->match.places[0]] = replacement(*unit->row, unit->match);
+    for (const MatchedCall* unit : chosen) {
+      terms_[unit->match.term_indices[0]] = build_replacement(*unit->row, unit->match);
     }
     replace_terms(product(constant - total, factors), {place});
     if (share == 1) terms_.erase(terms_.begin() + static_cast<std::ptrdiff_t>(place));
@@ -312,7 +318,7 @@ class RowsOfSum : RowMatcher {
   }
 
   /// Replaces the terms at `places` by `term`.
-  void replace_terms(Ref term, std::vector<std::size_t> places) {
+  void replace_terms(SignedNode term, std::vector<std::size_t> places) {
     terms_[places.front()] = term;
     places.erase(places.begin());
     std::ranges::sort(places, std::greater<>());
@@ -321,21 +327,21 @@ class RowsOfSum : RowMatcher {
     }
   }
 
-  std::vector<Ref>& terms_;
-  std::vector<ScaledTerm> parts_ = {};         ///< split into coefficient and factors
+  std::vector<SignedNode>& terms_;
+  std::vector<ScaledTerm> split_terms_ = {};   ///< split into coefficient and factors
   std::vector<std::uint64_t> functions_ = {};  ///< called by each term, as a bit set
 };
 
 }  // namespace
 
-bool replace_by_row(Graph& graph, RewriteOptions keeping, std::vector<Ref>& terms) {
-  return RowsOfSum(graph, keeping, terms).replace_one();
+bool rewrite_terms_by_rule(Graph& graph, RewriteOptions keeping, std::vector<SignedNode>& terms) {
+  return SumRuleApplier(graph, keeping, terms).apply_one_rule();
 }
 
-std::optional<Ref> pair_by_row(Graph& graph, RewriteOptions keeping, const ScaledTerm& x,
-                               const ScaledTerm& y) {
-  RowMatcher matching(graph, keeping);
-  for (const DigitPattern& row : digit_patterns().rows) {
+std::optional<SignedNode> rewrite_pair_by_rule(Graph& graph, RewriteOptions keeping,
+                                               const ScaledTerm& x, const ScaledTerm& y) {
+  RuleMatcher matching(graph, keeping);
+  for (const RulePattern& row : rule_patterns().rows) {
     if (row.functions != 0) continue;
     for (const bool is_turned : {false, true}) {
       const ScaledTerm& first = is_turned ? y : x;
@@ -345,23 +351,24 @@ std::optional<Ref> pair_by_row(Graph& graph, RewriteOptions keeping, const Scale
       const cl_RA scale = match.common_factor.coefficient * row.terms[1].coefficient;
       const ScaledTerm rest{second.coefficient / scale, second.factors};
       const bool is_matched =
-          matching.match_root(row.terms[0].factors[0], {1, first.factors}, match.letters) &&
-          matching.match_root(row.terms[1].factors[0], rest, match.letters);
-      if (is_matched && matching.holds(row.condition, match.letters)) {
-        return matching.replacement(row, match);
+          matching.match_root(row.terms[0].factors[0], {1, first.factors}, match.substitution) &&
+          matching.match_root(row.terms[1].factors[0], rest, match.substitution);
+      if (is_matched && matching.is_satisfied(row.condition, match.substitution)) {
+        return matching.build_replacement(row, match);
       }
     }
   }
   return std::nullopt;
 }
 
-std::optional<Ref> call_by_row(Graph& graph, RewriteOptions keeping, NodeId call) {
-  RowMatcher matching(graph, keeping);
+std::optional<SignedNode> rewrite_call_by_rule(Graph& graph, RewriteOptions keeping, NodeId call) {
+  RuleMatcher matching(graph, keeping);
   const ScaledTerm value{1, {{call, 1}}};
-  for (const DigitPattern& row : digit_patterns().rows) {
+  for (const RulePattern& row : rule_patterns().rows) {
     if (row.terms.size() > 1) continue;
-    for (const Match& match : matching.matches(row.terms[0], value, {})) {
-      if (matching.holds(row.condition, match.letters)) return matching.replacement(row, match);
+    for (const Match& match : matching.find_matches(row.terms[0], value, {})) {
+      if (matching.is_satisfied(row.condition, match.substitution))
+        return matching.build_replacement(row, match);
     }
   }
   return std::nullopt;

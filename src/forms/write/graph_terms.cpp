@@ -7,122 +7,126 @@ namespace elgen {
 
 using cln::cl_RA;
 
-bool is_same(const ScaledTerm& x, const ScaledTerm& y) {
+bool are_equal_terms(const ScaledTerm& x, const ScaledTerm& y) {
   return x.coefficient == y.coefficient && x.factors.size() == y.factors.size() &&
          std::ranges::all_of(x.factors, [&y](const Operand& factor) {
            return std::ranges::find(y.factors, factor) != y.factors.end();
          });
 }
 
-Ref GraphTerms::times(Ref x, Ref y) {
-  ScaledTerm term = scaled(x);
-  const ScaledTerm other = scaled(y);
+SignedNode GraphTermBuilder::multiply(SignedNode x, SignedNode y) {
+  ScaledTerm term = split_term(x);
+  const ScaledTerm other = split_term(y);
   term.factors.insert(term.factors.end(), other.factors.begin(), other.factors.end());
   return product(term.coefficient * other.coefficient, term.factors);
 }
 
-Ref GraphTerms::sum(const std::vector<Ref>& values) { return graph_.sum(parts_of(values)); }
+SignedNode GraphTermBuilder::sum(const std::vector<SignedNode>& values) {
+  return graph_.sum(distribute_products(values));
+}
 
-std::vector<Ref> GraphTerms::parts_of(const std::vector<Ref>& values) {
-  std::vector<Ref> parts;
-  for (const Ref value : values) {
-    for (const Ref part : parts_of(value)) parts.push_back(part);
+std::vector<SignedNode> GraphTermBuilder::distribute_products(
+    const std::vector<SignedNode>& values) {
+  std::vector<SignedNode> parts;
+  for (const SignedNode value : values) {
+    for (const SignedNode part : parts_of(value)) parts.push_back(part);
   }
   return parts;
 }
 
 /// Like scaled(), but a sum is a single factor.
-ScaledTerm GraphTerms::as_factors(Ref value) const {
-  if (graph_.node(value.node).kind != NodeKind::sum) return scaled(value);
-  return {value.negative ? -1 : 1, {{value.node, 1}}};
+ScaledTerm GraphTermBuilder::split_into_factors(SignedNode value) const {
+  if (graph_.node(value.node).kind != NodeKind::sum) return split_term(value);
+  return {value.is_negative ? -1 : 1, {{value.node, 1}}};
 }
 
-std::vector<Operand>::iterator GraphTerms::first_bracket(ScaledTerm& term,
-                                                         std::int32_t highest_power) const {
+std::vector<Operand>::iterator GraphTermBuilder::find_bracket(ScaledTerm& term,
+                                                              std::int32_t highest_power) const {
   return std::ranges::find_if(term.factors, [&](const Operand& factor) {
     return 0 < factor.weight && factor.weight <= highest_power &&
            graph_.node(factor.node).kind == NodeKind::sum;
   });
 }
 
-std::vector<Ref> GraphTerms::parts_of(Ref value) {
-  ScaledTerm term = as_factors(value);
-  const auto bracket = first_bracket(term, 1);
+std::vector<SignedNode> GraphTermBuilder::parts_of(SignedNode value) {
+  ScaledTerm term = split_into_factors(value);
+  const auto bracket = find_bracket(term, 1);
   if (bracket == term.factors.end()) return {value};
-  const std::vector<Ref> terms = terms_of(bracket->node);
+  const std::vector<SignedNode> terms = terms_of(bracket->node);
   term.factors.erase(bracket);
-  const Ref common = product(term);
-  std::vector<Ref> parts;
-  for (const Ref part : terms) parts.push_back(times(common, part));
+  const SignedNode common = product(term);
+  std::vector<SignedNode> parts;
+  for (const SignedNode part : terms) parts.push_back(multiply(common, part));
   return parts;
 }
 
-void GraphTerms::append_expanded(Ref value, std::size_t most, std::vector<Ref>& terms) {
+void GraphTermBuilder::append_expanded_terms(SignedNode value, std::size_t most,
+                                             std::vector<SignedNode>& terms) {
   if (terms.size() > most) return;
-  ScaledTerm term = as_factors(value);
-  const auto bracket = first_bracket(term, 2);
+  ScaledTerm term = split_into_factors(value);
+  const auto bracket = find_bracket(term, 2);
   if (bracket == term.factors.end()) return terms.push_back(value);
-  const std::vector<Ref> parts = terms_of(bracket->node);
+  const std::vector<SignedNode> parts = terms_of(bracket->node);
   if (--bracket->weight == 0) term.factors.erase(bracket);
-  const Ref common = product(term);
-  for (const Ref part : parts) append_expanded(times(common, part), most, terms);
+  const SignedNode common = product(term);
+  for (const SignedNode part : parts) append_expanded_terms(multiply(common, part), most, terms);
 }
 
-std::optional<std::vector<Ref>> GraphTerms::expanded_terms(const std::vector<Ref>& values,
-                                                           std::size_t most) {
-  std::vector<Ref> terms;
-  for (const Ref value : values) append_expanded(value, most, terms);
+std::optional<std::vector<SignedNode>> GraphTermBuilder::expanded_terms(
+    const std::vector<SignedNode>& values, std::size_t most) {
+  std::vector<SignedNode> terms;
+  for (const SignedNode value : values) append_expanded_terms(value, most, terms);
   if (terms.size() > most) return std::nullopt;
   return parts_of(graph_.sum(terms));
 }
 
-Ref GraphTerms::short_sum(const std::vector<Ref>& values) {
-  const Ref plain = sum(values);
-  const std::vector<Ref> parts = parts_of(plain);
-  if (std::ranges::none_of(parts, [&](Ref part) { return has_bracket(part); })) return plain;
+SignedNode GraphTermBuilder::short_sum(const std::vector<SignedNode>& values) {
+  const SignedNode plain = sum(values);
+  const std::vector<SignedNode> parts = parts_of(plain);
+  if (std::ranges::none_of(parts, [&](SignedNode part) { return has_bracket(part); })) return plain;
   const auto terms = expanded_terms({plain});
   return terms && terms->size() <= parts.size() ? graph_.sum(*terms) : plain;
 }
 
-std::vector<Ref> GraphTerms::terms_of(NodeId sum) const {
-  std::vector<Ref> terms;
+std::vector<SignedNode> GraphTermBuilder::terms_of(NodeId sum) const {
+  std::vector<SignedNode> terms;
   for (const Operand& operand : graph_.node(sum).operands) {
     const bool is_sum = graph_.node(operand.node).kind == NodeKind::sum;
-    const std::vector<Ref> parts =
-        is_sum ? terms_of(operand.node) : std::vector<Ref>{{operand.node, false}};
-    for (const Ref part : parts) terms.push_back(with_sign(part, operand.weight < 0));
+    const std::vector<SignedNode> parts =
+        is_sum ? terms_of(operand.node) : std::vector<SignedNode>{{operand.node, false}};
+    for (const SignedNode part : parts) terms.push_back(with_sign(part, operand.weight < 0));
   }
   return terms;
 }
 
-std::size_t GraphTerms::term_count(Ref value) const {
+std::size_t GraphTermBuilder::term_count(SignedNode value) const {
   const Node& node = graph_.node(value.node);
   if (graph_.is_rational(value.node) && graph_.is_zero(value.node)) return 0;
   return node.kind == NodeKind::sum ? node.operands.size() : 1;
 }
 
-bool GraphTerms::has_bracket(Ref value) const {
-  ScaledTerm term = as_factors(value);
-  return first_bracket(term, 2) != term.factors.end();
+bool GraphTermBuilder::has_bracket(SignedNode value) const {
+  ScaledTerm term = split_into_factors(value);
+  return find_bracket(term, 2) != term.factors.end();
 }
 
-bool GraphTerms::has_term_one(Ref value) const {
+bool GraphTermBuilder::has_term_one(SignedNode value) const {
   const Node& node = graph_.node(value.node);
   if (node.kind != NodeKind::sum) return false;
   return std::ranges::any_of(node.operands, [&](const Operand& term) {
-    const bool is_negative = (term.weight < 0) != value.negative;
+    const bool is_negative = (term.weight < 0) != value.is_negative;
     return !is_negative && graph_.is_rational(term.node) && graph_.rational_of(term.node) == 1;
   });
 }
 
-ScaledTerm GraphTerms::scaled(Ref value) const {
+ScaledTerm GraphTermBuilder::split_term(SignedNode value) const {
   ScaledTerm term;
-  if (value.negative) term.coefficient = -term.coefficient;
+  if (value.is_negative) term.coefficient = -term.coefficient;
   append_power(term, value.node, 1);
   return term;
 }
 
-void GraphTerms::append_power(ScaledTerm& term, NodeId base, std::int32_t exponent) const {
+void GraphTermBuilder::append_power(ScaledTerm& term, NodeId base, std::int32_t exponent) const {
   const Node& node = graph_.node(base);
   if (node.kind == NodeKind::product) {
     for (const Operand& factor : node.operands) {
@@ -138,7 +142,7 @@ void GraphTerms::append_power(ScaledTerm& term, NodeId base, std::int32_t expone
   }
 }
 
-std::vector<Operand> GraphTerms::take_shared(ScaledTerm& x, ScaledTerm& y) {
+std::vector<Operand> GraphTermBuilder::extract_common_factors(ScaledTerm& x, ScaledTerm& y) {
   std::vector<Operand> shared;
   for (Operand& factor : x.factors) {
     const auto other = std::ranges::find(y.factors, factor.node, &Operand::node);
@@ -156,7 +160,7 @@ std::vector<Operand> GraphTerms::take_shared(ScaledTerm& x, ScaledTerm& y) {
   return shared;
 }
 
-std::optional<Ref> GraphTerms::exact_root(ScaledTerm term, std::int32_t degree) {
+std::optional<SignedNode> GraphTermBuilder::exact_root(ScaledTerm term, std::int32_t degree) {
   const bool is_negative = cln::minusp(term.coefficient);
   if (is_negative && degree % 2 == 0) return std::nullopt;
   cl_RA root = 0;
@@ -168,26 +172,27 @@ std::optional<Ref> GraphTerms::exact_root(ScaledTerm term, std::int32_t degree) 
   return with_sign(product(root, term.factors), is_negative);
 }
 
-Ref GraphTerms::product(const cl_RA& coefficient, const std::vector<Operand>& factors) {
+SignedNode GraphTermBuilder::product(const cl_RA& coefficient,
+                                     const std::vector<Operand>& factors) {
   std::vector<Power> powers{{graph_.rational(coefficient), 1}};
   for (const Operand& factor : factors) powers.push_back({{factor.node, false}, factor.weight});
   return graph_.product(powers);
 }
 
-bool GraphTerms::has_parameter_term(Ref value) const {
-  const std::vector<Ref> terms = graph_.node(value.node).kind == NodeKind::sum
-                                     ? terms_of(value.node)
-                                     : std::vector<Ref>{value};
-  return std::ranges::any_of(terms, [&](Ref term) {
-    return std::ranges::all_of(reachable(graph_, {term}), [&](NodeId id) {
+bool GraphTermBuilder::has_parameter_term(SignedNode value) const {
+  const std::vector<SignedNode> terms = graph_.node(value.node).kind == NodeKind::sum
+                                            ? terms_of(value.node)
+                                            : std::vector<SignedNode>{value};
+  return std::ranges::any_of(terms, [&](SignedNode term) {
+    return std::ranges::all_of(reachable_nodes(graph_, {term}), [&](NodeId id) {
       const Node& node = graph_.node(id);
       return node.kind != NodeKind::leaf || node.leaf == Opcode::parameter;
     });
   });
 }
 
-bool GraphTerms::has_branches(Ref value) const {
-  return std::ranges::any_of(reachable(graph_, {value}), [&](NodeId id) {
+bool GraphTermBuilder::has_branches(SignedNode value) const {
+  return std::ranges::any_of(reachable_nodes(graph_, {value}), [&](NodeId id) {
     const Node& node = graph_.node(id);
     if (node.kind == NodeKind::square_root) return !graph_.is_constant(id);
     return node.kind == NodeKind::call &&

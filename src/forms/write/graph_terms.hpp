@@ -18,70 +18,72 @@ struct ScaledTerm {
 };
 
 /// True if both are equal; the order of factors does not matter.
-[[nodiscard]] bool is_same(const ScaledTerm& x, const ScaledTerm& y);
+[[nodiscard]] bool are_equal_terms(const ScaledTerm& x, const ScaledTerm& y);
 
 /// The only argument of a call, or the radicand of a root.
-[[nodiscard]] inline Ref argument_of(const Node& call) {
+[[nodiscard]] inline SignedNode argument_of(const Node& call) {
   return {call.operands[0].node, call.operands[0].weight < 0};
 }
 
 /// Splits and builds sums and products of `graph`; keeps a reference to `graph`.
-class GraphTerms {
+class GraphTermBuilder {
  public:
-  static constexpr std::size_t most_written_out = 30;
+  static constexpr std::size_t most_expanded_terms = 30;
 
-  explicit GraphTerms(Graph& graph) : graph_(graph) {}
+  explicit GraphTermBuilder(Graph& graph) : graph_(graph) {}
 
-  Ref one() { return graph_.rational(1); }
-  Ref half(Ref x) { return graph_.product({{graph_.rational(cln::cl_RA(1) / 2), 1}, {x, 1}}); }
+  SignedNode one() { return graph_.rational(1); }
+  SignedNode half(SignedNode x) {
+    return graph_.product({{graph_.rational(cln::cl_RA(1) / 2), 1}, {x, 1}});
+  }
   /// x y, with nested products flattened.
-  Ref times(Ref x, Ref y);
+  SignedNode multiply(SignedNode x, SignedNode y);
   /// The sum of `values`, with nested sums flattened and products with a sum expanded.
-  Ref sum(const std::vector<Ref>& values);
+  SignedNode sum(const std::vector<SignedNode>& values);
   /// The terms of sum().
-  std::vector<Ref> parts_of(const std::vector<Ref>& values);
+  std::vector<SignedNode> distribute_products(const std::vector<SignedNode>& values);
   /// sum(), but with squares of sums expanded if the expanded sum is not longer:
   ///
   ///     (R + x)^2 - R^2   ->   2 R x + x^2
-  Ref short_sum(const std::vector<Ref>& values);
+  SignedNode short_sum(const std::vector<SignedNode>& values);
   /// The terms of the sum, with all sums and squares of sums in it expanded. None if there are more
   /// than `most`.
-  std::optional<std::vector<Ref>> expanded_terms(const std::vector<Ref>& values,
-                                                 std::size_t most = most_written_out);
-  Ref quotient(Ref x, Ref y) { return graph_.product({{x, 1}, {y, -1}}); }
-  Ref call(FunctionId function, Ref x) { return graph_.call(function, {x}); }
-  Ref doubled(Ref x) { return times(graph_.rational(2), x); }
-  Ref square(Ref x) { return graph_.product({{x, 2}}); }
+  std::optional<std::vector<SignedNode>> expanded_terms(const std::vector<SignedNode>& values,
+                                                        std::size_t most = most_expanded_terms);
+  SignedNode quotient(SignedNode x, SignedNode y) { return graph_.product({{x, 1}, {y, -1}}); }
+  SignedNode call(FunctionId function, SignedNode x) { return graph_.call(function, {x}); }
+  SignedNode multiply_by_two(SignedNode x) { return multiply(graph_.rational(2), x); }
+  SignedNode square(SignedNode x) { return graph_.product({{x, 2}}); }
   /// The terms of a sum, with nested sums flattened.
-  std::vector<Ref> terms_of(NodeId sum) const;
-  [[nodiscard]] std::size_t term_count(Ref value) const;
+  std::vector<SignedNode> terms_of(NodeId sum) const;
+  [[nodiscard]] std::size_t term_count(SignedNode value) const;
   /// True for a product with a sum, or the square of a sum, as a factor.
-  [[nodiscard]] bool has_bracket(Ref value) const;
+  [[nodiscard]] bool has_bracket(SignedNode value) const;
   /// True for a sum with the term 1.
-  [[nodiscard]] bool has_term_one(Ref value) const;
+  [[nodiscard]] bool has_term_one(SignedNode value) const;
   /// The value as coefficient and factors, with nested products flattened.
-  [[nodiscard]] ScaledTerm scaled(Ref value) const;
+  [[nodiscard]] ScaledTerm split_term(SignedNode value) const;
   /// Removes the common factors from x and y, and returns them.
-  static std::vector<Operand> take_shared(ScaledTerm& x, ScaledTerm& y);
-  Ref product(const cln::cl_RA& coefficient, const std::vector<Operand>& factors);
-  Ref product(const ScaledTerm& term) { return product(term.coefficient, term.factors); }
+  static std::vector<Operand> extract_common_factors(ScaledTerm& x, ScaledTerm& y);
+  SignedNode product(const cln::cl_RA& coefficient, const std::vector<Operand>& factors);
+  SignedNode product(const ScaledTerm& term) { return product(term.coefficient, term.factors); }
   /// x with x^degree = term, if the coefficient and all factors have such roots; otherwise none.
-  std::optional<Ref> exact_root(ScaledTerm term, std::int32_t degree);
+  std::optional<SignedNode> exact_root(ScaledTerm term, std::int32_t degree);
   /// True if a term contains only parameters. The sum then does not vanish when all its other terms
   /// vanish, so it may be a divisor.
-  [[nodiscard]] bool has_parameter_term(Ref value) const;
+  [[nodiscard]] bool has_parameter_term(SignedNode value) const;
   /// True if the value contains a function with branches, or a root of a value that is not
   /// constant. The value may then vanish on one side of a branch, as |x| - x does.
-  [[nodiscard]] bool has_branches(Ref value) const;
+  [[nodiscard]] bool has_branches(SignedNode value) const;
 
  protected:
   Graph& graph_;
 
  private:
-  std::vector<Ref> parts_of(Ref value);
-  void append_expanded(Ref value, std::size_t most, std::vector<Ref>& terms);
-  std::vector<Operand>::iterator first_bracket(ScaledTerm& term, std::int32_t highest_power) const;
-  [[nodiscard]] ScaledTerm as_factors(Ref value) const;
+  std::vector<SignedNode> parts_of(SignedNode value);
+  void append_expanded_terms(SignedNode value, std::size_t most, std::vector<SignedNode>& terms);
+  std::vector<Operand>::iterator find_bracket(ScaledTerm& term, std::int32_t highest_power) const;
+  [[nodiscard]] ScaledTerm split_into_factors(SignedNode value) const;
   void append_power(ScaledTerm& term, NodeId base, std::int32_t exponent) const;
 };
 

@@ -23,22 +23,22 @@ constexpr std::int32_t highest_degree = 8;
 
 /// Multiple of a direction -> coefficient of its exponential. Only the positive multiple of each
 /// conjugate pair is stored.
-using Multiples = std::map<std::int32_t, Gaussian>;
+using Harmonics = std::map<std::int32_t, GaussianRational>;
 
 /// The coefficient of one product of atoms that are not e^(i k x): a constant plus multiples of
 /// these exponentials.
-struct Factor {
+struct ExponentialCoefficient {
   cln::cl_RA constant = 0;
-  std::map<Monomial, Multiples, MonomialLess> directions = {};
+  std::map<Monomial, Harmonics, MonomialLess> directions = {};
 };
 
-using Factors = std::map<Monomial, Factor, MonomialLess>;
+using CoefficientsByProduct = std::map<Monomial, ExponentialCoefficient, MonomialLess>;
 
-Factors factors_of(const Algebra& algebra, const Polynomial& sum) {
-  Factors factors;
+CoefficientsByProduct coefficients_by_product(const Algebra& algebra, const Polynomial& sum) {
+  CoefficientsByProduct factors;
   for (const auto& [monomial, coefficient] : sum) {
-    const auto [powers, angle] = split(algebra, monomial);
-    Factor& factor = factors[powers];
+    const auto [powers, angle] = split_monomial(algebra, monomial);
+    ExponentialCoefficient& factor = factors[powers];
     if (angle.empty()) {
       factor.constant = coefficient.real;
     } else if (angle.front().exponent > 0) {
@@ -56,8 +56,8 @@ Factors factors_of(const Algebra& algebra, const Polynomial& sum) {
 
 /// The largest base such that all multiples/base are even integers, or all are odd integers; 0 if
 /// no integer is such a base.
-std::int32_t base_angle(const Multiples& multiples) {
-  std::int32_t base = whole_angle;
+std::int32_t base_angle(const Harmonics& multiples) {
+  std::int32_t base = whole_angle_units;
   for (const auto& [multiple, coefficient] : multiples) base = std::gcd(base, multiple);
   const auto is_odd = [&base](const auto& term) { return (term.first / base) % 2 != 0; };
   const auto odd = std::ranges::count_if(multiples, is_odd);
@@ -66,16 +66,16 @@ std::int32_t base_angle(const Multiples& multiples) {
 }
 
 /// 2 Re sum(coefficient e^(i multiple)), homogeneous in the sine and cosine of the base angle.
-TwoPowers homogeneous(const Multiples& multiples, std::int32_t base) {
+CircularPolynomial expand_homogeneous(const Harmonics& multiples, std::int32_t base) {
   const std::int32_t degree = multiples.rbegin()->first / base;
-  TwoPowers result;
+  CircularPolynomial result;
   for (const auto& [multiple, coefficient] : multiples) {
-    TwoPowers power{{{0, 0}, coefficient}};
+    CircularPolynomial power{{{0, 0}, coefficient}};
     for (std::int32_t k = 0; k < (degree + multiple / base) / 2; ++k) {
-      power = times_exponential(power, 1);
+      power = multiply_by_exponential(power, 1);
     }
     for (std::int32_t k = 0; k < (degree - multiple / base) / 2; ++k) {
-      power = times_exponential(power, -1);
+      power = multiply_by_exponential(power, -1);
     }
     for (const auto& [powers, value] : power) {
       if (!cln::zerop(value.real)) add_term(result, powers, {value.real * 2, 0});
@@ -93,7 +93,7 @@ struct Sinusoid {
 
 /// The sine or cosine at the only multiple of a direction. None if there are several multiples, or
 /// both a sine and a cosine.
-std::optional<Sinusoid> sinusoid_of(const Monomial& direction, const Multiples& multiples) {
+std::optional<Sinusoid> sinusoid_of(const Monomial& direction, const Harmonics& multiples) {
   if (multiples.size() != 1) return std::nullopt;
   const auto& [multiple, coefficient] = *multiples.begin();
   const bool is_sine = cln::zerop(coefficient.real);
@@ -106,7 +106,8 @@ std::optional<Sinusoid> sinusoid_of(const Monomial& direction, const Multiples& 
 /// Example:
 ///
 ///     sin x + sin y = 2 sin((x + y)/2) cos((x - y)/2)
-std::optional<RealTerm> product_of_sinusoids(const Monomial& powers, const Factor& factor) {
+std::optional<RealTerm> product_of_sinusoids(const Monomial& powers,
+                                             const ExponentialCoefficient& factor) {
   if (factor.directions.size() != 2 || !cln::zerop(factor.constant)) return std::nullopt;
   const auto x = sinusoid_of(factor.directions.begin()->first, factor.directions.begin()->second);
   const auto y = sinusoid_of(factor.directions.rbegin()->first, factor.directions.rbegin()->second);
@@ -133,7 +134,7 @@ std::optional<RealTerm> product_of_sinusoids(const Monomial& powers, const Facto
 std::optional<std::vector<RealTerm>> homogeneous_terms(const Algebra& algebra,
                                                        const Polynomial& sum, std::size_t most) {
   std::vector<RealTerm> terms;
-  for (const auto& [powers, factor] : factors_of(algebra, sum)) {
+  for (const auto& [powers, factor] : coefficients_by_product(algebra, sum)) {
     if (const auto product = product_of_sinusoids(powers, factor)) {
       terms.push_back(*product);
       continue;
@@ -143,7 +144,7 @@ std::optional<std::vector<RealTerm>> homogeneous_terms(const Algebra& algebra,
       const std::int32_t base = base_angle(multiples);
       if (base == 0 || multiples.rbegin()->first / base > highest_degree) return std::nullopt;
       const Monomial angle = power(direction, base);
-      for (const auto& [exponents, value] : homogeneous(multiples, base)) {
+      for (const auto& [exponents, value] : expand_homogeneous(multiples, base)) {
         terms.push_back({value.real, powers, {{angle, exponents.first, exponents.second}}});
       }
     }

@@ -1,5 +1,5 @@
-// kept_digits: see kept_digits.hpp. Tries sums of powers, triangles, rows of digit_rows.def, pairs
-// and conjugates of roots, in this order. Logarithms are rewritten by log1p.
+// correct_digits: see kept_digits.hpp. Tries sums of powers, triangles, rows of digit_rows.def,
+// pairs and conjugates of roots, in this order. Logarithms are rewritten by log1p.
 #include "forms/write/kept_digits.hpp"
 
 #include <algorithm>
@@ -19,28 +19,29 @@ using cln::cl_RA;
 constexpr std::size_t most_terms_in_pairs = 24;
 /// Sums in a rewriting are rewritten again, up to this depth; (r^6 - s^6)/r^6 needs four levels.
 /// Without a limit, sums of quotients may grow forever.
-constexpr int deepest = 6;
+constexpr int max_rewrite_depth = 6;
 
 /// root + rest = (root^2 - rest^2)/(root - rest)
-class Conjugates : GraphTerms {
+class ConjugateRewriter : GraphTermBuilder {
  public:
-  Conjugates(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
+  ConjugateRewriter(Graph& graph, RewriteOptions keeping)
+      : GraphTermBuilder(graph), keeping_(keeping) {}
 
   /// Rewrites a sum in which exactly one term has a root, if root^2 - rest^2 has fewer terms than
   /// root^2, or has squares to be factored.
-  std::optional<Ref> operator()(const std::vector<Ref>& terms) {
-    const auto is_root = [&](Ref term) { return has_root(term); };
+  std::optional<SignedNode> operator()(const std::vector<SignedNode>& terms) {
+    const auto is_root = [&](SignedNode term) { return has_single_root(term); };
     if (std::ranges::count_if(terms, is_root) != 1) return std::nullopt;
-    const Ref root = *std::ranges::find_if(terms, is_root);
-    std::vector<Ref> others = terms;
+    const SignedNode root = *std::ranges::find_if(terms, is_root);
+    std::vector<SignedNode> others = terms;
     std::erase(others, root);
-    return conjugate(root, graph_.sum(others));
+    return rewrite_by_conjugate(root, graph_.sum(others));
   }
 
  private:
   /// True if the term has exactly one square root as a factor.
-  [[nodiscard]] bool has_root(Ref term) const {
-    const ScaledTerm factors = scaled(term);
+  [[nodiscard]] bool has_single_root(SignedNode term) const {
+    const ScaledTerm factors = split_term(term);
     return 1 == std::ranges::count_if(factors.factors, [&](const Operand& factor) {
              return factor.weight == 1 && graph_.node(factor.node).kind == NodeKind::square_root;
            });
@@ -48,11 +49,11 @@ class Conjugates : GraphTerms {
 
   /// (root^2 - rest^2)/(root - rest). None if the numerator is too long, or if the numerator and
   /// the divisor may vanish together: on one side of a branch, as in sqrt(x^2) + x.
-  std::optional<Ref> conjugate(Ref root, Ref rest) {
+  std::optional<SignedNode> rewrite_by_conjugate(SignedNode root, SignedNode rest) {
     // A number with the same sign as the root does not cancel the root.
-    if (graph_.is_rational(rest.node) && rest.negative == root.negative) return std::nullopt;
-    Ref raised = square_of_root(root);
-    Ref numerator = sum({raised, -square(rest)});
+    if (graph_.is_rational(rest.node) && rest.is_negative == root.is_negative) return std::nullopt;
+    SignedNode raised = square_of_root(root);
+    SignedNode numerator = sum({raised, -square(rest)});
     if (term_count(numerator) >= term_count(raised)) {
       const auto long_raised = expanded_terms({raised});
       const auto long_numerator = expanded_terms({raised, -square(rest)});
@@ -60,7 +61,7 @@ class Conjugates : GraphTerms {
       raised = graph_.sum(*long_raised);
       numerator = graph_.sum(*long_numerator);
       if (long_numerator->size() >= long_raised->size()) {
-        const auto better = keeping_.squares == Squares::factored
+        const auto better = keeping_.squares == SquareHandling::factored
                                 ? rewrite_sum(graph_, keeping_, numerator)
                                 : std::nullopt;
         if (!better) return std::nullopt;
@@ -73,10 +74,10 @@ class Conjugates : GraphTerms {
   }
 
   /// (C sqrt(a + b))^2 = C^2 a + C^2 b
-  Ref square_of_root(Ref root) {
-    ScaledTerm term = scaled(root);
+  SignedNode square_of_root(SignedNode root) {
+    ScaledTerm term = split_term(root);
     std::vector<Power> shared{{graph_.rational(term.coefficient), 2}};
-    Ref radicand = one();
+    SignedNode radicand = one();
     for (const Operand& factor : term.factors) {
       const Node node = graph_.node(factor.node);
       if (factor.weight == 1 && node.kind == NodeKind::square_root) {
@@ -85,11 +86,11 @@ class Conjugates : GraphTerms {
         shared.push_back({{factor.node, false}, 2 * factor.weight});
       }
     }
-    const Ref common = graph_.product(shared);
-    if (graph_.node(radicand.node).kind != NodeKind::sum) return times(common, radicand);
-    std::vector<Ref> terms;
-    for (const Ref part : terms_of(radicand.node)) {
-      terms.push_back(times(common, with_sign(part, radicand.negative)));
+    const SignedNode common = graph_.product(shared);
+    if (graph_.node(radicand.node).kind != NodeKind::sum) return multiply(common, radicand);
+    std::vector<SignedNode> terms;
+    for (const SignedNode part : terms_of(radicand.node)) {
+      terms.push_back(multiply(common, with_sign(part, radicand.is_negative)));
     }
     return graph_.sum(terms);
   }
@@ -98,79 +99,79 @@ class Conjugates : GraphTerms {
 };
 
 /// Rewrites one sum or logarithm in its graph.
-class SumRewriter : GraphTerms {
+class SumRewriter : GraphTermBuilder {
  public:
-  SumRewriter(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
+  SumRewriter(Graph& graph, RewriteOptions keeping) : GraphTermBuilder(graph), keeping_(keeping) {}
 
-  std::optional<Ref> kept(Ref value) {
+  std::optional<SignedNode> rewrite(SignedNode value) {
     if (graph_.node(value.node).kind != NodeKind::sum) return std::nullopt;
-    const std::vector<Ref> terms = terms_of(value.node);
-    const auto is_bracket = [&](Ref term) { return has_bracket(term); };
+    const std::vector<SignedNode> terms = terms_of(value.node);
+    const auto is_bracket = [&](SignedNode term) { return has_bracket(term); };
     const bool is_hidden = std::ranges::any_of(terms, is_bracket);
-    std::optional<Ref> better;
-    if (!is_hidden) better = square_free(graph_, keeping_, terms);
-    if (!better) better = kept_terms(terms);
-    if (!better) better = Conjugates(graph_, keeping_)(terms);
-    if (!better && is_hidden) better = triangle_in(terms);
-    if (!better && is_hidden) better = expand_terms(terms);
-    return better ? std::optional(with_sign(*better, value.negative)) : std::nullopt;
+    std::optional<SignedNode> better;
+    if (!is_hidden) better = factor_square_free(graph_, keeping_, terms);
+    if (!better) better = rewrite_terms(terms);
+    if (!better) better = ConjugateRewriter(graph_, keeping_)(terms);
+    if (!better && is_hidden) better = rewrite_triangle(terms);
+    if (!better && is_hidden) better = rewrite_expanded_terms(terms);
+    return better ? std::optional(with_sign(*better, value.is_negative)) : std::nullopt;
   }
 
   /// log(1 + x) = log1p(x), log(a/b) = log1p((a - b)/b), and log(a) = log1p(a - 1) if a - 1 can be
   /// rewritten.
-  std::optional<Ref> logarithm(Ref argument) {
-    if (const auto difference = difference_of_logarithms(argument)) return difference;
-    const Ref less = sum({argument, -one()});
+  std::optional<SignedNode> rewrite_logarithm(SignedNode argument) {
+    if (const auto difference = split_logarithm(argument)) return difference;
+    const SignedNode less = sum({argument, -one()});
     if (has_term_one(argument)) return call(FunctionId::log1p, less);
     if (graph_.node(less.node).kind != NodeKind::sum) return std::nullopt;
-    if (const auto better = kept(less)) return call(FunctionId::log1p, *better);
-    const ScaledTerm term = scaled(argument);
+    if (const auto better = rewrite(less)) return call(FunctionId::log1p, *better);
+    const ScaledTerm term = split_term(argument);
     const auto divisor = std::ranges::find(term.factors, -1, &Operand::weight);
     if (term.factors.size() < 2 || divisor == term.factors.end()) return std::nullopt;
-    const Ref b{divisor->node, false};
-    return call(FunctionId::log1p, quotient(sum({times(argument, b), -b}), b));
+    const SignedNode b{divisor->node, false};
+    return call(FunctionId::log1p, quotient(sum({multiply(argument, b), -b}), b));
   }
 
  private:
   /// log(a/b) = log(a) - log(b), if a + b is a positive number. a and b are then both positive,
   /// because a/b is positive.
-  std::optional<Ref> difference_of_logarithms(Ref argument) {
-    const ScaledTerm term = scaled(argument);
+  std::optional<SignedNode> split_logarithm(SignedNode argument) {
+    const ScaledTerm term = split_term(argument);
     if (term.coefficient != 1 || term.factors.size() != 2) return std::nullopt;
     const bool is_first = term.factors[0].weight == 1;
     const Operand& top = term.factors[is_first ? 0 : 1];
     const Operand& bottom = term.factors[is_first ? 1 : 0];
-    const Ref a{top.node, false};
-    const Ref b{bottom.node, false};
-    const Ref both = sum({a, b});
-    const bool is_positive = graph_.is_rational(both.node) && !both.negative;
+    const SignedNode a{top.node, false};
+    const SignedNode b{bottom.node, false};
+    const SignedNode both = sum({a, b});
+    const bool is_positive = graph_.is_rational(both.node) && !both.is_negative;
     if (top.weight != 1 || bottom.weight != -1 || !is_positive) return std::nullopt;
-    const Ref log_a = logarithm(a).value_or(call(FunctionId::log, a));
-    return graph_.sum({log_a, -logarithm(b).value_or(call(FunctionId::log, b))});
+    const SignedNode log_a = rewrite_logarithm(a).value_or(call(FunctionId::log, a));
+    return graph_.sum({log_a, -rewrite_logarithm(b).value_or(call(FunctionId::log, b))});
   }
 
   /// Replaces a triangle (replace_triangle) in the expanded terms; none if there is no triangle.
   /// In this example b is a sum:
   ///
   ///     a (a - 2 b cos(c)) + b^2
-  std::optional<Ref> triangle_in(const std::vector<Ref>& terms) {
-    std::vector<Ref> all = parts_of(terms);
+  std::optional<SignedNode> rewrite_triangle(const std::vector<SignedNode>& terms) {
+    std::vector<SignedNode> all = distribute_products(terms);
     const bool is_found = replace_triangle(graph_, keeping_, all);
     return is_found ? std::optional(graph_.sum(all)) : std::nullopt;
   }
 
   /// Expands brackets that hide cancelling terms: (l + x)^2 - l^2 = 2 l x + x^2.
-  std::optional<Ref> expand_terms(const std::vector<Ref>& terms) {
+  std::optional<SignedNode> rewrite_expanded_terms(const std::vector<SignedNode>& terms) {
     const auto all = expanded_terms(terms);
     if (!all) return std::nullopt;
-    std::optional<Ref> better = square_free(graph_, keeping_, *all);
-    if (!better) better = kept_terms(*all);
+    std::optional<SignedNode> better = factor_square_free(graph_, keeping_, *all);
+    if (!better) better = rewrite_terms(*all);
     if (!better && all->size() <= terms.size()) better = graph_.sum(*all);
     return better;
   }
 
-  std::optional<Ref> kept_terms(std::vector<Ref> terms) {
-    const auto is_zero = [this](Ref term) { return graph_.is_zero(term.node); };
+  std::optional<SignedNode> rewrite_terms(std::vector<SignedNode> terms) {
+    const auto is_zero = [this](SignedNode term) { return graph_.is_zero(term.node); };
     bool is_changed = false;
     while (terms.size() > 1 && terms.size() <= most_terms_in_pairs && replace_once(terms)) {
       is_changed = true;
@@ -179,16 +180,16 @@ class SumRewriter : GraphTerms {
     return is_changed ? std::optional(graph_.sum(terms)) : std::nullopt;
   }
 
-  bool replace_once(std::vector<Ref>& terms) {
+  bool replace_once(std::vector<SignedNode>& terms) {
     if (replace_triangle(graph_, keeping_, terms)) return true;
-    if (replace_by_row(graph_, keeping_, terms)) return true;
+    if (rewrite_terms_by_rule(graph_, keeping_, terms)) return true;
     std::vector<ScaledTerm> parts;
-    for (const Ref term : terms) parts.push_back(scaled(term));
+    for (const SignedNode term : terms) parts.push_back(split_term(term));
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t k = i + 1; k < terms.size(); ++k) {
-        if (is_plain(parts[i]) && is_plain(parts[k])) continue;
-        std::optional<Ref> better = rewrite_pair(graph_, keeping_, parts, i, k);
-        if (!better) better = Conjugates(graph_, keeping_)({terms[i], terms[k]});
+        if (is_plain_product(parts[i]) && is_plain_product(parts[k])) continue;
+        std::optional<SignedNode> better = rewrite_pair(graph_, keeping_, parts, i, k);
+        if (!better) better = ConjugateRewriter(graph_, keeping_)({terms[i], terms[k]});
         if (!better) continue;
         terms[i] = *better;
         terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(k));
@@ -199,9 +200,9 @@ class SumRewriter : GraphTerms {
   }
 
   /// True if the term has no roots, no divisors, and no powers to be factored.
-  [[nodiscard]] bool is_plain(const ScaledTerm& term) const {
+  [[nodiscard]] bool is_plain_product(const ScaledTerm& term) const {
     return std::ranges::all_of(term.factors, [&](const Operand& factor) {
-      const bool is_power = keeping_.squares == Squares::factored && factor.weight > 1;
+      const bool is_power = keeping_.squares == SquareHandling::factored && factor.weight > 1;
       const bool is_root = graph_.node(factor.node).kind == NodeKind::square_root;
       return factor.weight > 0 && !is_power && !is_root;
     });
@@ -210,32 +211,33 @@ class SumRewriter : GraphTerms {
   RewriteOptions keeping_;
 };
 
-Ref kept(Graph& graph, const RebuildStep& step, RewriteOptions keeping, bool& has_any) {
-  const Ref same = copy(graph, step);
+SignedNode rewrite_node(Graph& graph, const RebuildStep& step, RewriteOptions keeping,
+                        bool& is_rewritten) {
+  const SignedNode same = copy_node(graph, step);
   const Node& node = graph.node(same.node);
-  std::optional<Ref> better;
+  std::optional<SignedNode> better;
   if (is_call(node, FunctionId::log)) {
-    better = SumRewriter(graph, keeping).logarithm(argument_of(node));
+    better = SumRewriter(graph, keeping).rewrite_logarithm(argument_of(node));
   } else if (node.kind == NodeKind::call) {
-    better = call_by_row(graph, keeping, same.node);
+    better = rewrite_call_by_rule(graph, keeping, same.node);
   } else {
     better = rewrite_sum(graph, keeping, {same.node, false});
   }
   if (!better) return same;
-  has_any = true;
-  return with_sign(*better, same.negative);
+  is_rewritten = true;
+  return with_sign(*better, same.is_negative);
 }
 
 /// The calls that can be computed from another call in the same expressions.
 std::set<NodeId> replaceable_calls(const Expressions& expressions) {
   Graph graph = expressions.graph;
-  const std::vector<NodeId> nodes = reachable(graph, expressions.values);
+  const std::vector<NodeId> nodes = reachable_nodes(graph, expressions.values);
   // The sign of a sine's argument does not matter: it can be moved in front of the sine.
-  const auto has_call = [&](FunctionId function, Ref argument) {
+  const auto has_call = [&](FunctionId function, SignedNode argument) {
     return std::ranges::any_of(nodes, [&](NodeId id) {
       const Node& node = graph.node(id);
       if (!is_call(node, function)) return false;
-      const Ref other = argument_of(node);
+      const SignedNode other = argument_of(node);
       return function == FunctionId::sin ? other.node == argument.node : other == argument;
     });
   };
@@ -243,53 +245,54 @@ std::set<NodeId> replaceable_calls(const Expressions& expressions) {
   for (const NodeId id : nodes) {
     const Node node = graph.node(id);
     if (!is_sine_or_cosine(node) && !is_call(node, FunctionId::exp)) continue;
-    const Ref argument = argument_of(node);
+    const SignedNode argument = argument_of(node);
     const bool is_found = is_sine_or_cosine(node)
-                              ? has_call(FunctionId::sin, GraphTerms(graph).half(argument))
+                              ? has_call(FunctionId::sin, GraphTermBuilder(graph).half(argument))
                               : has_call(FunctionId::expm1, argument);
     if (is_found) found.insert(id);
   }
   return found;
 }
 
-Ref with_shared_call(Graph& graph, FunctionId function, Ref argument) {
-  const Ref one = graph.rational(1);
+SignedNode express_by_shared_call(Graph& graph, FunctionId function, SignedNode argument) {
+  const SignedNode one = graph.rational(1);
   if (function == FunctionId::exp) {
     return graph.sum({one, graph.call(FunctionId::expm1, {argument})});
   }
-  const Ref half = GraphTerms(graph).half(argument);
-  const Ref sine = graph.call(FunctionId::sin, {half});
-  const Ref two = graph.rational(2);
+  const SignedNode half = GraphTermBuilder(graph).half(argument);
+  const SignedNode sine = graph.call(FunctionId::sin, {half});
+  const SignedNode two = graph.rational(2);
   if (function == FunctionId::cos) return graph.sum({one, -graph.product({{two, 1}, {sine, 2}})});
   return graph.product({{two, 1}, {sine, 1}, {graph.call(FunctionId::cos, {half}), 1}});
 }
 
 }  // namespace
 
-std::optional<Ref> rewrite_sum(Graph& graph, RewriteOptions keeping, Ref value) {
-  if (keeping.depth == deepest) return std::nullopt;
-  return SumRewriter(graph, {keeping.squares, keeping.depth + 1}).kept(value);
+std::optional<SignedNode> rewrite_sum(Graph& graph, RewriteOptions keeping, SignedNode value) {
+  if (keeping.depth == max_rewrite_depth) return std::nullopt;
+  return SumRewriter(graph, {keeping.squares, keeping.depth + 1}).rewrite(value);
 }
 
-std::optional<Expressions> rewrite_to_keep_digits(const Expressions& expressions, Squares squares) {
+std::optional<Expressions> rewrite_to_keep_digits(const Expressions& expressions,
+                                                  SquareHandling squares) {
   bool has_any = false;
   const auto rule = [&](Graph& graph, const RebuildStep& step) {
-    return kept(graph, step, RewriteOptions{squares}, has_any);
+    return rewrite_node(graph, step, RewriteOptions{squares}, has_any);
   };
   Expressions result = rebuild(expressions, rule);
   if (!has_any) return std::nullopt;
   return result;
 }
 
-std::optional<Expressions> with_fewer_calls(const Expressions& expressions) {
+std::optional<Expressions> replace_redundant_calls(const Expressions& expressions) {
   const std::set<NodeId> calls = replaceable_calls(expressions);
   if (calls.empty()) return std::nullopt;
   const auto rule = [&calls](Graph& graph, const RebuildStep& step) {
-    if (!calls.contains(step.old_node)) return copy(graph, step);
+    if (!calls.contains(step.old_node)) return copy_node(graph, step);
     const Node& node = step.old_graph.node(step.old_node);
     const Operand& argument = node.operands[0];
-    const Ref renewed = with_sign(step.renewed[argument.node], argument.weight < 0);
-    return with_shared_call(graph, node.function, renewed);
+    const SignedNode renewed = with_sign(step.renewed[argument.node], argument.weight < 0);
+    return express_by_shared_call(graph, node.function, renewed);
   };
   return rebuild(expressions, rule);
 }

@@ -1,4 +1,4 @@
-// kept_digits: rewrites differences of nearly equal values so that nothing cancels.
+// correct_digits: rewrites differences of nearly equal values so that nothing cancels.
 //
 //     before    sqrt(l^2 + x^2) - l           exp(x) - 1       log(1 + x)     1/(r - x) - 1/r
 //     after     x^2/(sqrt(l^2 + x^2) + l)     expm1(x)         log1p(x)       x/(r (r - x))
@@ -15,11 +15,11 @@ namespace elgen {
 
 /// `factored`: differences of squares are factored too: a^2 - b^2 = (a - b) (a + b). The pattern
 /// 1/sqrt(1 - a^2) - 1 is then no longer recognised.
-enum class Squares : std::uint8_t { whole, factored };
+enum class SquareHandling : std::uint8_t { unfactored, factored };
 
 /// How sums are rewritten, and the depth of nested rewritings.
 struct RewriteOptions {
-  Squares squares = Squares::whole;
+  SquareHandling squares = SquareHandling::unfactored;
   int depth = 0;
 };
 
@@ -32,16 +32,17 @@ struct RewriteOptions {
 ///
 /// None if nothing is rewritten.
 [[nodiscard]] std::optional<Expressions> rewrite_to_keep_digits(const Expressions& expressions,
-                                                                Squares squares);
+                                                                SquareHandling squares);
 
 /// Rewrites one sum in its graph; none if nothing is rewritten.
-[[nodiscard]] std::optional<Ref> rewrite_sum(Graph& graph, RewriteOptions keeping, Ref value);
+[[nodiscard]] std::optional<SignedNode> rewrite_sum(Graph& graph, RewriteOptions options,
+                                                    SignedNode value);
 
 /// Replaces calls that other calls in the expressions give without cancellation; none if no call
 /// can be replaced:
 ///
 ///     expm1(a), exp(a)                 exp(a) = 1 + expm1(a)
 ///     sin(a/2), sin(a), cos(a)         sin(a) = 2 sin(a/2) cos(a/2), cos(a) = 1 - 2 sin(a/2)^2
-[[nodiscard]] std::optional<Expressions> with_fewer_calls(const Expressions& expressions);
+[[nodiscard]] std::optional<Expressions> replace_redundant_calls(const Expressions& expressions);
 
 }  // namespace elgen

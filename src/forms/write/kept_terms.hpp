@@ -1,5 +1,5 @@
-// kept_terms: rewritings of cancelling sums that a row of digit_rows.def cannot express: triangles,
-// pairs, sums of powers.
+// rewrite_terms: rewritings of cancelling sums that a row of digit_rows.def cannot express:
+// triangles, pairs, sums of powers.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,8 @@ namespace elgen {
 /// With Squares::factored the result is C ((a - b)^2 cos(c/2)^2 + (a + b)^2 sin(c/2)^2), which
 /// keeps all digits for any signs of a and b. For + 2 C a b cos(c), the sine and the cosine of c/2
 /// are exchanged. Replaces three matching terms by one; false if no three terms match.
-[[nodiscard]] bool replace_triangle(Graph& graph, RewriteOptions keeping, std::vector<Ref>& terms);
+[[nodiscard]] bool replace_triangle(Graph& graph, RewriteOptions keeping,
+                                    std::vector<SignedNode>& terms);
 
 /// Combines two terms of a sum by rows without calls, or by rewritings that rows cannot express:
 ///
@@ -28,9 +29,9 @@ namespace elgen {
 ///
 /// The second rewriting applies only to sums of exactly two terms, with Squares::factored. None if
 /// no rewriting applies.
-[[nodiscard]] std::optional<Ref> rewrite_pair(Graph& graph, RewriteOptions keeping,
-                                              const std::vector<ScaledTerm>& terms,
-                                              std::size_t first, std::size_t second);
+[[nodiscard]] std::optional<SignedNode> rewrite_pair(Graph& graph, RewriteOptions keeping,
+                                                     const std::vector<ScaledTerm>& terms,
+                                                     std::size_t first, std::size_t second);
 
 /// Factors a sum of 3 to 30 terms with a repeated factor, which divides both the sum and the
 /// derivative of the sum by one coordinate. Factors the whole sum, or only the terms in which no
@@ -40,7 +41,7 @@ namespace elgen {
 ///     after     (x^2 - a^2)^2              (r - p)^2/(p^2*r^2)
 ///
 /// The base of each power is rewritten in the same way. None if no factor is repeated.
-[[nodiscard]] std::optional<Ref> square_free(Graph& graph, RewriteOptions keeping,
-                                             const std::vector<Ref>& terms);
+[[nodiscard]] std::optional<SignedNode> factor_square_free(Graph& graph, RewriteOptions keeping,
+                                                           const std::vector<SignedNode>& terms);
 
 }  // namespace elgen

@@ -23,11 +23,11 @@ bool precedes(const CircularPower& x, const CircularPower& y) {
 }
 
 /// One step of sin^2 = 1 - cos^2, or of cos^2 = 1 - sin^2 if `by_sines`.
-TwoPowers reduce_squares(const TwoPowers& sum, bool by_sines) {
-  TwoPowers result;
+CircularPolynomial reduce_squares(const CircularPolynomial& sum, bool by_sines) {
+  CircularPolynomial result;
   for (const auto& [powers, value] : sum) {
     const auto [cosine, sine] = powers;
-    const Gaussian opposite{-value.real, -value.imaginary};
+    const GaussianRational opposite{-value.real, -value.imaginary};
     if (by_sines && cosine >= 2) {
       add_term(result, {cosine - 2, sine}, value);
       add_term(result, {cosine - 2, sine + 2}, opposite);
@@ -42,10 +42,10 @@ TwoPowers reduce_squares(const TwoPowers& sum, bool by_sines) {
 }
 
 /// (cos + i sin)^multiple
-TwoPowers power_of_exponential(std::int32_t multiple, bool by_sines) {
-  TwoPowers result{{{0, 0}, Gaussian{1, 0}}};
+CircularPolynomial power_of_exponential(std::int32_t multiple, bool by_sines) {
+  CircularPolynomial result{{{0, 0}, GaussianRational{1, 0}}};
   for (std::int32_t k = 0; k < std::abs(multiple); ++k) {
-    result = reduce_squares(times_exponential(result, multiple < 0 ? -1 : 1), by_sines);
+    result = reduce_squares(multiply_by_exponential(result, multiple < 0 ? -1 : 1), by_sines);
   }
   return result;
 }
@@ -56,20 +56,20 @@ constexpr std::size_t work_per_term = 64;
 
 /// The highest power of a sine or cosine. cos(24 x) is a sum of 13 powers, far longer than the
 /// call, and the work grows with the cube of the power.
-constexpr std::int32_t most_powers = 24;
+constexpr std::int32_t highest_sinusoid_power = 24;
 
 /// Products of sines and cosines, numbered. Most exponentials have the same products, so each
 /// product is stored once, as a shorter product times one power. Number 0 is the empty product.
 class CircularProducts {
  public:
-  std::size_t number_of(const CircularPower& power) {
+  std::size_t intern_power(const CircularPower& power) {
     const auto [at, is_new] = numbers_.try_emplace(power, powers_.size());
     if (is_new) powers_.push_back(power);
     return at->second;
   }
 
   /// The number of product * power, both given by their numbers.
-  std::size_t times(std::size_t product, std::size_t power) {
+  std::size_t multiply(std::size_t product, std::size_t power) {
     std::vector<std::size_t>& longer = products_[product].longer;
     if (longer.size() <= power) longer.resize(power + 1, 0);
     if (longer[power] != 0) return longer[power];
@@ -102,20 +102,21 @@ class CircularProducts {
   std::vector<Product> products_ = std::vector<Product>(1);
 };
 
-class RealTerms {
+class RealTermsBuilder {
  public:
-  RealTerms(const Algebra& algebra, const Polynomial& sum, Trigonometry trigonometry)
+  RealTermsBuilder(const Algebra& algebra, const Polynomial& sum, Trigonometry trigonometry)
       : algebra_(algebra), trigonometry_(trigonometry) {
-    by_sines_ = trigonometry == Trigonometry::directions_by_sines ||
-                trigonometry == Trigonometry::units_by_sines;
-    for (const auto& [monomial, coefficient] : sum) update_bases(split(algebra, monomial).angle);
+    prefers_sines_ = trigonometry == Trigonometry::directions_by_sines ||
+                     trigonometry == Trigonometry::units_by_sines;
+    for (const auto& [monomial, coefficient] : sum)
+      update_base_angles(split_monomial(algebra, monomial).angle);
   }
 
   /// The highest power in the expansion of the angle's sines and cosines.
   [[nodiscard]] std::int32_t highest_power(const Monomial& monomial) const {
-    const Monomial angle = split(algebra_, monomial).angle;
+    const Monomial angle = split_monomial(algebra_, monomial).angle;
     if (angle.empty() || trigonometry_ == Trigonometry::multiple_angles) return 0;
-    if (!by_units()) return common_divisor(angle) / base_of_direction_.at(direction(angle));
+    if (!expands_units()) return common_divisor(angle) / base_of_direction_.at(direction(angle));
     std::int32_t highest = 0;
     for (const AtomPower& part : angle) {
       highest = std::max(highest, std::abs(part.exponent) / base_of_unit_.at(part.atom));
@@ -123,21 +124,21 @@ class RealTerms {
     return highest;
   }
 
-  void add(const Monomial& monomial, const Gaussian& coefficient) {
-    const auto [powers, angle] = split(algebra_, monomial);
+  void add(const Monomial& monomial, const GaussianRational& coefficient) {
+    const auto [powers, angle] = split_monomial(algebra_, monomial);
     if (!angle.empty() && angle.front().exponent < 0) return;  // its conjugate is added instead
     RealSum& sum = sums_[powers];
     if (angle.empty()) return add_real(sum, 0, coefficient.real);
     const NumberedSum& products = expansion_of(angle);
-    work_ += products.size();
-    const Gaussian twice{coefficient.real * 2, coefficient.imaginary * 2};
+    product_count_ += products.size();
+    const GaussianRational twice{coefficient.real * 2, coefficient.imaginary * 2};
     for (const auto& [number, value] : products) {
       add_real(sum, number, value.real * twice.real - value.imaginary * twice.imaginary);
     }
   }
 
   /// The number of products added so far.
-  [[nodiscard]] std::size_t work() const { return work_; }
+  [[nodiscard]] std::size_t product_count() const { return product_count_; }
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -157,11 +158,11 @@ class RealTerms {
 
  private:
   /// Pairs of a product's number and its coefficient.
-  using NumberedSum = std::vector<std::pair<std::size_t, Gaussian>>;
+  using NumberedSum = std::vector<std::pair<std::size_t, GaussianRational>>;
   /// Zero coefficients are kept: terms reappear often, and erasing them costs more.
   using RealSum = std::unordered_map<std::size_t, cl_RA>;
 
-  [[nodiscard]] bool by_units() const {
+  [[nodiscard]] bool expands_units() const {
     return trigonometry_ == Trigonometry::units_by_cosines ||
            trigonometry_ == Trigonometry::units_by_sines;
   }
@@ -182,23 +183,23 @@ class RealTerms {
   }
 
   /// Updates the base angles: all multiples of a direction, or of a unit, are multiples of its
-  /// base. No base exceeds whole_angle.
-  void update_bases(const Monomial& angle) {
+  /// base. No base exceeds whole_angle_units.
+  void update_base_angles(const Monomial& angle) {
     if (angle.empty()) return;
     for (const AtomPower& part : angle) {
-      std::int32_t& base = base_of_unit_.try_emplace(part.atom, whole_angle).first->second;
+      std::int32_t& base = base_of_unit_.try_emplace(part.atom, whole_angle_units).first->second;
       base = std::gcd(base, part.exponent);
     }
     const std::int32_t multiple = common_divisor(angle);
     std::int32_t& base =
-        base_of_direction_.try_emplace(direction(angle), whole_angle).first->second;
+        base_of_direction_.try_emplace(direction(angle), whole_angle_units).first->second;
     base = std::gcd(base, multiple);
   }
 
   NumberedSum expand_exponential(const Monomial& angle) {
-    const NumberedSum one{{0, Gaussian{1, 0}}};
+    const NumberedSum one{{0, GaussianRational{1, 0}}};
     if (trigonometry_ == Trigonometry::multiple_angles) return times_exponential(one, angle, 1);
-    if (!by_units()) {
+    if (!expands_units()) {
       const Monomial along = direction(angle);
       const std::int32_t base = base_of_direction_.at(along);
       return times_exponential(one, power(along, base), common_divisor(angle) / base);
@@ -216,12 +217,12 @@ class RealTerms {
                                 std::int32_t multiple) {
     NumberedSum result;
     const auto [known, is_new] = powers_.try_emplace(multiple);
-    if (is_new) known->second = power_of_exponential(multiple, by_sines_);
+    if (is_new) known->second = power_of_exponential(multiple, prefers_sines_);
     for (const auto& [powers, b] : known->second) {
       const bool is_one = powers.first == 0 && powers.second == 0;
-      const std::size_t power = circular_.number_of({angle, powers.first, powers.second});
+      const std::size_t power = circular_.intern_power({angle, powers.first, powers.second});
       for (const auto& [own, a] : x) {
-        result.emplace_back(is_one ? own : circular_.times(own, power), product(a, b));
+        result.emplace_back(is_one ? own : circular_.multiply(own, power), product(a, b));
       }
     }
     return result;
@@ -229,13 +230,13 @@ class RealTerms {
 
   const Algebra& algebra_;
   Trigonometry trigonometry_;
-  bool by_sines_ = false;
-  std::size_t work_ = 0;
+  bool prefers_sines_ = false;
+  std::size_t product_count_ = 0;
   std::size_t size_ = 0;
   std::map<AtomId, std::int32_t> base_of_unit_;
   std::map<Monomial, std::int32_t, MonomialLess> base_of_direction_;
   std::map<Monomial, NumberedSum, MonomialLess> expansions_;
-  std::map<std::int32_t, TwoPowers> powers_ = {};  ///< expansions of exponentials
+  std::map<std::int32_t, CircularPolynomial> powers_ = {};  ///< expansions of exponentials
   CircularProducts circular_;
   std::map<Monomial, RealSum, MonomialLess> sums_;
 };
@@ -255,9 +256,9 @@ Monomial direction(const Monomial& angle) {
   return result;
 }
 
-TwoPowers times_exponential(const TwoPowers& x, int sign) {
-  const Gaussian i{0, sign};
-  TwoPowers result;
+CircularPolynomial multiply_by_exponential(const CircularPolynomial& x, int sign) {
+  const GaussianRational i{0, sign};
+  CircularPolynomial result;
   for (const auto& [powers, value] : x) {
     add_term(result, {powers.first + 1, powers.second}, value);
     add_term(result, {powers.first, powers.second + 1}, product(value, i));
@@ -268,12 +269,13 @@ TwoPowers times_exponential(const TwoPowers& x, int sign) {
 std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra, const Polynomial& sum,
                                                 Trigonometry trigonometry, std::size_t most) {
   if (trigonometry == Trigonometry::homogeneous) return homogeneous_terms(algebra, sum, most);
-  RealTerms terms(algebra, sum, trigonometry);
+  RealTermsBuilder terms(algebra, sum, trigonometry);
   for (const auto& [monomial, coefficient] : sum) {
-    if (terms.highest_power(monomial) > most_powers) return std::nullopt;
+    if (terms.highest_power(monomial) > highest_sinusoid_power) return std::nullopt;
     terms.add(monomial, coefficient);
     // Later terms may cancel some of the terms so far, but not most of them.
-    if (terms.size() > 4 * most || terms.work() > work_per_term * most) return std::nullopt;
+    if (terms.size() > 4 * most || terms.product_count() > work_per_term * most)
+      return std::nullopt;
   }
   if (terms.size() > most) return std::nullopt;
   return terms.extract_terms();

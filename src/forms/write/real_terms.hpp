@@ -91,7 +91,7 @@ inline constexpr std::size_t multiple_length = 5;
                                                                      std::size_t most);
 
 /// The exponent k for which (e^(i x/12))^k = e^(i x).
-inline constexpr std::int32_t whole_angle = 12;
+inline constexpr std::int32_t whole_angle_units = 12;
 
 /// The greatest common divisor of the exponents; 0 if `angle` is empty.
 [[nodiscard]] std::int32_t common_divisor(const Monomial& angle);
@@ -100,9 +100,9 @@ inline constexpr std::int32_t whole_angle = 12;
 [[nodiscard]] Monomial direction(const Monomial& angle);
 
 /// Exponents of the cosine and the sine of one angle -> coefficient.
-using TwoPowers = std::map<std::pair<std::int32_t, std::int32_t>, Gaussian>;
+using CircularPolynomial = std::map<std::pair<std::int32_t, std::int32_t>, GaussianRational>;
 
 /// x (cos + i sin) for sign = 1; x (cos - i sin) for sign = -1.
-[[nodiscard]] TwoPowers times_exponential(const TwoPowers& x, int sign);
+[[nodiscard]] CircularPolynomial multiply_by_exponential(const CircularPolynomial& x, int sign);
 
 }  // namespace elgen

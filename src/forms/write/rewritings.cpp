@@ -19,18 +19,19 @@ namespace {
 /// their written length doubles with each level. Without a limit the pages of models/ are the same.
 constexpr std::size_t longest_written = 5'000;
 
-class Lengths {
+class WrittenLengths {
  public:
-  explicit Lengths(const Expressions& expressions) : graph_(expressions.graph) {
+  explicit WrittenLengths(const Expressions& expressions) : graph_(expressions.graph) {
     lengths_.resize(graph_.size());
-    for (const NodeId id : reachable(graph_, expressions.values)) lengths_[id] = length(id);
+    for (const NodeId id : reachable_nodes(graph_, expressions.values))
+      lengths_[id] = compute_length(id);
   }
 
-  [[nodiscard]] std::size_t of(NodeId id) const { return lengths_[id]; }
+  [[nodiscard]] std::size_t length_of(NodeId id) const { return lengths_[id]; }
 
  private:
   /// The written length of a node, whose constant operands together count as one number.
-  [[nodiscard]] std::size_t length(NodeId id) const {
+  [[nodiscard]] std::size_t compute_length(NodeId id) const {
     if (graph_.is_constant(id)) return 0;
     const Node& node = graph_.node(id);
     std::size_t total = 0;
@@ -43,13 +44,13 @@ class Lengths {
       if (node.kind == NodeKind::product && operand.weight != 1) ++total;
     }
     if (total > 0) --total;
-    if (node.kind == NodeKind::call) total += call_length + multiples(node.operands[0].node);
+    if (node.kind == NodeKind::call) total += call_length + multiples_length(node.operands[0].node);
     if (node.kind == NodeKind::square_root) total += call_length;
     return std::min(total, 2 * longest_written);
   }
 
   /// The extra length of multiples of leaves in the argument of a call.
-  [[nodiscard]] std::size_t multiples(NodeId argument) const {
+  [[nodiscard]] std::size_t multiples_length(NodeId argument) const {
     if (graph_.is_constant(argument)) return 0;
     const Node& node = graph_.node(argument);
     if (node.kind == NodeKind::product) {
@@ -57,7 +58,7 @@ class Lengths {
     }
     std::size_t total = 0;
     if (node.kind == NodeKind::sum) {
-      for (const Operand& term : node.operands) total += multiples(term.node);
+      for (const Operand& term : node.operands) total += multiples_length(term.node);
     }
     return total;
   }
@@ -69,7 +70,7 @@ class Lengths {
 /// The weight of a grouping, in percent of the length. Terms with a common rate are read together,
 /// and share more subexpressions. With 100 instead, half of the pages of models/ change: entries
 /// are 0.6 % longer and code is 0.6 % dearer. With 95 and with 70 the entries are longer too.
-constexpr std::size_t weight_of(Grouping grouping) {
+constexpr std::size_t grouping_weight(Grouping grouping) {
   switch (grouping) {
     case Grouping::by_rates:
       return 86;
@@ -81,10 +82,11 @@ constexpr std::size_t weight_of(Grouping grouping) {
   return 100;
 }
 
-Collected collected(const Expressions& expressions, std::size_t terms, Grouping grouping) {
-  Collected result{factored(flatten(expressions)), terms};
+CollectedForm collect_factors(const Expressions& expressions, std::size_t terms,
+                              Grouping grouping) {
+  CollectedForm result{factor_twice(flatten(expressions)), terms};
   result.length = written_length(result.expressions);
-  result.weighted_length = result.length * weight_of(grouping);
+  result.weighted_length = result.length * grouping_weight(grouping);
   return result;
 }
 
@@ -92,15 +94,16 @@ Collected collected(const Expressions& expressions, std::size_t terms, Grouping 
 /// models/ become the shortest; with 1 five pages change.
 constexpr std::size_t most_length_ratio = 2;
 
-struct Written {
+struct WrittenForm {
   Layout layout = {};
   Expressions expressions = {};
   std::size_t length = 0;
 };
 
-std::optional<Written> written(const Algebra& algebra, const Fraction& form, Layout layout) {
-  Written result{layout};
-  const auto value = closed_graph(result.expressions.graph, algebra, form, layout, most_terms);
+std::optional<WrittenForm> write_form(const Algebra& algebra, const Fraction& form, Layout layout) {
+  WrittenForm result{layout};
+  const auto value =
+      build_closed_graph(result.expressions.graph, algebra, form, layout, most_terms);
   if (!value) return std::nullopt;
   result.expressions.values.push_back(*value);
   result.length = written_length(result.expressions);
@@ -111,10 +114,10 @@ std::optional<Written> written(const Algebra& algebra, const Fraction& form, Lay
 /// Longer sums get one grouping, by rates or else by coordinates, and the shortest trigonometric
 /// form. With 20 the entries of models/ are 1.6 % longer and code is 0.6 % dearer. With 80 entries
 /// are 0.3 % shorter, code is the same, and generation takes 8 % longer.
-constexpr std::size_t always_compared = 40;
+constexpr std::size_t most_terms_compared = 40;
 
 /// The groupings that can change the form: a grouping by rates needs rates in its terms.
-std::vector<Grouping> groupings(const Algebra& algebra, const Fraction& form) {
+std::vector<Grouping> applicable_groupings(const Algebra& algebra, const Fraction& form) {
   bool has_rates = false;
   bool has_coordinates = false;
   for (const auto& [monomial, coefficient] : form.numerator) {
@@ -124,7 +127,7 @@ std::vector<Grouping> groupings(const Algebra& algebra, const Fraction& form) {
       has_coordinates = has_coordinates || !(is_rate(atom) || is_parameter(atom));
     }
   }
-  const bool is_long = form.numerator.size() > always_compared;
+  const bool is_long = form.numerator.size() > most_terms_compared;
   if (is_long) return {has_rates ? Grouping::by_rates : Grouping::by_rates_and_coordinates};
   std::vector<Grouping> result{Grouping::none};
   if (form.numerator.size() < 2) return result;
@@ -134,37 +137,37 @@ std::vector<Grouping> groupings(const Algebra& algebra, const Fraction& form) {
 }
 
 /// One rewriting per trigonometric form, without duplicates and without much longer ones.
-std::vector<Written> candidates(const Algebra& algebra, const Fraction& form) {
-  std::vector<Written> all;
+std::vector<WrittenForm> write_candidates(const Algebra& algebra, const Fraction& form) {
+  std::vector<WrittenForm> all;
   std::size_t least = SIZE_MAX;
   std::vector<std::optional<Trigonometry>> rewritings{std::nullopt};
   rewritings.insert(rewritings.end(), trigonometries.begin(), trigonometries.end());
   for (const std::optional<Trigonometry>& trigonometry : rewritings) {
-    auto candidate = written(algebra, form, {trigonometry, Grouping::none});
+    auto candidate = write_form(algebra, form, {trigonometry, Grouping::none});
     if (!candidate) continue;
-    if (std::ranges::find(all, candidate->length, &Written::length) != all.end()) continue;
+    if (std::ranges::find(all, candidate->length, &WrittenForm::length) != all.end()) continue;
     least = std::min(least, candidate->length);
     all.push_back(std::move(*candidate));
   }
-  const auto is_long = [&](const Written& rewriting) {
+  const auto is_long = [&](const WrittenForm& rewriting) {
     return rewriting.length > most_length_ratio * least;
   };
   std::erase_if(all, is_long);
-  if (form.numerator.size() <= always_compared || all.empty()) return all;
-  return {*std::ranges::min_element(all, {}, &Written::length)};
+  if (form.numerator.size() <= most_terms_compared || all.empty()) return all;
+  return {*std::ranges::min_element(all, {}, &WrittenForm::length)};
 }
 
 using NodeSet = std::set<NodeId>;
 
 /// For every angle that is rounded before its sine or cosine is computed: the set of its leaves,
 /// which is the same for x - y and 2 x - 2 y.
-std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
+std::set<NodeSet> rounded_angles(const Graph& graph, SignedNode value) {
   std::set<NodeSet> angles;
-  for (const NodeId id : reachable(graph, {value})) {
+  for (const NodeId id : reachable_nodes(graph, {value})) {
     const Node& node = graph.node(id);
     if (!is_sine_or_cosine(node) || is_exact_multiple(graph, node.operands[0].node)) continue;
     NodeSet leaves;
-    for (const NodeId part : reachable(graph, {{node.operands[0].node, false}})) {
+    for (const NodeId part : reachable_nodes(graph, {{node.operands[0].node, false}})) {
       if (graph.node(part).kind == NodeKind::leaf) leaves.insert(part);
     }
     if (!leaves.empty()) angles.insert(std::move(leaves));
@@ -177,8 +180,8 @@ std::set<NodeSet> rounded_angles(const Graph& graph, Ref value) {
 /// small.
 bool rounds_more_angles(const Expressions& rewriting, const Expressions& reference) {
   Graph both;
-  const Ref own = copy_value(both, rewriting);
-  const Ref known = copy_value(both, reference);
+  const SignedNode own = copy_value(both, rewriting);
+  const SignedNode known = copy_value(both, reference);
   const auto known_angles = rounded_angles(both, known);
   const auto is_known = [&known_angles](const NodeSet& angle) {
     return std::ranges::any_of(known_angles, [&angle](const NodeSet& other) {
@@ -189,7 +192,7 @@ bool rounds_more_angles(const Expressions& rewriting, const Expressions& referen
 }
 
 /// The largest error that is accepted in place of the error of x.
-Real admitted_error(const Running<Real>& x) {
+Real admitted_error(const RunningValue<Real>& x) {
   static const Real recounted(3);
   static const Real always(8);
   return max(x.error * recounted, abs(x.value) * always);
@@ -199,13 +202,13 @@ Real admitted_error(const Running<Real>& x) {
 /// shortest rewriting: with 1000 the pages of models/ are the same; with 20 some pages are longer.
 constexpr std::size_t longest_derived = 60;
 
-/// The shortest rewriting that is as precise as `judge`, the readable form.
-const Collected& shortest_precise(std::vector<const Collected*> rewritings, const Collected& judge,
-                                  const Points& points) {
-  std::ranges::stable_sort(rewritings, {}, [](const Collected* x) { return x->length; });
-  return **std::ranges::find_if(rewritings, [&](const Collected* x) {
-    return x->terms == judge.terms ||
-           is_as_precise(x->expressions, judge.expressions, points, Leaves::exact);
+/// The shortest rewriting that is as precise as `reference`, the readable form.
+const CollectedForm& shortest_precise_form(std::vector<const CollectedForm*> rewritings,
+                                           const CollectedForm& reference, const Points& points) {
+  std::ranges::stable_sort(rewritings, {}, [](const CollectedForm* x) { return x->length; });
+  return **std::ranges::find_if(rewritings, [&](const CollectedForm* x) {
+    return x->terms == reference.terms ||
+           is_as_precise(x->expressions, reference.expressions, points, LeafRounding::exact);
   });
 }
 
@@ -223,51 +226,52 @@ void append_entry(Function& to, Field& field, const Function& one) {
 }  // namespace
 
 std::size_t written_length(const Expressions& expressions) {
-  return Lengths(expressions).of(expressions.values[0].node);
+  return WrittenLengths(expressions).length_of(expressions.values[0].node);
 }
 
 Rewritings rewritings_of(const Algebra& algebra, const Fraction& form) {
   Rewritings rewritings;
   std::size_t terms = 0;
-  for (Written& candidate : candidates(algebra, form)) {
+  for (WrittenForm& candidate : write_candidates(algebra, form)) {
     ++terms;
-    for (const Grouping grouping : groupings(algebra, form)) {
-      const auto grouped = grouping == Grouping::none
-                               ? std::optional(candidate)
-                               : written(algebra, form, {candidate.layout.trigonometry, grouping});
+    for (const Grouping grouping : applicable_groupings(algebra, form)) {
+      const auto grouped =
+          grouping == Grouping::none
+              ? std::optional(candidate)
+              : write_form(algebra, form, {candidate.layout.trigonometry, grouping});
       if (!grouped) continue;
-      rewritings.collected.push_back(collected(grouped->expressions, terms, grouping));
+      rewritings.collected.push_back(collect_factors(grouped->expressions, terms, grouping));
     }
     rewritings.plain.push_back(std::move(candidate.expressions));
   }
   return rewritings;
 }
 
-Collected derived_rewriting(const Expressions& derived) {
-  return collected(derived, 0, Grouping::none);
+CollectedForm derived_rewriting(const Expressions& derived) {
+  return collect_factors(derived, 0, Grouping::none);
 }
 
-std::vector<Collected> precise_rewritings(const Algebra& algebra, const Fraction& form) {
-  std::vector<Collected> rewritings;
-  for (const Grouping grouping : groupings(algebra, form)) {
-    const auto grouped = written(algebra, form, {Trigonometry::homogeneous, grouping});
-    if (grouped) rewritings.push_back(collected(grouped->expressions, SIZE_MAX, grouping));
+std::vector<CollectedForm> precise_rewritings(const Algebra& algebra, const Fraction& form) {
+  std::vector<CollectedForm> rewritings;
+  for (const Grouping grouping : applicable_groupings(algebra, form)) {
+    const auto grouped = write_form(algebra, form, {Trigonometry::homogeneous, grouping});
+    if (grouped) rewritings.push_back(collect_factors(grouped->expressions, SIZE_MAX, grouping));
   }
   return rewritings;
 }
 
 bool is_as_precise(const Expressions& rewriting, const Expressions& reference, const Points& points,
-                   Leaves leaves) {
-  if (leaves == Leaves::exact && rounds_more_angles(rewriting, reference)) return false;
+                   LeafRounding leaves) {
+  if (leaves == LeafRounding::exact && rounds_more_angles(rewriting, reference)) return false;
   Expressions expressions;
   expressions.values = {copy_value(expressions.graph, rewriting),
                         copy_value(expressions.graph, reference)};
-  const Linearised both(make_network(expressions));
+  const LinearisedNetwork both(make_network(expressions));
   bool is_compared = false;
   for (const Arguments<double>& point : points) {
     const RunningErrorRules<Real> rules{running_leaves<Real>(point, leaves)};
     const auto entries =
-        entries_of(both.function, fold<Running<Real>>(rules, both.program, both.function));
+        entries_of(both.function, fold<RunningValue<Real>>(rules, both.program, both.function));
     const Real& own = entries[0].error;
     const Real admitted = admitted_error(entries[1]);
     if (!admitted.is_defined()) continue;
@@ -277,24 +281,25 @@ bool is_as_precise(const Expressions& rewriting, const Expressions& reference, c
   return is_compared;
 }
 
-std::optional<ReadableForm> shortest(const std::vector<Collected>& rewritings,
-                                     const Collected* derived, const Points& points) {
+std::optional<ReadableForm> choose_readable_form(const std::vector<CollectedForm>& rewritings,
+                                                 const CollectedForm* derived,
+                                                 const Points& points) {
   if (rewritings.empty() && derived == nullptr) return std::nullopt;
-  const Collected* readable = derived;
+  const CollectedForm* readable = derived;
   if (!rewritings.empty()) {
-    readable = &*std::ranges::min_element(rewritings, {}, &Collected::weighted_length);
+    readable = &*std::ranges::min_element(rewritings, {}, &CollectedForm::weighted_length);
   }
-  std::vector<const Collected*> all;
-  for (const Collected& rewriting : rewritings) all.push_back(&rewriting);
+  std::vector<const CollectedForm*> all;
+  for (const CollectedForm& rewriting : rewritings) all.push_back(&rewriting);
   if (derived != nullptr) {
     all.push_back(derived);
     const bool is_shorter = derived->weighted_length < readable->weighted_length;
     if (is_shorter &&
-        is_as_precise(derived->expressions, readable->expressions, points, Leaves::rounded)) {
+        is_as_precise(derived->expressions, readable->expressions, points, LeafRounding::rounded)) {
       readable = derived;
     }
   }
-  const Collected& compact = shortest_precise(std::move(all), *readable, points);
+  const CollectedForm& compact = shortest_precise_form(std::move(all), *readable, points);
   return ReadableForm{readable->expressions, compact.expressions, readable->length,
                       &compact == readable};
 }
@@ -309,7 +314,7 @@ Function lower_separately(const ReadableEntries& entries, const Function& shape,
       Function one;
       one.fields = {Field{"", 1, 1, {0}}};
       Network network = make_network(entries[next++]->readable);
-      turn_signs(network);
+      flip_signs(network);
       linearise(network, program, one);
       append_entry(readable, filled, one);
     }
@@ -319,8 +324,9 @@ Function lower_separately(const ReadableEntries& entries, const Function& shape,
 
 std::optional<DerivedEntry> derived_entry(const Program& program, const Function& function,
                                           std::uint32_t entry) {
-  if (cone_of(function, {entry}, longest_derived).size() > longest_derived) return std::nullopt;
-  Expressions derived = from_program(program, function, {entry});
+  if (dependency_cone(function, {entry}, longest_derived).size() > longest_derived)
+    return std::nullopt;
+  Expressions derived = expressions_from_program(program, function, {entry});
   const Expressions written_out = flatten(derived, FlattenedProducts::all_products);
   if (written_length(written_out) > longest_derived) return std::nullopt;
   return DerivedEntry{std::move(derived), derived_rewriting(written_out)};

@@ -24,7 +24,7 @@ namespace elgen {
 inline constexpr std::size_t most_terms = 400;
 
 /// One rewriting of a value, with common factors collected.
-struct Collected {
+struct CollectedForm {
   Expressions expressions = {};
   std::size_t terms = 0;  ///< number of the trigonometric form; all its groupings have equal errors
   std::size_t length = 0;
@@ -38,24 +38,24 @@ struct Collected {
 struct Rewritings {
   /// Sums of products without collected factors, so that cancelling terms are in the same sum.
   std::vector<Expressions> plain = {};
-  std::vector<Collected> collected = {};  ///< in all groupings
+  std::vector<CollectedForm> collected = {};  ///< in all groupings
 };
 [[nodiscard]] Rewritings rewritings_of(const Algebra& algebra, const Fraction& form);
 
 /// The derived expression with common factors collected.
-[[nodiscard]] Collected derived_rewriting(const Expressions& derived);
+[[nodiscard]] CollectedForm derived_rewriting(const Expressions& derived);
 
 /// Rewritings with homogeneous terms (real_terms.hpp), in which nothing cancels when the square of
 /// a sine or cosine is 1. They are longer than other rewritings, and only for code.
-[[nodiscard]] std::vector<Collected> precise_rewritings(const Algebra& algebra,
-                                                        const Fraction& form);
+[[nodiscard]] std::vector<CollectedForm> precise_rewritings(const Algebra& algebra,
+                                                            const Fraction& form);
 
 /// True if the error of `rewriting` is at most max(3 E, 8 |x|) at every point at which `reference`
 /// has a value x with error E. False if `reference` has no value at any point. Errors are
 /// first-order running errors, in units of rounding. The factor 3 admits every reordering of a sum,
 /// which at most doubles the error, but no cancellation.
 [[nodiscard]] bool is_as_precise(const Expressions& rewriting, const Expressions& reference,
-                                 const Points& points, Leaves leaves);
+                                 const Points& points, LeafRounding leaves);
 
 /// The forms of one entry, each over its own graph.
 struct ReadableForm {
@@ -65,15 +65,16 @@ struct ReadableForm {
   bool is_shortest = false;   ///< the readable form is also the compact one
   bool is_rewritten = false;  ///< the code must use `compact`, because `readable` loses digits
   double loss = 0;            ///< loss of the compact form (text_errors.hpp)
-  std::optional<Expressions> kept = {};  ///< a longer form with the digits that `compact` loses
+  std::optional<Expressions> precise = {};  ///< a longer form with the digits that `compact` loses
 };
 
 using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< entries of all fields
 
 /// `readable` is the candidate of least weighted length; `compact` is the shortest candidate that
 /// is as precise as `readable`. None without candidates. `derived` may be null.
-[[nodiscard]] std::optional<ReadableForm> shortest(const std::vector<Collected>& rewritings,
-                                                   const Collected* derived, const Points& points);
+[[nodiscard]] std::optional<ReadableForm> choose_readable_form(
+    const std::vector<CollectedForm>& rewritings, const CollectedForm* derived,
+    const Points& points);
 
 /// Lowers the readable forms one by one, so that no form is changed for a common subexpression with
 /// another entry.
@@ -83,7 +84,7 @@ using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< entries 
 /// One entry of a function as derived, over the leaves; none if it is long.
 struct DerivedEntry {
   Expressions unexpanded = {};
-  Collected collected = {};  ///< with nested products flattened
+  CollectedForm collected = {};  ///< with nested products flattened
 };
 [[nodiscard]] std::optional<DerivedEntry> derived_entry(const Program& program,
                                                         const Function& function,

@@ -1,5 +1,6 @@
-// square_free: see kept_terms.hpp. Polynomials over the nodes of the graph, factored by Yun's
-// algorithm (D. Y. Y. Yun, On square-free decomposition algorithms, SYMSAC 1976, pages 26 to 35).
+// factor_square_free: see kept_terms.hpp. Polynomials over the nodes of the graph, factored by
+// Yun's algorithm (D. Y. Y. Yun, On square-free decomposition algorithms, SYMSAC 1976, pages 26 to
+// 35).
 #include <algorithm>
 #include <utility>
 
@@ -13,11 +14,11 @@ constexpr std::size_t most_terms_of_polynomial = 30;
 
 /// Limits of the terms of intermediate polynomials, and of products of terms. Sums that have a
 /// repeated factor by design need a tenth of these limits.
-constexpr std::size_t most_terms_on_the_way = 200;
+constexpr std::size_t most_intermediate_terms = 200;
 constexpr std::size_t most_products = 50'000;
 
 /// Thrown if a limit is exceeded.
-struct TooMuchWork {};
+struct WorkLimitExceeded {};
 
 std::int32_t degree_of(const Polynomial& x, AtomId atom) {
   std::int32_t degree = 0;
@@ -27,14 +28,14 @@ std::int32_t degree_of(const Polynomial& x, AtomId atom) {
   return degree;
 }
 
-Monomial single(AtomId atom, std::int32_t exponent) { return power({{atom, 1}}, exponent); }
+Monomial atom_power(AtomId atom, std::int32_t exponent) { return power({{atom, 1}}, exponent); }
 
 Polynomial derivative(const Polynomial& x, AtomId atom) {
   Polynomial result;
   for (const auto& [monomial, coefficient] : x) {
     const std::int32_t exponent = exponent_of(monomial, atom);
     if (exponent == 0) continue;
-    add_term(result, product(monomial, single(atom, -1)), product(coefficient, {exponent, 0}));
+    add_term(result, product(monomial, atom_power(atom, -1)), product(coefficient, {exponent, 0}));
   }
   return result;
 }
@@ -50,18 +51,18 @@ Polynomial substitute_numbers(const Polynomial& x, AtomId atom) {
       const cln::cl_RA number = 7 + 4 * static_cast<long>(i);
       value = value * cln::expt(number, cln::cl_I(exponent_of(monomial, atoms[i])));
     }
-    add_term(result, single(atom, exponent_of(monomial, atom)), {value, 0});
+    add_term(result, atom_power(atom, exponent_of(monomial, atom)), {value, 0});
   }
   return result;
 }
 
 /// Greatest common divisors of polynomials without negative powers, by Euclid's algorithm.
-class Divisors {
+class PolynomialGcd {
  public:
   Polynomial greatest_divisor(Polynomial x, Polynomial y) {
     if (x.empty() || y.empty()) return x.empty() ? y : x;
     const std::vector<AtomId> atoms = atoms_of(x);
-    if (atoms.empty() || atoms_of(y).empty()) return constant(1);
+    if (atoms.empty() || atoms_of(y).empty()) return constant_polynomial(1);
     const AtomId atom = atoms.front();
     if (degree_of(y, atom) == 0) return greatest_divisor(content(x, atom), std::move(y));
     const Polynomial shared = greatest_divisor(content(x, atom), content(y, atom));
@@ -70,7 +71,7 @@ class Divisors {
     while (!y.empty()) {
       if (degree_of(x, atom) < degree_of(y, atom)) std::swap(x, y);
       if (degree_of(y, atom) == 0) return shared;
-      Polynomial rest = remainder(x, y, atom);
+      Polynomial rest = pseudo_remainder(x, y, atom);
       x = std::move(y);
       y = rest.empty() ? rest : primitive_part(rest, atom);
     }
@@ -88,9 +89,10 @@ class Divisors {
 
   /// x / y; y must divide x.
   Polynomial divide_exactly(const Polynomial& x, const Polynomial& y) {
-    if (y.size() == 1) return scaled(x, reciprocal(y.begin()->second), power(y.begin()->first, -1));
+    if (y.size() == 1)
+      return multiply_by_term(x, reciprocal(y.begin()->second), power(y.begin()->first, -1));
     std::optional<Polynomial> result = quotient(x, y, products_);
-    if (!result) throw TooMuchWork();
+    if (!result) throw WorkLimitExceeded();
     return std::move(*result);
   }
 
@@ -98,19 +100,19 @@ class Divisors {
   /// x without its content, with leading coefficient 1.
   Polynomial primitive_part(const Polynomial& x, AtomId atom) {
     const Polynomial result = divide_exactly(x, content(x, atom));
-    return scaled(result, reciprocal(result.rbegin()->second));
+    return multiply_by_term(result, reciprocal(result.rbegin()->second));
   }
 
   /// Pseudo-remainder: the remainder of x times a power of the leading coefficient of y.
-  Polynomial remainder(Polynomial x, const Polynomial& y, AtomId atom) {
+  Polynomial pseudo_remainder(Polynomial x, const Polynomial& y, AtomId atom) {
     const Polynomial lead = coefficients_of(y, atom).rbegin()->second;
     while (!x.empty() && degree_of(x, atom) >= degree_of(y, atom)) {
       const Polynomial own = coefficients_of(x, atom).rbegin()->second;
       const std::size_t cost = x.size() * lead.size() + y.size() * own.size();
-      if (cost > products_ || x.size() > most_terms_on_the_way) throw TooMuchWork();
+      if (cost > products_ || x.size() > most_intermediate_terms) throw WorkLimitExceeded();
       products_ -= cost;
-      const Monomial shift = single(atom, degree_of(x, atom) - degree_of(y, atom));
-      x = sum(product(x, lead), scaled(product(y, own), {-1, 0}, shift));
+      const Monomial shift = atom_power(atom, degree_of(x, atom) - degree_of(y, atom));
+      x = sum(product(x, lead), multiply_by_term(product(y, own), {-1, 0}, shift));
     }
     return x;
   }
@@ -126,7 +128,7 @@ struct RepeatedFactor {
 /// The factors of x with their exponents; the content of x is one of them. None if no factor is
 /// repeated.
 std::optional<std::vector<RepeatedFactor>> repeated_factors(const Polynomial& x, AtomId atom) {
-  Divisors divisors;
+  PolynomialGcd divisors;
   const Polynomial simple = substitute_numbers(x, atom);
   if (simple.empty()) return std::nullopt;
   const Polynomial shared = divisors.greatest_divisor(simple, derivative(simple, atom));
@@ -146,21 +148,22 @@ std::optional<std::vector<RepeatedFactor>> repeated_factors(const Polynomial& x,
     for (std::int32_t i = 0; i < exponent; ++i) made = product(made, base);
     factors.push_back({std::move(base), exponent});
   }
-  const Gaussian scale = product(x.rbegin()->second, reciprocal(made.rbegin()->second));
-  if (scaled(made, scale) != x) return std::nullopt;
-  factors.push_back({scaled(constant(1), scale)});
+  const GaussianRational scale = product(x.rbegin()->second, reciprocal(made.rbegin()->second));
+  if (multiply_by_term(made, scale) != x) return std::nullopt;
+  factors.push_back({multiply_by_term(constant_polynomial(1), scale)});
   return factors;
 }
 
-class SquareFree : GraphTerms {
+class SquareFreeFactoriser : GraphTermBuilder {
  public:
-  SquareFree(Graph& graph, RewriteOptions keeping) : GraphTerms(graph), keeping_(keeping) {}
+  SquareFreeFactoriser(Graph& graph, RewriteOptions keeping)
+      : GraphTermBuilder(graph), keeping_(keeping) {}
 
-  std::optional<Ref> operator()(const std::vector<Ref>& terms) {
+  std::optional<SignedNode> operator()(const std::vector<SignedNode>& terms) {
     Polynomial all;
     bool has_powers = false;
-    for (const Ref term : terms) {
-      const ScaledTerm parts = scaled(term);
+    for (const SignedNode term : terms) {
+      const ScaledTerm parts = split_term(term);
       Monomial monomial;
       for (const Operand& factor : parts.factors) {
         monomial.push_back({factor.node, factor.weight});
@@ -172,7 +175,7 @@ class SquareFree : GraphTerms {
     if (!has_powers) return std::nullopt;
     for (const AtomId atom : atoms_of(all)) {
       if (!is_variable(atom)) continue;
-      if (const auto factored = product_of(all, atom)) return factored;
+      if (const auto factored = factor_polynomial(all, atom)) return factored;
       if (const auto factored = factor_group(all, atom)) return factored;
     }
     return std::nullopt;
@@ -186,22 +189,22 @@ class SquareFree : GraphTerms {
     return is_coordinate || is_call(node, FunctionId::exp);
   }
 
-  std::optional<Ref> product_of(const Polynomial& whole, AtomId atom) {
+  std::optional<SignedNode> factor_polynomial(const Polynomial& whole, AtomId atom) {
     const Monomial common = common_powers(whole);
-    const Polynomial x = elgen::scaled(whole, {1, 0}, power(common, -1));
+    const Polynomial x = elgen::multiply_by_term(whole, {1, 0}, power(common, -1));
     if (x.size() < 3 || degree_of(x, atom) < 2) return std::nullopt;
     const auto factors = repeated_factors(x, atom);
     if (!factors) return std::nullopt;
-    std::vector<Power> powers{{value_of({{common, {1, 0}}})}};
+    std::vector<Power> powers{{build_sum({{common, {1, 0}}})}};
     for (const auto& [base, exponent] : *factors) {
-      const Ref value = value_of(base);
+      const SignedNode value = build_sum(base);
       powers.push_back({rewrite_sum(graph_, keeping_, value).value_or(value), exponent});
     }
     return graph_.product(powers);
   }
 
   /// Factors the terms in `atom` and in factors with a parameter term; adds other terms unchanged.
-  std::optional<Ref> factor_group(const Polynomial& all, AtomId atom) {
+  std::optional<SignedNode> factor_group(const Polynomial& all, AtomId atom) {
     Polynomial group;
     Polynomial others;
     for (const auto& [monomial, coefficient] : all) {
@@ -211,12 +214,12 @@ class SquareFree : GraphTerms {
       (is_alone ? group : others).try_emplace(monomial, coefficient);
     }
     if (others.empty() || group.size() < 3) return std::nullopt;
-    const auto factored = product_of(group, atom);
-    return factored ? std::optional(graph_.sum({*factored, value_of(others)})) : std::nullopt;
+    const auto factored = factor_polynomial(group, atom);
+    return factored ? std::optional(graph_.sum({*factored, build_sum(others)})) : std::nullopt;
   }
 
-  Ref value_of(const Polynomial& x) {
-    std::vector<Ref> terms;
+  SignedNode build_sum(const Polynomial& x) {
+    std::vector<SignedNode> terms;
     for (const auto& [monomial, coefficient] : x) {
       std::vector<Operand> factors;
       for (const AtomPower& power : monomial) factors.push_back({power.atom, power.exponent});
@@ -230,12 +233,12 @@ class SquareFree : GraphTerms {
 
 }  // namespace
 
-std::optional<Ref> square_free(Graph& graph, RewriteOptions keeping,
-                               const std::vector<Ref>& terms) {
+std::optional<SignedNode> factor_square_free(Graph& graph, RewriteOptions keeping,
+                                             const std::vector<SignedNode>& terms) {
   if (terms.size() < 3 || terms.size() > most_terms_of_polynomial) return std::nullopt;
   try {
-    return SquareFree(graph, keeping)(terms);
-  } catch (const TooMuchWork&) {
+    return SquareFreeFactoriser(graph, keeping)(terms);
+  } catch (const WorkLimitExceeded&) {
     return std::nullopt;
   }
 }

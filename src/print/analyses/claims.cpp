@@ -15,54 +15,54 @@
 namespace elgen {
 namespace {
 
-std::string words(std::size_t count) {
+std::string count_word(std::size_t count) {
   constexpr std::array names{"no", "one", "two", "three", "four", "five", "six"};
   return count < names.size() ? names[count] : std::to_string(count);
 }
 
 /// "in [0.5, 5]"; "= 0" if the two ends of the interval agree to six digits.
-std::string side_text(const Interval& sides) {
+std::string interval_text(const Interval& sides) {
   static const cln::cl_R shown = power_of_ten(-6);
   const cln::cl_R middle = (sides.low + sides.high) / 2;
   const bool holds_zero = !cln::plusp(sides.low) && !cln::minusp(sides.high);
   if (sides.high - sides.low < shown * cln::max(cln::cl_R(1), cln::abs(middle))) {
-    return "= " + (holds_zero ? "0" : short_text(middle));
+    return "= " + (holds_zero ? "0" : short_number_text(middle));
   }
-  return fmt::format("in [{}, {}]", short_text(sides.low), short_text(sides.high));
+  return fmt::format("in [{}, {}]", short_number_text(sides.low), short_number_text(sides.high));
 }
 
 /// "l in [0.5, 5], theta = 0; l = 2, theta = 1"
-std::string undecided_places(const Model& model, const Equilibria& equilibria) {
+std::string undecided_places_text(const Model& model, const Equilibria& equilibria) {
   constexpr std::size_t most_shown = 4;
   std::string places;
-  for (std::size_t k = 0; k < std::min(most_shown, equilibria.undecided.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(most_shown, equilibria.undecided_boxes.size()); ++k) {
     std::string place;
-    for (const auto& [coordinate, sides] : equilibria.undecided[k]) {
+    for (const auto& [coordinate, sides] : equilibria.undecided_boxes[k]) {
       place += fmt::format("{}{} {}", place.empty() ? "" : ", ", model.coordinates[coordinate].name,
-                           side_text(sides));
+                           interval_text(sides));
     }
     places += (places.empty() ? "" : "; ") + place;
   }
-  if (equilibria.undecided.size() > most_shown) places += "; and other places";
+  if (equilibria.undecided_boxes.size() > most_shown) places += "; and other places";
   return places;
 }
 
 /// True if a coordinate of some point satisfies `wanted`, and this point is an equilibrium only for
 /// the present values of the parameters.
 template <class Wanted>
-bool has_inexact(const Equilibria& equilibria, const Wanted& wanted) {
+bool has_inexact_point(const Equilibria& equilibria, const Wanted& wanted) {
   return std::ranges::any_of(equilibria.points, [&wanted](const RestPoint& point) {
     return !point.is_exact && std::ranges::any_of(point.coordinates, wanted);
   });
 }
 
 bool has_sinusoid(const RestPoint& point) {
-  return std::ranges::any_of(point.coordinates, [](const CoordinateAtRest& coordinate) {
-    return coordinate.sinusoid.has_value();
+  return std::ranges::any_of(point.coordinates, [](const RestCoordinate& coordinate) {
+    return coordinate.inverse_argument.has_value();
   });
 }
 
-std::size_t count_with_sinusoids(const Equilibria& equilibria) {
+std::size_t count_sinusoid_points(const Equilibria& equilibria) {
   return static_cast<std::size_t>(std::ranges::count_if(equilibria.points, has_sinusoid));
 }
 
@@ -83,25 +83,25 @@ bool is_positive(const PageForms& known, const Fraction& product) {
 
 /// The condition |numerator| <= |denominator|, without bars around a denominator that is known to
 /// be positive.
-std::optional<Formula> condition_of(PageForms& known, const Fraction& sinusoid) {
-  const Value below = divisor_of(known.forms.algebra, sinusoid);
+std::optional<Formula> sinusoid_condition(PageForms& known, const Fraction& sinusoid) {
+  const OptionalFraction below = full_denominator(known.forms.algebra, sinusoid);
   if (!below) return std::nullopt;
   std::optional<Formula> above =
-      known.read(Arithmetic(known.forms.algebra).multiply(sinusoid, below));
-  std::optional<Formula> bound = known.read(below);
+      known.to_formula(Arithmetic(known.forms.algebra).multiply(sinusoid, below));
+  std::optional<Formula> bound = known.to_formula(below);
   if (!above || !bound) return std::nullopt;
-  if (!is_positive(known, *below)) bound = bars(std::move(*bound));
-  return relation(bars(std::move(*above)), std::move(*bound), "<=");
+  if (!is_positive(known, *below)) bound = absolute_value_of(std::move(*bound));
+  return relation(absolute_value_of(std::move(*above)), std::move(*bound), "<=");
 }
 
 /// The sine or cosine that all angles at rest have in common; none if there are several.
-std::optional<Fraction> only_sinusoid(ClosedForms& forms, const Equilibria& equilibria) {
+std::optional<Fraction> common_sinusoid(ClosedForms& forms, const Equilibria& equilibria) {
   std::optional<Fraction> only;
   for (const RestPoint& point : equilibria.points) {
-    for (const CoordinateAtRest& coordinate : point.coordinates) {
-      if (!coordinate.sinusoid) continue;
-      if (only && !is_proved_equal(forms, *only, *coordinate.sinusoid)) return std::nullopt;
-      only = coordinate.sinusoid;
+    for (const RestCoordinate& coordinate : point.coordinates) {
+      if (!coordinate.inverse_argument) continue;
+      if (only && !is_proved_equal(forms, *only, *coordinate.inverse_argument)) return std::nullopt;
+      only = coordinate.inverse_argument;
     }
   }
   return only;
@@ -109,14 +109,15 @@ std::optional<Fraction> only_sinusoid(ClosedForms& forms, const Equilibria& equi
 
 /// "the last two exist if |g| <= R*Omega^2"
 Formula existence_condition(PageForms& known, const Equilibria& equilibria) {
-  const std::size_t count = count_with_sinusoids(equilibria);
+  const std::size_t count = count_sinusoid_points(equilibria);
   const bool are_last = std::ranges::is_partitioned(equilibria.points, std::not_fn(has_sinusoid));
   const std::string subject = count == equilibria.points.size() ? "they exist"
                               : !are_last                       ? "angles exist"
                               : count == 1                      ? "the last one exists"
-                                           : fmt::format("the last {} exist", words(count));
-  const std::optional<Fraction> sinusoid = only_sinusoid(known.forms, equilibria);
-  const std::optional<Formula> condition = sinusoid ? condition_of(known, *sinusoid) : std::nullopt;
+                                           : fmt::format("the last {} exist", count_word(count));
+  const std::optional<Fraction> sinusoid = common_sinusoid(known.forms, equilibria);
+  const std::optional<Formula> condition =
+      sinusoid ? sinusoid_condition(known, *sinusoid) : std::nullopt;
   return row_of({prose(subject + " if"),
                  condition ? *condition : prose("the arguments of acos and asin are in [-1, 1]")});
 }
@@ -128,7 +129,7 @@ Formula parameter_value_clause(Formulas special) {
 }
 
 /// The searched ranges, and the coordinates without a range: "r in [0.3, 3]; theta modulo 2*pi".
-void add_search(Formulas& clauses, const PageForms& known, const Equilibria& equilibria) {
+void add_search_clauses(Formulas& clauses, const PageForms& known, const Equilibria& equilibria) {
   std::ranges::move(searched_ranges(known, equilibria), std::back_inserter(clauses));
   Formulas turns;
   Formulas starts;
@@ -156,20 +157,22 @@ std::string limit_text(const Equilibria& equilibria) {
 
 }  // namespace
 
-Formula scope_of(PageForms& known, const Equilibria& equilibria) {
+Formula scope_claim(PageForms& known, const Equilibria& equilibria) {
   Formulas special;
-  if (has_inexact(equilibria, [](const CoordinateAtRest& x) { return !x.is_any && !x.form; })) {
+  if (has_inexact_point(
+          equilibria, [](const RestCoordinate& x) { return !x.is_arbitrary && !x.closed_form; })) {
     special.push_back(prose("numbers"));
   }
-  if (has_inexact(equilibria, &CoordinateAtRest::is_any)) special.push_back(prose("\"any\""));
+  if (has_inexact_point(equilibria, &RestCoordinate::is_arbitrary))
+    special.push_back(prose("\"any\""));
   Formulas clauses;
-  if (count_with_sinusoids(equilibria) > 0) {
+  if (count_sinusoid_points(equilibria) > 0) {
     clauses.push_back(existence_condition(known, equilibria));
   } else if (special.empty()) {
     clauses.push_back(prose("exact for all values of the parameters"));
   }
   clauses.push_back(parameter_value_clause(std::move(special)));
-  add_search(clauses, known, equilibria);
+  add_search_clauses(clauses, known, equilibria);
   Formulas row;
   for (Formula& clause : clauses) {
     if (!row.empty()) row.push_back(prose(";"));
@@ -178,8 +181,8 @@ Formula scope_of(PageForms& known, const Equilibria& equilibria) {
   return row_of(std::move(row));
 }
 
-Formula claim_of(const Model& model, const Equilibria& equilibria) {
-  const std::string places = undecided_places(model, equilibria);
+Formula completeness_claim(const Model& model, const Equilibria& equilibria) {
+  const std::string places = undecided_places_text(model, equilibria);
   switch (equilibria.completeness) {
     case Completeness::proved:
       return prose("the list is complete at the parameters' values (proved)");

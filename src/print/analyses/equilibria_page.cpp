@@ -17,42 +17,46 @@ std::string input_values_text(const Model& model, const Equilibria& equilibria) 
   std::string text;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     if (cln::zerop(equilibria.inputs[i])) continue;
-    text += fmt::format(", {} = {}", model.inputs[i].name, short_text(equilibria.inputs[i]));
+    text += fmt::format(", {} = {}", model.inputs[i].name, short_number_text(equilibria.inputs[i]));
   }
   return text;
 }
 
 /// The stiffness K of a model with one coordinate; none for other models.
-Value stiffness_of(PageForms& known) {
+OptionalFraction stiffness_of(PageForms& known) {
   if (known.model.velocities.size() != 1 || known.model.coordinates.size() != 1) return {};
-  const Value row = known.forms.functions[0].fields[0].entries[0];
+  const OptionalFraction row = known.forms.functions[0].fields[0].entries[0];
   return row ? partial_derivative(known.forms, *row, 0, 1) : std::nullopt;
 }
 
-Formula cell_of(PageForms& known, const CoordinateAtRest& at, bool is_pair) {
-  if (at.is_any) return prose("any");
-  Value form = at.form;
+Formula coordinate_cell(PageForms& known, const RestCoordinate& at, bool is_pair) {
+  if (at.is_arbitrary) return prose("any");
+  OptionalFraction form = at.closed_form;
   if (is_pair && cln::minusp(at.value)) form = Arithmetic(known.forms.algebra).negate(form);
-  const std::optional<Formula> formula = known.read(form);
-  if (!formula) return six_digits(at.value);
+  const std::optional<Formula> formula = known.to_formula(form);
+  if (!formula) return six_digit_formula(at.value);
   const auto with_sign = [is_pair](Formula x) { return is_pair ? plus_minus(std::move(x)) : x; };
-  const bool is_plain = !at.sinusoid && !holds_leaves(known.forms.algebra, *at.form);
+  const bool is_plain =
+      !at.inverse_argument && !contains_leaves(known.forms.algebra, *at.closed_form);
   if (is_plain) return with_sign(*formula);
   return relation(with_sign(*formula),
-                  with_sign(six_digits(is_pair ? cln::abs(at.value) : at.value)));
+                  with_sign(six_digit_formula(is_pair ? cln::abs(at.value) : at.value)));
 }
 
 /// "the chart is singular at beta = +-pi/2"
-void add_breaks(Formulas& lines, PageForms& known, const std::vector<ChartBreak>& breaks) {
+void add_chart_breaks(Formulas& lines, PageForms& known,
+                      const std::vector<ChartSingularity>& breaks) {
   Formulas places;
-  for (const ChartBreak& here : breaks) {
-    const bool is_pair =
-        here.at.form && std::ranges::any_of(breaks, [&here](const ChartBreak& other) {
-          return other.coordinate == here.coordinate && !cln::zerop(here.at.value) &&
-                 is_near(Real(other.at.value), -Real(here.at.value));
-        });
-    if (is_pair && cln::minusp(here.at.value)) continue;
-    places.push_back(relation(known.symbols.q[here.coordinate], cell_of(known, here.at, is_pair)));
+  for (const ChartSingularity& here : breaks) {
+    const bool is_pair = here.value.closed_form &&
+                         std::ranges::any_of(breaks, [&here](const ChartSingularity& other) {
+                           return other.coordinate == here.coordinate &&
+                                  !cln::zerop(here.value.value) &&
+                                  is_near(Real(other.value.value), -Real(here.value.value));
+                         });
+    if (is_pair && cln::minusp(here.value.value)) continue;
+    places.push_back(
+        relation(known.symbols.q[here.coordinate], coordinate_cell(known, here.value, is_pair)));
   }
   if (places.empty()) return;
   lines.push_back(row_of({prose("the chart is singular at"), enumeration(std::move(places))}));
@@ -61,16 +65,16 @@ void add_breaks(Formulas& lines, PageForms& known, const std::vector<ChartBreak>
 // Functions for a page without points.
 
 Formula residual_name(const Model& model) {
-  if (!model.inputs.empty()) return symbol("bias - B u", "\\mathrm{bias} - B u");
+  if (!model.inputs.empty()) return latex_symbol("bias - B u", "\\mathrm{bias} - B u");
   const bool has_bias = model.may_drift || !model.forces.empty();
-  return has_bias ? symbol("bias", "\\mathrm{bias}") : latex_formula("g");
+  return has_bias ? latex_symbol("bias", "\\mathrm{bias}") : latex_formula("g");
 }
 
 /// "g = (0, m*g*l*sin(theta))"
-Formula residual(const PageForms& known) {
+Formula residual_formula(const PageForms& known) {
   Formulas entries;
-  for (const Value& row : known.forms.functions[0].fields[0].entries) {
-    std::optional<Formula> entry = known.read(row);
+  for (const OptionalFraction& row : known.forms.functions[0].fields[0].entries) {
+    std::optional<Formula> entry = known.to_formula(row);
     if (!entry) return residual_name(known.model);
     entries.push_back(std::move(*entry));
   }
@@ -89,7 +93,7 @@ Formula proved_domain(const PageForms& known, const Equilibria& equilibria) {
   return row_of(std::move(parts));
 }
 
-void add_cyclic(Formulas& lines, const CheckedModel& checked, const PageForms& known) {
+void add_cyclic_note(Formulas& lines, const CheckedModel& checked, const PageForms& known) {
   Formulas symbols;
   std::string name;
   for (std::uint32_t i = 0; i < known.symbols.q.size(); ++i) {
@@ -107,54 +111,58 @@ void add_cyclic(Formulas& lines, const CheckedModel& checked, const PageForms& k
   lines.push_back(row_of({enumeration(std::move(symbols)), std::move(claim)}));
 }
 
-Formulas lines_without_points(const CheckedModel& checked, PageForms& known,
+Formulas no_equilibrium_lines(const CheckedModel& checked, PageForms& known,
                               const Equilibria& equilibria) {
   Formulas lines;
   const Formula proved = proved_domain(known, equilibria);
   if (equilibria.completeness != Completeness::proved) {
-    if (equilibria.undecided.empty()) lines.push_back(prose("no equilibrium was found"));
-    add_breaks(lines, known, equilibria.breaks);
-    lines.push_back(claim_of(known.model, equilibria));
+    if (equilibria.undecided_boxes.empty()) lines.push_back(prose("no equilibrium was found"));
+    add_chart_breaks(lines, known, equilibria.chart_singularities);
+    lines.push_back(completeness_claim(known.model, equilibria));
     return lines;
   }
-  if (equilibria.breaks.empty()) {
-    lines.push_back(row_of({prose("no equilibrium:"), residual(known), prose("is not 0"), proved}));
+  if (equilibria.chart_singularities.empty()) {
+    lines.push_back(
+        row_of({prose("no equilibrium:"), residual_formula(known), prose("is not 0"), proved}));
   } else {
     lines.push_back(row_of({prose("no equilibrium with a regular M"), proved}));
-    add_breaks(lines, known, equilibria.breaks);
+    add_chart_breaks(lines, known, equilibria.chart_singularities);
   }
-  add_cyclic(lines, checked, known);
+  add_cyclic_note(lines, checked, known);
   return lines;
 }
 
 // Functions for a page with points.
 
 Formula rest_energy(const Equilibria& equilibria) {
-  Formula potential = symbol("V0", "V_0");
+  Formula potential = latex_symbol("V0", "V_0");
   if (!equilibria.has_rest_kinetic_energy) return potential;
-  return sum_of({std::move(potential), negative(symbol("T0", "T_0"))});
+  return sum_of({std::move(potential), negative_of(latex_symbol("T0", "T_0"))});
 }
 
 /// "q - q0", "q + 0.3"
-Formula deviation(PageForms& known, const CoordinateAtRest& at, const Formula& symbol) {
+Formula deviation(PageForms& known, const RestCoordinate& at, const Formula& symbol) {
   if (cln::zerop(at.value)) return symbol;
   const bool is_negative = cln::minusp(at.value);
-  const Value form = is_negative ? Arithmetic(known.forms.algebra).negate(at.form) : at.form;
-  Formula size = known.read(form).value_or(six_digits(cln::abs(at.value)));
-  return sum_of({symbol, is_negative ? std::move(size) : negative(std::move(size))});
+  const OptionalFraction form =
+      is_negative ? Arithmetic(known.forms.algebra).negate(at.closed_form) : at.closed_form;
+  Formula size = known.to_formula(form).value_or(six_digit_formula(cln::abs(at.value)));
+  return sum_of({symbol, is_negative ? std::move(size) : negative_of(std::move(size))});
 }
 
 /// "V0 - T0 = 9/8*m*R*theta^4 + …"
-Formula leading_term(PageForms& known, const Equilibria& equilibria, const RestPoint& point) {
+Formula leading_term_formula(PageForms& known, const Equilibria& equilibria,
+                             const RestPoint& point) {
   const LeadingTerm& term = *point.stability.leading;
   Formula shift =
       deviation(known, point.coordinates[term.coordinate], known.symbols.q[term.coordinate]);
-  Formula first = product_of({known.read(term.coefficient).value_or(latex_formula("c")),
+  Formula first = product_of({known.to_formula(term.coefficient).value_or(latex_formula("c")),
                               power_of(std::move(shift), number_formula(term.order))});
-  return relation(rest_energy(equilibria), sum_of({std::move(first), symbol("...", "\\text{…}")}));
+  return relation(rest_energy(equilibria),
+                  sum_of({std::move(first), latex_symbol("...", "\\text{…}")}));
 }
 
-Formula verdict_of(PageForms& known, const Equilibria& equilibria, const RestPoint& point) {
+Formula stability_formula(PageForms& known, const Equilibria& equilibria, const RestPoint& point) {
   const StabilityVerdict& verdict = point.stability;
   const std::string degenerate = verdict.is_degenerate ? "degenerate: K = 0; " : "";
   switch (verdict.kind) {
@@ -162,7 +170,7 @@ Formula verdict_of(PageForms& known, const Equilibria& equilibria, const RestPoi
       return row_of({prose("stable:"), rest_energy(equilibria), prose("has a strict minimum")});
     case Stability::degenerate_minimum:
       return row_of(
-          {prose(degenerate + "stable:"), leading_term(known, equilibria, point),
+          {prose(degenerate + "stable:"), leading_term_formula(known, equilibria, point),
            prose(fmt::format("has a strict minimum of order {}", verdict.leading->order))});
     case Stability::decaying:
       return prose(degenerate + "stable: all poles have negative real parts");
@@ -173,19 +181,20 @@ Formula verdict_of(PageForms& known, const Equilibria& equilibria, const RestPoi
       }
       return prose("unstable: " + rates);
     }
-    case Stability::open:
+    case Stability::undecided:
       return prose(degenerate + "not decided by the linearisation");
   }
   return {};
 }
 
 Formula stiffness_at(PageForms& known, const RestPoint& point) {
-  const std::vector<Fraction> forms = forms_at_rest(known.model, known.forms, point).stiffness;
-  const std::optional<Formula> formula = forms.empty() ? std::nullopt : known.read(forms.front());
-  return formula ? *formula : six_digits(point.stiffness[0]);
+  const std::vector<Fraction> forms = rest_matrices(known.model, known.forms, point).stiffness;
+  const std::optional<Formula> formula =
+      forms.empty() ? std::nullopt : known.to_formula(forms.front());
+  return formula ? *formula : six_digit_formula(point.stiffness[0]);
 }
 
-PageTable table_of_points(PageForms& known, const Equilibria& equilibria, bool has_stiffness) {
+PageTable points_table(PageForms& known, const Equilibria& equilibria, bool has_stiffness) {
   PageTable table{known.symbols.q};
   if (has_stiffness) table.heads.push_back(latex_formula("K"));
   table.heads.emplace_back();
@@ -193,11 +202,12 @@ PageTable table_of_points(PageForms& known, const Equilibria& equilibria, bool h
   for (std::size_t i = 0; i < points.size(); ++i) {
     const bool is_pair =
         i + 1 < points.size() && is_mirrored(known.forms, points[i], points[i + 1]);
-    for (const CoordinateAtRest& coordinate : points[i].coordinates) {
-      table.cells.push_back(cell_of(known, coordinate, is_pair && coordinate.sinusoid));
+    for (const RestCoordinate& coordinate : points[i].coordinates) {
+      table.cells.push_back(
+          coordinate_cell(known, coordinate, is_pair && coordinate.inverse_argument));
     }
     if (has_stiffness) table.cells.push_back(stiffness_at(known, points[i]));
-    table.cells.push_back(verdict_of(known, equilibria, points[i]));
+    table.cells.push_back(stability_formula(known, equilibria, points[i]));
     if (is_pair) ++i;
   }
   return table;
@@ -211,17 +221,17 @@ Page equilibria_page(const CheckedModel& checked, const Equilibria& equilibria) 
   Page page{.title = analysis_title(checked, fmt::format("equilibria (v = 0{})",
                                                          input_values_text(model, equilibria)))};
   if (equilibria.points.empty()) {
-    page.sections.push_back({.lines = lines_without_points(checked, known, equilibria)});
+    page.sections.push_back({.lines = no_equilibrium_lines(checked, known, equilibria)});
     return page;
   }
-  const Value stiffness = stiffness_of(known);
-  if (std::optional<Formula> formula = known.read(stiffness)) {
+  const OptionalFraction stiffness = stiffness_of(known);
+  if (std::optional<Formula> formula = known.to_formula(stiffness)) {
     page.sections.push_back({.equations = {{latex_formula("K"), 1, 1, {std::move(*formula)}}}});
   }
-  page.sections.push_back({.table = table_of_points(known, equilibria, stiffness.has_value())});
-  Formulas claims{scope_of(known, equilibria)};
-  add_breaks(claims, known, equilibria.breaks);
-  claims.push_back(claim_of(model, equilibria));
+  page.sections.push_back({.table = points_table(known, equilibria, stiffness.has_value())});
+  Formulas claims{scope_claim(known, equilibria)};
+  add_chart_breaks(claims, known, equilibria.chart_singularities);
+  claims.push_back(completeness_claim(model, equilibria));
   page.sections.push_back({.lines = std::move(claims)});
   return page;
 }

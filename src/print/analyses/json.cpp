@@ -39,19 +39,19 @@ const char* name_of(Completeness completeness) {
 }
 
 /// The formula of a form as text; null if the form is not readable.
-Json form_json(const PageForms& known, const Value& form) {
-  const std::optional<Formula> formula = known.read(form);
+Json form_json(const PageForms& known, const OptionalFraction& form) {
+  const std::optional<Formula> formula = known.to_formula(form);
   return formula ? Json(text_of(*formula)) : Json(nullptr);
 }
 
 Json coordinates_json(const PageForms& known, const RestPoint& point) {
   Json object = Json::object();
   for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
-    const CoordinateAtRest& coordinate = point.coordinates[i];
+    const RestCoordinate& coordinate = point.coordinates[i];
     Json& entry = object[known.model.coordinates[i].name];
-    if (coordinate.is_any) entry["any"] = true;
+    if (coordinate.is_arbitrary) entry["any"] = true;
     entry["value"] = to_double(coordinate.value);
-    Json form = form_json(known, coordinate.form);
+    Json form = form_json(known, coordinate.closed_form);
     if (!form.is_null()) entry["form"] = std::move(form);
   }
   return object;
@@ -76,12 +76,12 @@ Json symmetry_json(const PageForms& known, const Symmetry& symmetry) {
   return {{"kind", name_of(symmetry.kind)},
           {"displacement", displacement},
           {"time", form_json(known, symmetry.generator.back())},
-          {"integral", form_json(known, symmetry.by_names)},
-          {"closed_form", form_json(known, symmetry.closed)},
-          {"F", form_json(known, symmetry.total)},
+          {"integral", form_json(known, symmetry.momentum_form)},
+          {"closed_form", form_json(known, symmetry.velocity_form)},
+          {"F", form_json(known, symmetry.gauge_function)},
           {"rate", form_json(known, symmetry.rate)},
           {"proved", symmetry.is_proved},
-          {"generic", !symmetry.is_special}};
+          {"generic", !symmetry.is_at_values_only}};
 }
 
 }  // namespace
@@ -99,16 +99,16 @@ std::string equilibria_json(const CheckedModel& checked, const Equilibria& equil
     points.back()["exact"] = point.is_exact;
   }
   Json undecided = Json::array();
-  for (const UndecidedBox& box : equilibria.undecided) {
+  for (const UndecidedBox& box : equilibria.undecided_boxes) {
     Json& place = undecided.push_back(Json::object());
     for (const auto& [coordinate, sides] : box) {
       place[model.coordinates[coordinate].name] = {to_double(sides.low), to_double(sides.high)};
     }
   }
   Json breaks = Json::array();
-  for (const ChartBreak& here : equilibria.breaks) {
+  for (const ChartSingularity& here : equilibria.chart_singularities) {
     Json& place = breaks.push_back(Json::object());
-    place[model.coordinates[here.coordinate].name] = to_double(here.at.value);
+    place[model.coordinates[here.coordinate].name] = to_double(here.value.value);
   }
   const Json object{{"model", model.name},
                     {"inputs", inputs},
@@ -143,7 +143,7 @@ std::string modes_json(const CheckedModel& checked, const Modes& modes) {
     point["A"] = matrix_json(motions.a, states);
     if (!model.inputs.empty()) {
       point["B"] = matrix_json(motions.b, model.inputs.size());
-      point["controllable_rank"] = motions.controllable;
+      point["controllable_rank"] = motions.controllable_rank;
     }
     point["poles"] = poles;
     points.push_back(std::move(point));
@@ -155,7 +155,8 @@ std::string modes_json(const CheckedModel& checked, const Modes& modes) {
 std::string symmetries_json(const CheckedModel& checked, const Symmetries& symmetries) {
   PageForms known(checked.model, symmetries.forms);
   Json list = Json::array();
-  for (const Symmetry& symmetry : symmetries.all) list.push_back(symmetry_json(known, symmetry));
+  for (const Symmetry& symmetry : symmetries.symmetries)
+    list.push_back(symmetry_json(known, symmetry));
   const Json object{{"model", checked.model.name},
                     {"unknowns", symmetries.unknowns},
                     {"exact", symmetries.is_exact},
@@ -172,7 +173,7 @@ std::string base_parameters_json(const CheckedModel& checked, const BaseParamete
   for (const BaseParameter& parameter : found.base) {
     Json terms = Json::object();
     terms[found.parameters[parameter.parameter].name] = 1.0;
-    for (const WeightedParameter& other : parameter.others) {
+    for (const WeightedParameter& other : parameter.regrouped_terms) {
       terms[found.parameters[other.parameter].name] = to_double(other.factor);
     }
     base.push_back({{"parameters", terms}, {"value", to_double(parameter.value)}});
@@ -180,7 +181,7 @@ std::string base_parameters_json(const CheckedModel& checked, const BaseParamete
   Json names = Json::array();
   for (const InertialParameter& parameter : found.parameters) names.push_back(parameter.name);
   Json unseen = Json::array();
-  for (const std::uint32_t k : found.without_effect) unseen.push_back(found.parameters[k].name);
+  for (const std::uint32_t k : found.unidentifiable) unseen.push_back(found.parameters[k].name);
   const Json object{
       {"model", checked.model.name}, {"parameters", names},    {"base", base},
       {"without_effect", unseen},    {"states", found.states}, {"exact", found.is_exact}};

@@ -25,14 +25,14 @@ std::string unit_of_momentum(const Parameter& momentum) {
 }
 
 Formula held_momenta(const CheckedModel& checked) {
-  const LeafValues<Formula> symbols = ModelSymbols(checked.model).leaves();
+  const LeafValues<Formula> symbols = ModelSymbols(checked.model).leaf_symbols();
   const State nominal = nominal_state(checked.model, checked.scene);
   Formulas momenta;
-  for (const Cyclic& cyclic : checked.model.variant.cyclic) {
+  for (const CyclicCoordinate& cyclic : checked.model.reduction.cyclic) {
     Formula unit = prose(unit_of_momentum(checked.model.parameters[cyclic.parameter]));
-    momenta.push_back(
-        relation(symbols.parameters[cyclic.parameter],
-                 row_of({six_digits(nominal.parameters[cyclic.parameter]), std::move(unit)})));
+    momenta.push_back(relation(
+        symbols.parameters[cyclic.parameter],
+        row_of({six_digit_formula(nominal.parameters[cyclic.parameter]), std::move(unit)})));
   }
   return list_of(std::move(momenta));
 }
@@ -40,8 +40,8 @@ Formula held_momenta(const CheckedModel& checked) {
 }  // namespace
 
 /// Prints a form as a function of one entry, so that the formula looks like an entry of an output.
-std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
-                                 const std::optional<Fraction>& form) {
+std::optional<Formula> readable_formula(const Model& model, const Algebra& algebra,
+                                        const std::optional<Fraction>& form) {
   if (!form) return std::nullopt;
   LeafNames leaves = leaf_names(model);
   name_optional_leaves(Opcode::momentum, leaves);
@@ -51,25 +51,25 @@ std::optional<Formula> read_form(const Model& model, const Algebra& algebra,
   if (function.fields.empty()) return std::nullopt;
   program.functions = {function};
   program.readable = {std::move(function)};
-  return first_entry(model, program);
+  return first_entry_formula(model, program);
 }
 
 PageForms::PageForms(const Model& page_model, const ClosedForms& found)
-    : model(page_model), forms(found), symbols(ModelSymbols(page_model).leaves()) {}
+    : model(page_model), forms(found), symbols(ModelSymbols(page_model).leaf_symbols()) {}
 
-Formula symbol(std::string text, std::string_view latex) {
+Formula latex_symbol(std::string text, std::string_view latex) {
   return symbol_formula(std::move(text), read_latex(latex));
 }
 
-Formula wide_blank() { return symbol(" ", "\\quad"); }
+Formula wide_blank() { return latex_symbol(" ", "\\quad"); }
 
-Formula six_digits(const cln::cl_R& value) {
+Formula six_digit_formula(const cln::cl_R& value) {
   // Newton's method stops at 58 digits of the largest coordinate, so smaller numbers are noise.
   static const cln::cl_R noise = power_of_ten(-40);
-  return digits_formula(cln::abs(value) < noise ? "0" : short_text(value));
+  return digits_formula(cln::abs(value) < noise ? "0" : short_number_text(value));
 }
 
-Formula six_digits(double value) {
+Formula six_digit_formula(double value) {
   return digits_formula(value == 0 ? "0" : fmt::format("{:.6g}", value));
 }
 
@@ -84,9 +84,9 @@ Formulas searched_ranges(const PageForms& known, const Equilibria& equilibria) {
   for (std::size_t i = 0; i < known.model.coordinates.size(); ++i) {
     const Interval* const range = searched_range(known.model.coordinates[i], equilibria.kinds[i]);
     if (range == nullptr) continue;
-    ranges.push_back(row_of(
-        {known.symbols.q[i],
-         prose(fmt::format("in [{}, {}]", short_text(range->low), short_text(range->high)))}));
+    ranges.push_back(
+        row_of({known.symbols.q[i], prose(fmt::format("in [{}, {}]", short_number_text(range->low),
+                                                      short_number_text(range->high)))}));
   }
   return ranges;
 }
@@ -96,13 +96,13 @@ bool is_mirrored(ClosedForms& forms, const RestPoint& here, const RestPoint& nex
   bool differs = false;
   Arithmetic arithmetic(forms.algebra);
   for (std::size_t k = 0; k < here.coordinates.size(); ++k) {
-    const CoordinateAtRest& x = here.coordinates[k];
-    const CoordinateAtRest& y = next.coordinates[k];
-    if (x.is_any && y.is_any) continue;
-    if (!x.form || !y.form) return false;
-    if (is_proved_equal(forms, *x.form, *y.form)) continue;
-    const Value turned = arithmetic.negate(*y.form);
-    if (!x.sinusoid || !is_proved_equal(forms, *x.form, *turned)) return false;
+    const RestCoordinate& x = here.coordinates[k];
+    const RestCoordinate& y = next.coordinates[k];
+    if (x.is_arbitrary && y.is_arbitrary) continue;
+    if (!x.closed_form || !y.closed_form) return false;
+    if (is_proved_equal(forms, *x.closed_form, *y.closed_form)) continue;
+    const OptionalFraction turned = arithmetic.negate(*y.closed_form);
+    if (!x.inverse_argument || !is_proved_equal(forms, *x.closed_form, *turned)) return false;
     differs = true;
   }
   return differs;

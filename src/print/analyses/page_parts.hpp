@@ -18,8 +18,8 @@ namespace elgen {
 struct PageForms {
   PageForms(const Model& page_model, const ClosedForms& found);
 
-  [[nodiscard]] std::optional<Formula> read(const Value& form) const {
-    return read_form(model, forms.algebra, form);
+  [[nodiscard]] std::optional<Formula> to_formula(const OptionalFraction& form) const {
+    return readable_formula(model, forms.algebra, form);
   }
 
   const Model& model;
@@ -28,11 +28,11 @@ struct PageForms {
 };
 
 /// A symbol whose text differs from its LaTeX: "w^2".
-[[nodiscard]] Formula symbol(std::string text, std::string_view latex);
+[[nodiscard]] Formula latex_symbol(std::string text, std::string_view latex);
 /// A wide blank between two formulas of a row.
 [[nodiscard]] Formula wide_blank();
-[[nodiscard]] Formula six_digits(const cln::cl_R& value);
-[[nodiscard]] Formula six_digits(double value);
+[[nodiscard]] Formula six_digit_formula(const cln::cl_R& value);
+[[nodiscard]] Formula six_digit_formula(double value);
 
 /// "TITLE, p_phi = 0.6 N m s: SUBJECT", with the momenta that the scene holds.
 [[nodiscard]] Formula analysis_title(const CheckedModel& checked, const std::string& subject);
@@ -45,14 +45,14 @@ struct PageForms {
 
 /// The conditions under which the points are equilibria: "exact for all values of the parameters;
 /// stability at the parameters' values; theta modulo 2*pi".
-[[nodiscard]] Formula scope_of(PageForms& known, const Equilibria& equilibria);
+[[nodiscard]] Formula scope_claim(PageForms& known, const Equilibria& equilibria);
 
 /// Whether the list of points is complete: "these are all at the parameters' values (proved)".
-[[nodiscard]] Formula claim_of(const Model& model, const Equilibria& equilibria);
+[[nodiscard]] Formula completeness_claim(const Model& model, const Equilibria& equilibria);
 
 [[nodiscard]] const char* name_of(SymmetryKind kind);
 
-[[nodiscard]] inline bool is_zero_form(const Value& form) {
+[[nodiscard]] inline bool is_zero_form(const OptionalFraction& form) {
   return form && form->numerator.empty();
 }
 

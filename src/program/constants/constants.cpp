@@ -21,16 +21,17 @@ constexpr int promised_digits = 200;
 /// Digits of the floating-point numbers, tried in turn until `promised_digits` are correct.
 constexpr std::array<int, 4> working_digits{220, 440, 880, 1760};
 
-Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with);
+EnclosedResult value_of(const ConstantForm& form, const EnclosedArithmetic& arithmetic);
 
-Enclosed value_of(const ConstantPart& part, bool is_factor, const EnclosedArithmetic& with) {
-  const Enclosed value = value_of(part.form, with);
+EnclosedResult value_of(const ConstantOperand& part, bool is_factor,
+                        const EnclosedArithmetic& with) {
+  const EnclosedResult value = value_of(part.form, with);
   if (!value.number || part.weight == 1) return value;
-  return is_factor ? with.power(*value.number, part.weight) : Enclosed(-*value.number);
+  return is_factor ? with.power(*value.number, part.weight) : EnclosedResult(-*value.number);
 }
 
-EnclosedNumber combined(const ConstantForm& form, const std::vector<EnclosedNumber>& parts,
-                        const EnclosedArithmetic& with) {
+EnclosedNumber combine_parts(const ConstantForm& form, const std::vector<EnclosedNumber>& parts,
+                             const EnclosedArithmetic& with) {
   const bool is_sum = form.kind == ConstantKind::sum;
   EnclosedNumber total{is_sum ? 0 : 1, 0};
   for (const EnclosedNumber& part : parts) {
@@ -39,10 +40,10 @@ EnclosedNumber combined(const ConstantForm& form, const std::vector<EnclosedNumb
   return total;
 }
 
-Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with) {
+EnclosedResult value_of(const ConstantForm& form, const EnclosedArithmetic& with) {
   std::vector<EnclosedNumber> parts;
-  for (const ConstantPart& part : form.parts) {
-    const Enclosed value = value_of(part, form.kind == ConstantKind::product, with);
+  for (const ConstantOperand& part : form.operands) {
+    const EnclosedResult value = value_of(part, form.kind == ConstantKind::product, with);
     if (!value.number) return value;
     parts.push_back(*value.number);
   }
@@ -56,32 +57,32 @@ Enclosed value_of(const ConstantForm& form, const EnclosedArithmetic& with) {
     case ConstantKind::call:
       return with.call(form.function, parts.front(), parts.back());
     default:
-      return combined(form, parts, with);
+      return combine_parts(form, parts, with);
   }
 }
 
 /// The value of a form, computed with `digits` digits; unknown if an error bound overflows. The
 /// bound overflows for a form that no precision decides.
-Enclosed value_with(const ConstantForm& form, int digits) {
+EnclosedResult evaluate_with_digits(const ConstantForm& form, int digits) {
   try {
     return value_of(form, EnclosedArithmetic(digits));
   } catch (const cln::floating_point_exception&) {
-    return NoValue::unknown;
+    return NoValueReason::unknown;
   }
 }
 
-Formula sum_formula(const std::vector<ConstantPart>& parts) {
+Formula sum_formula(const std::vector<ConstantOperand>& parts) {
   Formulas terms;
-  for (const ConstantPart& part : parts) {
+  for (const ConstantOperand& part : parts) {
     Formula term = constant_formula(part.form);
-    terms.push_back(part.weight < 0 ? negative(std::move(term)) : std::move(term));
+    terms.push_back(part.weight < 0 ? negative_of(std::move(term)) : std::move(term));
   }
   return sum_of(std::move(terms));
 }
 
 /// The base with its exponent. A sum of one negative term keeps its sign in brackets: (-x)^2.
-Formula factor_formula(const ConstantPart& factor) {
-  const bool is_signed = factor.form.kind == ConstantKind::sum && factor.form.parts.size() == 1;
+Formula factor_formula(const ConstantOperand& factor) {
+  const bool is_signed = factor.form.kind == ConstantKind::sum && factor.form.operands.size() == 1;
   Formula base = constant_formula(factor.form);
   if (is_signed) base = group(std::move(base));
   return factor.weight == 1 ? base : power_of(std::move(base), number_formula(factor.weight));
@@ -89,8 +90,8 @@ Formula factor_formula(const ConstantPart& factor) {
 
 Formulas arguments_of(const ConstantForm& form) {
   Formulas arguments;
-  for (const ConstantPart& part : form.parts) {
-    arguments.push_back(constant_formula(part.weight < 0 ? negated(part.form) : part.form));
+  for (const ConstantOperand& part : form.operands) {
+    arguments.push_back(constant_formula(part.weight < 0 ? negated_form(part.form) : part.form));
   }
   return arguments;
 }
@@ -98,49 +99,50 @@ Formulas arguments_of(const ConstantForm& form) {
 }  // namespace
 
 bool operator==(const ConstantForm& x, const ConstantForm& y) {
-  return x.kind == y.kind && x.number == y.number && x.function == y.function && x.parts == y.parts;
+  return x.kind == y.kind && x.number == y.number && x.function == y.function &&
+         x.operands == y.operands;
 }
 
-bool operator==(const ConstantPart& x, const ConstantPart& y) {
+bool operator==(const ConstantOperand& x, const ConstantOperand& y) {
   return x.weight == y.weight && x.form == y.form;
 }
 
-ConstantForm rational_form(const cln::cl_RA& number) { return {.number = number, .parts = {}}; }
+ConstantForm rational_form(const cln::cl_RA& number) { return {.number = number, .operands = {}}; }
 
-ConstantForm negated(ConstantForm x) {
+ConstantForm negated_form(ConstantForm x) {
   if (x.kind == ConstantKind::rational) return rational_form(-x.number);
   if (x.kind == ConstantKind::sum) {
-    for (ConstantPart& term : x.parts) term.weight = -term.weight;
-    const bool is_single = x.parts.size() == 1 && x.parts.front().weight > 0;
-    return is_single ? ConstantForm(x.parts.front().form) : x;
+    for (ConstantOperand& term : x.operands) term.weight = -term.weight;
+    const bool is_single = x.operands.size() == 1 && x.operands.front().weight > 0;
+    return is_single ? ConstantForm(x.operands.front().form) : x;
   }
   if (x.kind == ConstantKind::product) {
-    const auto takes_sign = [](const ConstantPart& factor) {
+    const auto takes_sign = [](const ConstantOperand& factor) {
       const ConstantKind kind = factor.form.kind;
       return factor.weight % 2 != 0 &&
              (kind == ConstantKind::rational || kind == ConstantKind::sum);
     };
-    const auto factor = std::find_if(x.parts.begin(), x.parts.end(), takes_sign);
-    if (factor != x.parts.end()) {
-      factor->form = negated(factor->form);
+    const auto factor = std::find_if(x.operands.begin(), x.operands.end(), takes_sign);
+    if (factor != x.operands.end()) {
+      factor->form = negated_form(factor->form);
       return x;
     }
   }
-  return {.kind = ConstantKind::sum, .parts = {{std::move(x), -1}}};
+  return {.kind = ConstantKind::sum, .operands = {{std::move(x), -1}}};
 }
 
 Constant rational_constant(const cln::cl_RA& number) { return {number, rational_form(number)}; }
 
-std::optional<Constant> constant_of(ConstantForm form) {
-  const std::optional<EnclosedNumber> enclosure = enclosure_of(form);
+std::optional<Constant> make_constant(ConstantForm form) {
+  const std::optional<EnclosedNumber> enclosure = enclosed_value(form);
   if (!enclosure) return std::nullopt;
-  const bool is_told = sign_of(*enclosure).has_value();
-  return Constant{is_told ? enclosure->value : cln::cl_R(0), std::move(form)};
+  const bool has_known_sign = sign_of(*enclosure).has_value();
+  return Constant{has_known_sign ? enclosure->value : cln::cl_R(0), std::move(form)};
 }
 
 bool is_rational(const Constant& constant) { return constant.form.kind == ConstantKind::rational; }
 
-std::uint32_t position_of(const Constant& wanted, std::vector<Constant>& constants) {
+std::uint32_t intern_constant(const Constant& wanted, std::vector<Constant>& constants) {
   const auto known = std::find_if(constants.begin(), constants.end(), [&](const Constant& one) {
     return one.value == wanted.value && one.form == wanted.form;
   });
@@ -149,11 +151,11 @@ std::uint32_t position_of(const Constant& wanted, std::vector<Constant>& constan
   return position;
 }
 
-std::optional<EnclosedNumber> enclosure_of(const ConstantForm& form) {
+std::optional<EnclosedNumber> enclosed_value(const ConstantForm& form) {
   static const cln::cl_RA share = power_of_ten(-promised_digits);
   std::optional<EnclosedNumber> last;
   for (const int digits : working_digits) {
-    const Enclosed found = value_with(form, digits);
+    const EnclosedResult found = evaluate_with_digits(form, digits);
     if (!found.number) continue;
     last = found.number;
     if (last->error <= share * cln::abs(last->value)) return last;
@@ -171,10 +173,10 @@ Formula constant_formula(const ConstantForm& form) {
     case ConstantKind::pi:
       return pi_formula();
     case ConstantKind::sum:
-      return sum_formula(form.parts);
+      return sum_formula(form.operands);
     case ConstantKind::product: {
       Formulas factors;
-      for (const ConstantPart& factor : form.parts) factors.push_back(factor_formula(factor));
+      for (const ConstantOperand& factor : form.operands) factors.push_back(factor_formula(factor));
       return product_of(std::move(factors));
     }
     case ConstantKind::square_root:

@@ -14,12 +14,13 @@ namespace {
 /// the function must exist. Without `needs_proof`, a zero found only by sampling is accepted, and a
 /// missing function counts as 0.
 template <class Stands>
-bool are_zero(const Program& program, OutputKind kind, bool needs_proof, const Stands& stands) {
+bool are_entries_zero(const Program& program, OutputKind kind, bool needs_proof,
+                      const Stands& is_selected) {
   const Function* const function = find_function(program, kind);
   if (function == nullptr) return !needs_proof;
   const Field& field = function->fields.front();
   for (std::uint32_t i = 0; i < field.entries.size(); ++i) {
-    if (!stands(i / field.columns, i % field.columns)) continue;
+    if (!is_selected(i / field.columns, i % field.columns)) continue;
     if (!loads_zero(program, function->instructions[field.entries[i]])) return false;
     if (needs_proof && std::ranges::count(function->sampled_zeros, i) > 0) return false;
   }
@@ -33,13 +34,14 @@ Conservation find_conservation(const Model& model, const Program& program, bool 
   Conservation result;
   for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {
     const auto has_row = [&](OutputKind kind) {
-      return !are_zero(program, kind, needs_proof, [i](auto row, auto) { return row == i; });
+      return !are_entries_zero(program, kind, needs_proof,
+                               [i](auto row, auto) { return row == i; });
     };
     const bool is_forced = (has_inputs && has_row(OutputKind::input_matrix)) ||
                            has_row(OutputKind::applied_force) || has_row(OutputKind::dissipation);
     const bool is_held = !model.constraints.empty() &&
-                         !are_zero(program, OutputKind::constraint_jacobian, needs_proof,
-                                   [i](auto, auto column) { return column == i; });
+                         !are_entries_zero(program, OutputKind::constraint_jacobian, needs_proof,
+                                           [i](auto, auto column) { return column == i; });
     const bool is_constant = !is_forced && !is_held && !has_row(OutputKind::position_gradient);
     if (is_constant && !model.velocities[i].rotation) result.momenta.push_back(i);
     result.is_forced = result.is_forced || is_forced;

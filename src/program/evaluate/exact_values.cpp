@@ -7,9 +7,9 @@
 namespace elgen {
 namespace {
 
-std::vector<Real> from_oracle(const Subject& subject, const State& state, OutputKind kind,
-                              std::uint32_t user) {
-  const OutputRequest request = request_of(subject.model, kind, user);
+std::vector<Real> oracle_entries(const SystemUnderTest& subject, const State& state,
+                                 OutputKind kind, std::uint32_t user) {
+  const OutputRequest request = make_request(subject.model, kind, user);
   const OracleValues exact = oracle_values(subject.model, request, state);
   const std::size_t entries = std::size_t{request.rows} * request.columns;
   if (!exact) return std::vector<Real>(entries, Real::undefined());
@@ -27,7 +27,7 @@ Real largest_magnitude(const std::vector<Real>& values) {
 
 }  // namespace
 
-ExactValues::ExactValues(const Subject& subject, State state)
+ExactValues::ExactValues(const SystemUnderTest& subject, State state)
     : subject_(subject), state_(std::move(state)), arguments_(arguments_at<Real>(state_)) {
   Real largest;
   for (const Function& function : subject_.program.functions) {
@@ -38,26 +38,27 @@ ExactValues::ExactValues(const Subject& subject, State state)
     if (here.is_defined()) largest = max(largest, here);
     values_[{function.kind, function.user}] = entries_of(function, values);
   }
-  floor_ = largest * Real(power_of_ten(-20));
+  rounding_floor_ = largest * Real(power_of_ten(-20));
 }
 
-const std::vector<Real>& ExactValues::value(OutputKind kind, std::uint32_t user) {
+const std::vector<Real>& ExactValues::entries(OutputKind kind, std::uint32_t user) {
   const auto key = std::make_pair(kind, user);
   const auto known = values_.find(key);
   if (known != values_.end()) return known->second;
-  return values_[key] = from_oracle(subject_, state_, kind, user);
+  return values_[key] = oracle_entries(subject_, state_, kind, user);
 }
 
-std::vector<Real> ExactValues::value_at(OutputKind kind, const Arguments<Real>& arguments) const {
+std::vector<Real> ExactValues::entries_at(OutputKind kind, const Arguments<Real>& arguments) const {
   return evaluate(subject_.program, *find_function(subject_.program, kind), arguments);
 }
 
-std::vector<Real> ExactValues::slopes(OutputKind kind, const Arguments<Real>& direction,
-                                      std::uint32_t user) const {
+std::vector<Real> ExactValues::directional_derivatives(OutputKind kind,
+                                                       const Arguments<Real>& direction,
+                                                       std::uint32_t user) const {
   const Function& function = *find_function(subject_.program, kind, user);
   std::vector<Real> result;
-  for (const Dual<Real>& entry :
-       evaluate(subject_.program, function, dual_leaves(arguments_, with_open_values(direction)))) {
+  for (const Dual<Real>& entry : evaluate(
+           subject_.program, function, dual_leaves(arguments_, add_open_value_rates(direction)))) {
     result.push_back(entry.slope);
   }
   return result;
@@ -65,7 +66,7 @@ std::vector<Real> ExactValues::slopes(OutputKind kind, const Arguments<Real>& di
 
 /// `direction`, with the tangents of the values of functions without expression:
 /// df = sum_i f_i dx_i, f_i = df/dx_i.
-Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
+Arguments<Real> ExactValues::add_open_value_rates(Arguments<Real> direction) const {
   const Model& model = subject_.model;
   if (model.functions.empty()) return direction;
   const State along = map_leaves([](const Real& x) -> cln::cl_R { return x.value(); }, direction);
@@ -81,7 +82,7 @@ Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
     const OpenFunction& function = model.functions[model.open_values[i].function];
     Real rate;
     for (std::uint32_t k = 0; k < function.arguments.size(); ++k) {
-      const auto derivative = derivative_of(model, i, k);
+      const auto derivative = find_open_derivative(model, i, k);
       if (!derivative) continue;
       rate = rate + arguments_.f[*derivative] * slope_of(function.arguments[k]);
     }
@@ -90,8 +91,8 @@ Arguments<Real> ExactValues::with_open_values(Arguments<Real> direction) const {
   return direction;
 }
 
-std::vector<Real> ExactValues::curvatures(OutputKind kind, const Arguments<Real>& direction,
-                                          std::uint32_t user) const {
+std::vector<Real> ExactValues::second_derivatives(OutputKind kind, const Arguments<Real>& direction,
+                                                  std::uint32_t user) const {
   const Function& function = *find_function(subject_.program, kind, user);
   const auto once = dual_leaves(arguments_, direction);
   const auto twice = dual_leaves(once, dual_leaves(direction, zero_direction()));
@@ -105,7 +106,7 @@ std::vector<Real> ExactValues::curvatures(OutputKind kind, const Arguments<Real>
 std::vector<Real> ExactValues::coordinate_rates(const std::vector<Real>& v) const {
   State state = state_;
   for (std::size_t i = 0; i < v.size(); ++i) state.v[i] = v[i].value();
-  return from_oracle(subject_, state, OutputKind::coordinate_rates, 0);
+  return oracle_entries(subject_, state, OutputKind::coordinate_rates, 0);
 }
 
 std::vector<Real> ExactValues::coasting_accelerations() const {
@@ -114,7 +115,7 @@ std::vector<Real> ExactValues::coasting_accelerations() const {
   State state = state_;
   const std::vector<Real> rates = coordinate_rates(arguments_.v);
   for (std::size_t i = 0; i < rates.size(); ++i) state.q[i] = rates[i].value();
-  std::vector<Real> result = from_oracle(subject_, state, OutputKind::coordinate_rates, 0);
+  std::vector<Real> result = oracle_entries(subject_, state, OutputKind::coordinate_rates, 0);
   for (std::size_t i = 0; i < result.size(); ++i) {
     if (!model.coordinates[i].rotation) result[i] = Real();
   }
@@ -125,7 +126,7 @@ Arguments<Real> ExactValues::zero_direction() const {
   return map_leaves([](const Real&) { return Real(); }, arguments_);
 }
 
-std::optional<double> Balance::figure(const Real& floor) const {
+std::optional<double> ResidualSums::relative_residual(const Real& floor) const {
   const Real difference = largest_magnitude(sums_);
   const Real scale = largest_magnitude(sizes_) + floor;
   if (!difference.is_defined() || !scale.is_defined()) return std::nullopt;

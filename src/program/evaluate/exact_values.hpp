@@ -13,29 +13,32 @@ namespace elgen {
 
 class ExactValues {
  public:
-  ExactValues(const Subject& subject, State state);
+  ExactValues(const SystemUnderTest& subject, State state);
 
-  [[nodiscard]] const Subject& subject() const { return subject_; }
+  [[nodiscard]] const SystemUnderTest& subject() const { return subject_; }
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const Arguments<Real>& arguments() const { return arguments_; }
   [[nodiscard]] std::size_t size() const { return state_.v.size(); }
 
   /// The entries of a function of the program, or the oracle's entries if the program does not have
   /// the function. Entries without a value are undefined.
-  [[nodiscard]] const std::vector<Real>& value(OutputKind kind, std::uint32_t user = 0);
+  [[nodiscard]] const std::vector<Real>& entries(OutputKind kind, std::uint32_t user = 0);
 
   /// The entries of the program's function at other arguments.
-  [[nodiscard]] std::vector<Real> value_at(OutputKind kind, const Arguments<Real>& arguments) const;
+  [[nodiscard]] std::vector<Real> entries_at(OutputKind kind,
+                                             const Arguments<Real>& arguments) const;
 
   /// Directional derivatives of the program's entries. Values of functions without expression
   /// change with their arguments, by the chain rule; the second derivatives of these functions are
   /// held constant.
-  [[nodiscard]] std::vector<Real> slopes(OutputKind kind, const Arguments<Real>& direction,
-                                         std::uint32_t user = 0) const;
+  [[nodiscard]] std::vector<Real> directional_derivatives(OutputKind kind,
+                                                          const Arguments<Real>& direction,
+                                                          std::uint32_t user = 0) const;
 
   /// Second derivatives along a direction.
-  [[nodiscard]] std::vector<Real> curvatures(OutputKind kind, const Arguments<Real>& direction,
-                                             std::uint32_t user = 0) const;
+  [[nodiscard]] std::vector<Real> second_derivatives(OutputKind kind,
+                                                     const Arguments<Real>& direction,
+                                                     std::uint32_t user = 0) const;
 
   /// The zero direction.
   [[nodiscard]] Arguments<Real> zero_direction() const;
@@ -47,23 +50,23 @@ class ExactValues {
   [[nodiscard]] std::vector<Real> coasting_accelerations() const;
 
   /// 1e-20 of the largest intermediate value. Smaller differences are rounding errors.
-  [[nodiscard]] Real floor() const { return floor_; }
+  [[nodiscard]] Real rounding_floor() const { return rounding_floor_; }
 
  private:
-  [[nodiscard]] Arguments<Real> with_open_values(Arguments<Real> direction) const;
+  [[nodiscard]] Arguments<Real> add_open_value_rates(Arguments<Real> direction) const;
 
-  Subject subject_;
+  SystemUnderTest subject_;
   State state_;
   Arguments<Real> arguments_;
   std::map<std::pair<OutputKind, std::uint32_t>, std::vector<Real>> values_ = {};
-  Real floor_ = {};
+  Real rounding_floor_ = {};
 };
 
 /// Sums that must vanish, one per entry, relative to the size of their terms. All entries share one
 /// scale, because the terms of an entry that is exactly zero are mere rounding errors.
-class Balance {
+class ResidualSums {
  public:
-  explicit Balance(std::size_t entries) : sums_(entries), sizes_(entries) {}
+  explicit ResidualSums(std::size_t entries) : sums_(entries), sizes_(entries) {}
 
   void add(std::size_t entry, const Real& term) {
     sums_[entry] = sums_[entry] + term;
@@ -72,7 +75,7 @@ class Balance {
 
   /// max |sum| / (max over entries of the sum of |terms| + floor); none if a term is undefined.
   /// Terms below `floor` are rounding errors of larger values.
-  [[nodiscard]] std::optional<double> figure(const Real& floor) const;
+  [[nodiscard]] std::optional<double> relative_residual(const Real& floor) const;
 
  private:
   std::vector<Real> sums_;

@@ -35,7 +35,7 @@ std::vector<Scalar> coefficients_of(const SinePolynomial& polynomial) {
 /// coefficients[0] + coefficients[1] x + ..., by Estrin's scheme: sums of neighbours, then sums of
 /// neighbouring sums.
 template <class Scalar>
-Scalar polynomial(Scalar x, const std::vector<Scalar>& coefficients) {
+Scalar evaluate_polynomial(Scalar x, const std::vector<Scalar>& coefficients) {
   assert(coefficients.size() <= most_coefficients);
   std::array<Scalar, most_coefficients> terms{};  // a vector would be allocated for every sine
   std::ranges::copy(coefficients, terms.begin());
@@ -88,8 +88,8 @@ const AngleReduction& angle_reduction(ScalarKind scalar) {
   return scalar == ScalarKind::single_precision ? in_float : in_double;
 }
 
-const SinePolynomial& cheapest(const std::vector<SinePolynomial>& all, const cln::cl_RA& max_error,
-                               ScalarKind scalar) {
+const SinePolynomial& lowest_degree_polynomial(const std::vector<SinePolynomial>& all,
+                                               const cln::cl_RA& max_error, ScalarKind scalar) {
   const cln::cl_RA rounding = exact_value(angle_reduction(scalar).rounding);
   const auto found = std::find_if(all.begin(), all.end(), [&](const SinePolynomial& polynomial) {
     return exact_value(polynomial.error) + rounding <= max_error;
@@ -101,11 +101,11 @@ cln::cl_RA sine_error(const Numerics& numerics, SineArithmetic arithmetic, Scala
   return trigonometry_error(arithmetic == SineArithmetic::packs ? numerics : Numerics{}, scalar);
 }
 
-std::vector<SineNumber> sine_numbers(const Numerics& numerics, SineArithmetic arithmetic,
-                                     ScalarKind scalar) {
+std::vector<SineConstant> sine_constants(const Numerics& numerics, SineArithmetic arithmetic,
+                                         ScalarKind scalar) {
   const AngleReduction& known = angle_reduction(scalar);
   const cln::cl_RA error = sine_error(numerics, arithmetic, scalar);
-  std::vector<SineNumber> numbers{
+  std::vector<SineConstant> numbers{
       {"domain", known.domain}, {"inverse", known.inverse}, {"shift", known.shift}};
   const auto add = [&numbers](std::string_view name, int first, int step,
                               const std::vector<double>& values) {
@@ -115,28 +115,30 @@ std::vector<SineNumber> sine_numbers(const Numerics& numerics, SineArithmetic ar
     }
   };
   add("part", 1, 1, known.parts);
-  add("sine", 3, 2, cheapest(sine_polynomials(), error, scalar).coefficients);
-  add("cosine", 4, 2, cheapest(cosine_polynomials(), error, scalar).coefficients);
+  add("sine", 3, 2, lowest_degree_polynomial(sine_polynomials(), error, scalar).coefficients);
+  add("cosine", 4, 2, lowest_degree_polynomial(cosine_polynomials(), error, scalar).coefficients);
   return numbers;
 }
 
-bool has_sines_in_line(const Scene& scene, ScalarKind scalar) {
+bool has_inline_sines(const Scene& scene, ScalarKind scalar) {
   return !scene.numerics.has_library_sines && scalar != ScalarKind::long_double;
 }
 
 template <class Scalar>
-Sines<Scalar>::Sines(const Scene& scene, SineArithmetic arithmetic)
+SineEvaluator<Scalar>::SineEvaluator(const Scene& scene, SineArithmetic arithmetic)
     : reduction_(angle_reduction(scalar_kind<Scalar>)),
       arithmetic_(arithmetic),
       is_library_(arithmetic == SineArithmetic::numbers &&
-                  !has_sines_in_line(scene, scalar_kind<Scalar>)) {
+                  !has_inline_sines(scene, scalar_kind<Scalar>)) {
   const cln::cl_RA error = sine_error(scene.numerics, arithmetic, scalar_kind<Scalar>);
-  sine_ = coefficients_of<Scalar>(cheapest(sine_polynomials(), error, scalar_kind<Scalar>));
-  cosine_ = coefficients_of<Scalar>(cheapest(cosine_polynomials(), error, scalar_kind<Scalar>));
+  sine_ = coefficients_of<Scalar>(
+      lowest_degree_polynomial(sine_polynomials(), error, scalar_kind<Scalar>));
+  cosine_ = coefficients_of<Scalar>(
+      lowest_degree_polynomial(cosine_polynomials(), error, scalar_kind<Scalar>));
 }
 
 template <class Scalar>
-auto Sines<Scalar>::of(Scalar angle) const -> Values {
+auto SineEvaluator<Scalar>::evaluate(Scalar angle) const -> SineCosinePair {
   if (is_library_ || !(std::abs(angle) <= static_cast<Scalar>(reduction_.domain))) {
     constexpr Scalar undefined = std::numeric_limits<Scalar>::quiet_NaN();
     if (arithmetic_ == SineArithmetic::packs) return {undefined, undefined};
@@ -156,9 +158,9 @@ auto Sines<Scalar>::of(Scalar angle) const -> Values {
   const Scalar square = r * r;
   const Scalar half = Scalar(0.5) * square;
   const Scalar most = Scalar(1) - half;
-  Scalar sine = r - (rest - r * square * polynomial(square, sine_));
+  Scalar sine = r - (rest - r * square * evaluate_polynomial(square, sine_));
   Scalar cosine = most + (((Scalar(1) - most) - half) +
-                          (square * square * polynomial(square, cosine_) + r * rest));
+                          (square * square * evaluate_polynomial(square, cosine_) + r * rest));
   using Integer = std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t>;
   const auto quadrant = std::bit_cast<Integer>(shifted);
   if ((quadrant & 1) != 0) std::swap(sine, cosine);
@@ -167,7 +169,7 @@ auto Sines<Scalar>::of(Scalar angle) const -> Values {
   return {sine, cosine};
 }
 
-template class Sines<double>;
-template class Sines<float>;
+template class SineEvaluator<double>;
+template class SineEvaluator<float>;
 
 }  // namespace elgen

@@ -48,8 +48,9 @@ struct AngleReduction {
 
 /// The polynomial of least degree whose error plus rounding error in `scalar` is at most
 /// `max_error`; the polynomial of the largest degree if none is.
-[[nodiscard]] const SinePolynomial& cheapest(const std::vector<SinePolynomial>& all,
-                                             const cln::cl_RA& max_error, ScalarKind scalar);
+[[nodiscard]] const SinePolynomial& lowest_degree_polynomial(const std::vector<SinePolynomial>& all,
+                                                             const cln::cl_RA& max_error,
+                                                             ScalarKind scalar);
 
 /// The arguments of the emitted function: packs of numbers (one number for each state of a batch),
 /// or single numbers. For an angle beyond the domain, a function of packs returns NaN, and a
@@ -62,29 +63,30 @@ enum class SineArithmetic : std::uint8_t { packs, numbers };
 
 /// True if functions of numbers compute sines inline: `scalar` is float or double, and the scene
 /// does not ask for the library.
-[[nodiscard]] bool has_sines_in_line(const Scene& scene, ScalarKind scalar);
+[[nodiscard]] bool has_inline_sines(const Scene& scene, ScalarKind scalar);
 
 /// A constant of the algorithm: "domain", "inverse", "shift", "part_1", "sine_3", "cosine_4".
-struct SineNumber {
+struct SineConstant {
   std::string name;
   double value;
 };
 
 /// All constants of the algorithm for this scalar.
-[[nodiscard]] std::vector<SineNumber> sine_numbers(const Numerics& numerics,
-                                                   SineArithmetic arithmetic, ScalarKind scalar);
+[[nodiscard]] std::vector<SineConstant> sine_constants(const Numerics& numerics,
+                                                       SineArithmetic arithmetic,
+                                                       ScalarKind scalar);
 
 /// Computes sine and cosine with the bits of emitted code. Scalar: float or double.
 template <class Scalar>
-class Sines {
+class SineEvaluator {
  public:
-  Sines(const Scene& scene, SineArithmetic arithmetic);
+  SineEvaluator(const Scene& scene, SineArithmetic arithmetic);
 
-  struct Values {
+  struct SineCosinePair {
     Scalar sine;
     Scalar cosine;
   };
-  [[nodiscard]] Values of(Scalar angle) const;
+  [[nodiscard]] SineCosinePair evaluate(Scalar angle) const;
 
  private:
   const AngleReduction& reduction_;
@@ -96,22 +98,23 @@ class Sines {
 
 /// Rules of fold.hpp that reproduce the bits of emitted code.
 template <class Scalar>
-struct CodeRules : interpreter::NumberRules<Scalar> {
-  const Sines<Scalar>& sines;
+struct EmittedCodeRules : interpreter::NumberRules<Scalar> {
+  const SineEvaluator<Scalar>& sines;
 
   [[nodiscard]] Scalar call(FunctionId function, const Scalar& x, const Scalar& y) const {
-    if (function == FunctionId::sin) return sines.of(x).sine;
-    if (function == FunctionId::cos) return sines.of(x).cosine;
+    if (function == FunctionId::sin) return sines.evaluate(x).sine;
+    if (function == FunctionId::cos) return sines.evaluate(x).cosine;
     return interpreter::call(function, x, y);
   }
 };
 
 /// The entries of all fields, with the bits of emitted code.
 template <class Scalar>
-[[nodiscard]] std::vector<Scalar> evaluate_code(const Program& program, const Function& function,
-                                                const Arguments<Scalar>& arguments,
-                                                const Sines<Scalar>& sines) {
-  const CodeRules<Scalar> rules{{arguments}, sines};
+[[nodiscard]] std::vector<Scalar> evaluate_as_emitted(const Program& program,
+                                                      const Function& function,
+                                                      const Arguments<Scalar>& arguments,
+                                                      const SineEvaluator<Scalar>& sines) {
+  const EmittedCodeRules<Scalar> rules{{arguments}, sines};
   return entries_of(function, fold<Scalar>(rules, program, function));
 }
 

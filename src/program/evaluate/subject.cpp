@@ -21,11 +21,11 @@ using cln::cl_R;
 
 /// Six digits; if `exactly`, the 17 digits that identify a double.
 std::string number_text(const cl_R& value, bool exactly) {
-  if (!exactly) return short_text(value);
+  if (!exactly) return short_number_text(value);
   return fmt::format("{:.17g}", to_double(value));
 }
 
-std::string list(std::string_view name, const std::vector<cl_R>& values, bool exactly) {
+std::string list_text(std::string_view name, const std::vector<cl_R>& values, bool exactly) {
   if (values.empty()) return {};
   std::string text = fmt::format("{} = (", name);
   const std::size_t shown = exactly ? values.size() : std::min<std::size_t>(values.size(), 8);
@@ -35,7 +35,8 @@ std::string list(std::string_view name, const std::vector<cl_R>& values, bool ex
   return text + (shown < values.size() ? ", …)" : ")");
 }
 
-std::string changed_parameters(const Subject& subject, const State& state, bool exactly) {
+std::string changed_parameters_text(const SystemUnderTest& subject, const State& state,
+                                    bool exactly) {
   const std::vector<double> nominal =
       arguments_at<double>(nominal_state(subject.model, subject.scene)).parameters;
   const std::vector<double> actual = arguments_at<double>(state).parameters;
@@ -50,7 +51,7 @@ std::string changed_parameters(const Subject& subject, const State& state, bool 
   return text;
 }
 
-std::string description(const Subject& subject, const State& state, bool exactly) {
+std::string state_description(const SystemUnderTest& subject, const State& state, bool exactly) {
   std::vector<std::string> parts;
   const auto add = [&parts](std::string part) {
     if (!part.empty()) parts.push_back(std::move(part));
@@ -58,20 +59,20 @@ std::string description(const Subject& subject, const State& state, bool exactly
   for_each_list(
       [&](const LeafRow& row, const std::vector<cl_R>& values) {
         const bool is_shown =
-            row.id != Opcode::parameter && is_passed(subject.program.leaves, row.id);
-        if (is_shown) add(list(row.symbol, values, exactly));
+            row.id != Opcode::parameter && may_be_argument(subject.program.leaves, row.id);
+        if (is_shown) add(list_text(row.symbol, values, exactly));
       },
       state);
   if (subject.model.uses_time) add("t = " + number_text(state.t, exactly));
   if (!subject.program.leaves.h.empty()) add("h = " + number_text(state.h, exactly));
-  add(changed_parameters(subject, state, exactly));
+  add(changed_parameters_text(subject, state, exactly));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 }  // namespace
 
 template <class Scalar>
-State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
+State exact_state(const SystemUnderTest& subject, const Arguments<Scalar>& arguments) {
   State state = map_leaves(
       [](Scalar value) -> cl_R { return exact_value(static_cast<double>(value)); }, arguments);
   const State nominal = nominal_state(subject.model, subject.scene);
@@ -81,14 +82,14 @@ State exact_state(const Subject& subject, const Arguments<Scalar>& arguments) {
   // Quaternions have length 1 only up to rounding. If the length is not 1, the two sides of a
   // comparison may legitimately differ. After scaling, which changes the arguments by a few
   // roundings, the two sides must agree.
-  scale_to_length_one(subject.model, state);
+  normalize_state_quaternions(subject.model, state);
   return state;
 }
 
-template State exact_state(const Subject&, const Arguments<double>&);
-template State exact_state(const Subject&, const Arguments<float>&);
+template State exact_state(const SystemUnderTest&, const Arguments<double>&);
+template State exact_state(const SystemUnderTest&, const Arguments<float>&);
 
-OracleValues defined_values(const std::vector<Real>& values) {
+OracleValues to_oracle_values(const std::vector<Real>& values) {
   std::vector<cl_R> numbers;
   for (const Real& value : values) {
     if (!value.is_defined()) return std::nullopt;
@@ -108,7 +109,7 @@ std::vector<Real> stabilising_terms(const Model& model, const State& state,
                                     const std::vector<Real>& residual) {
   const auto gain = [&](const std::optional<ExpressionId>& expression) {
     if (!expression) return Real();
-    const std::optional<cl_R> value = oracle_expression(model, *expression, state);
+    const std::optional<cl_R> value = oracle_expression_value(model, *expression, state);
     return value ? Real(*value) : Real::undefined();
   };
   std::size_t position = 0;
@@ -122,15 +123,15 @@ std::vector<Real> stabilising_terms(const Model& model, const State& state,
   return terms;
 }
 
-std::string describe(const Subject& subject, const State& state) {
-  return description(subject, state, false);
+std::string describe_state(const SystemUnderTest& subject, const State& state) {
+  return state_description(subject, state, false);
 }
 
-std::string describe_exactly(const Subject& subject, const State& state) {
-  return description(subject, state, true);
+std::string describe_state_exactly(const SystemUnderTest& subject, const State& state) {
+  return state_description(subject, state, true);
 }
 
-std::string short_text(const cl_R& value) {
+std::string short_number_text(const cl_R& value) {
   if (cln::zerop(value)) return "0";
   const cln::cl_F number = cln::cl_float(value, cln::float_format(20));
   const double rounded = to_double(value);

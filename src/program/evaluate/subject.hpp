@@ -14,7 +14,7 @@
 
 namespace elgen {
 
-struct Subject {
+struct SystemUnderTest {
   const Model& model;
   const Scene& scene;
   const Program& program;
@@ -25,7 +25,7 @@ struct Subject {
 /// The exact state that the oracle gets for binary arguments. Fixed parameters keep their exact
 /// values. Quaternions are scaled back to length 1. Scalar: double or float.
 template <class Scalar>
-[[nodiscard]] State exact_state(const Subject& subject, const Arguments<Scalar>& arguments);
+[[nodiscard]] State exact_state(const SystemUnderTest& subject, const Arguments<Scalar>& arguments);
 
 /// The program's arguments at an exact state, rounded if Scalar is a machine type.
 template <class Scalar>
@@ -35,7 +35,7 @@ template <class Scalar>
 }
 
 /// The values as numbers; none if a value is undefined.
-[[nodiscard]] OracleValues defined_values(const std::vector<Real>& values);
+[[nodiscard]] OracleValues to_oracle_values(const std::vector<Real>& values);
 
 /// The function of this kind; null if the program has none.
 [[nodiscard]] const Function* find_function(const Program& program, OutputKind kind,
@@ -48,12 +48,13 @@ template <class Scalar>
 
 /// "q = (0.1, 2), v = (3, -1), u = (0.5), t = 2". Parameters appear only if they differ from their
 /// nominal value; lists end after 8 numbers.
-[[nodiscard]] std::string describe(const Subject& subject, const State& state);
+[[nodiscard]] std::string describe_state(const SystemUnderTest& subject, const State& state);
 
-/// describe() with 17 digits for every number, and with complete lists.
-[[nodiscard]] std::string describe_exactly(const Subject& subject, const State& state);
+/// describe_state() with 17 digits for every number, and with complete lists.
+[[nodiscard]] std::string describe_state_exactly(const SystemUnderTest& subject,
+                                                 const State& state);
 
 /// Six significant digits of an exact number; three, with a power of ten, if double cannot hold it.
-[[nodiscard]] std::string short_text(const cln::cl_R& value);
+[[nodiscard]] std::string short_number_text(const cln::cl_R& value);
 
 }  // namespace elgen

@@ -15,9 +15,9 @@ namespace {
 
 using cln::cl_RA;
 
-using Combination = std::map<NodeId, cl_RA>;
+using LinearCombination = std::map<NodeId, cl_RA>;
 
-void add_scaled(Combination& to, NodeId node, const cl_RA& coefficient) {
+void add_multiple(LinearCombination& to, NodeId node, const cl_RA& coefficient) {
   const auto [at, is_new] = to.try_emplace(node, coefficient);
   if (is_new) return;
   at->second = at->second + coefficient;
@@ -25,11 +25,12 @@ void add_scaled(Combination& to, NodeId node, const cl_RA& coefficient) {
 }
 
 /// Adds coefficient * node, with sums and rational multiples expanded.
-void add_terms(const Graph& graph, NodeId id, const cl_RA& coefficient, Combination& to) {
+void add_linear_terms(const Graph& graph, NodeId id, const cl_RA& coefficient,
+                      LinearCombination& to) {
   const Node& node = graph.node(id);
   if (node.kind == NodeKind::sum) {
     for (const Operand& term : node.operands) {
-      add_terms(graph, term.node, coefficient * term.weight, to);
+      add_linear_terms(graph, term.node, coefficient * term.weight, to);
     }
     return;
   }
@@ -38,48 +39,48 @@ void add_terms(const Graph& graph, NodeId id, const cl_RA& coefficient, Combinat
                            graph.is_rational(node.operands[0].node);
   if (is_multiple) {
     const cl_RA& factor = graph.rational_of(node.operands[0].node);
-    add_terms(graph, node.operands[1].node, coefficient * factor, to);
+    add_linear_terms(graph, node.operands[1].node, coefficient * factor, to);
     return;
   }
-  add_scaled(to, id, coefficient);
+  add_multiple(to, id, coefficient);
 }
 
-Combination plus(Combination x, const Combination& y, int sign) {
-  for (const auto& [node, coefficient] : y) add_scaled(x, node, coefficient * sign);
+LinearCombination add_signed(LinearCombination x, const LinearCombination& y, int sign) {
+  for (const auto& [node, coefficient] : y) add_multiple(x, node, coefficient * sign);
   return x;
 }
 
 /// An argument of a sine or cosine, and its terms: a linear combination of nodes that are no sums.
 struct AngleTerms {
   NodeId argument = 0;
-  Combination terms = {};
+  LinearCombination terms = {};
   cl_RA size = 0;  ///< sum of |coefficients|; a simpler angle has a smaller sum
 };
 
 /// argument = first + sign * second
-struct Split {
+struct AngleSplit {
   NodeId first = 0;
   NodeId second = 0;
   int sign = 1;
 };
 
-AngleTerms angle_of(const Graph& graph, NodeId argument) {
+AngleTerms angle_terms(const Graph& graph, NodeId argument) {
   AngleTerms angle{argument};
-  add_terms(graph, argument, 1, angle.terms);
+  add_linear_terms(graph, argument, 1, angle.terms);
   for (const auto& [node, coefficient] : angle.terms) {
     angle.size = angle.size + cln::abs(coefficient);
   }
   return angle;
 }
 
-std::vector<AngleTerms> angles_of(const Expressions& expressions) {
+std::vector<AngleTerms> collect_angles(const Expressions& expressions) {
   const Graph& graph = expressions.graph;
   std::vector<AngleTerms> angles;
-  for (const NodeId id : reachable(graph, expressions.values)) {
+  for (const NodeId id : reachable_nodes(graph, expressions.values)) {
     if (!is_sine_or_cosine(graph.node(id))) continue;
     const NodeId argument = graph.node(id).operands[0].node;
     if (std::ranges::find(angles, argument, &AngleTerms::argument) != angles.end()) continue;
-    angles.push_back(angle_of(graph, argument));
+    angles.push_back(angle_terms(graph, argument));
   }
   return angles;
 }
@@ -89,32 +90,32 @@ constexpr std::size_t most_angles = 40;
 
 /// angle = first + second, or first - second, if nothing cancels. q1 + q3 as (q1 + q2) - (q2 - q3)
 /// would contain the rounding error of q2, although q2 does not occur in q1 + q3.
-std::optional<Split> split_into(const AngleTerms& angle, const AngleTerms& first,
-                                const AngleTerms& second, Splits which) {
+std::optional<AngleSplit> try_split(const AngleTerms& angle, const AngleTerms& first,
+                                    const AngleTerms& second, ExpandedAngles which) {
   if (first.size + second.size != angle.size) return std::nullopt;
   for (const int sign : {1, -1}) {
-    if (sign < 0 && which == Splits::sums) continue;
-    if (plus(first.terms, second.terms, sign) == angle.terms) {
-      return Split{first.argument, second.argument, sign};
+    if (sign < 0 && which == ExpandedAngles::sums) continue;
+    if (add_signed(first.terms, second.terms, sign) == angle.terms) {
+      return AngleSplit{first.argument, second.argument, sign};
     }
   }
   return std::nullopt;
 }
 
 /// The angle as a sum or difference of two simpler angles.
-std::optional<Split> split_of(const AngleTerms& angle, const std::vector<AngleTerms>& simpler,
-                              Splits which) {
+std::optional<AngleSplit> find_split(const AngleTerms& angle,
+                                     const std::vector<AngleTerms>& simpler, ExpandedAngles which) {
   for (const AngleTerms& first : simpler) {
     for (const AngleTerms& second : simpler) {
-      if (const auto split = split_into(angle, first, second, which)) return split;
+      if (const auto split = try_split(angle, first, second, which)) return split;
     }
   }
   return std::nullopt;
 }
 
-std::map<NodeId, Split> splits_of(const Expressions& expressions, Splits which) {
-  std::map<NodeId, Split> splits;
-  const std::vector<AngleTerms> angles = angles_of(expressions);
+std::map<NodeId, AngleSplit> find_splits(const Expressions& expressions, ExpandedAngles which) {
+  std::map<NodeId, AngleSplit> splits;
+  const std::vector<AngleTerms> angles = collect_angles(expressions);
   if (angles.size() > most_angles) return splits;
   for (const AngleTerms& angle : angles) {
     // Multiples of an angle are not split: cos(x)^2 - sin(x)^2 loses digits near its zeros.
@@ -125,66 +126,69 @@ std::map<NodeId, Split> splits_of(const Expressions& expressions, Splits which) 
                  [&](const AngleTerms& other) { return other.size < angle.size; });
     // Constant terms may be split off, because their sines and cosines are constants.
     for (const Operand& term : graph.node(angle.argument).operands) {
-      if (graph.is_constant(term.node)) simpler.push_back(angle_of(graph, term.node));
+      if (graph.is_constant(term.node)) simpler.push_back(angle_terms(graph, term.node));
     }
-    if (const auto split = split_of(angle, simpler, which)) splits[angle.argument] = *split;
+    if (const auto split = find_split(angle, simpler, which)) splits[angle.argument] = *split;
   }
   return splits;
 }
 
 /// The rule of one rebuild. Results are memoised, because chains of splits refer to one angle many
 /// times.
-class AngleSums {
+class AngleSumRule {
  public:
-  AngleSums(std::map<NodeId, Split> splits, std::size_t nodes)
+  AngleSumRule(std::map<NodeId, AngleSplit> splits, std::size_t nodes)
       : splits_(std::move(splits)), arguments_(nodes), is_built_(nodes) {}
 
-  Ref operator()(Graph& graph, const RebuildStep& step) {
+  SignedNode operator()(Graph& graph, const RebuildStep& step) {
     const Node& node = step.old_graph.node(step.old_node);
     if (!is_sine_or_cosine(node) || splits_.count(node.operands[0].node) == 0)
-      return copy(graph, step);
-    const Ref value = sine_or_cosine(graph, step, node.function, node.operands[0].node);
+      return copy_node(graph, step);
+    const SignedNode value = sine_or_cosine(graph, step, node.function, node.operands[0].node);
     const bool negative = node.function == FunctionId::sin && node.operands[0].weight < 0;
     return with_sign(value, negative);
   }
 
  private:
   /// The argument `id` in the new graph, built on demand: `id` may come later in the old graph.
-  Ref argument(Graph& graph, const RebuildStep& step, NodeId id) {
+  SignedNode rebuild_argument(Graph& graph, const RebuildStep& step, NodeId id) {
     if (is_built_[id]) return arguments_[id];
     for (const Operand& operand : step.old_graph.node(id).operands) {
-      (void)argument(graph, step, operand.node);
+      (void)rebuild_argument(graph, step, operand.node);
     }
     is_built_[id] = true;
-    return arguments_[id] = copy(graph, {step.old_graph, id, arguments_});
+    return arguments_[id] = copy_node(graph, {step.old_graph, id, arguments_});
   }
 
-  Ref sine_or_cosine(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
+  SignedNode sine_or_cosine(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
     const auto known = known_values_.find({function, id});
     if (known != known_values_.end()) return known->second;
-    return known_values_[{function, id}] = new_sine_or_cosine(graph, step, function, id);
+    return known_values_[{function, id}] = expand_sine_or_cosine(graph, step, function, id);
   }
 
-  Ref new_sine_or_cosine(Graph& graph, const RebuildStep& step, FunctionId function, NodeId id) {
+  SignedNode expand_sine_or_cosine(Graph& graph, const RebuildStep& step, FunctionId function,
+                                   NodeId id) {
     const auto split = splits_.find(id);
-    if (split == splits_.end()) return graph.call(function, {argument(graph, step, id)});
+    if (split == splits_.end()) return graph.call(function, {rebuild_argument(graph, step, id)});
     const auto& [first, second, sign] = split->second;
-    const Ref sine1 = sine_or_cosine(graph, step, FunctionId::sin, first);
-    const Ref cosine1 = sine_or_cosine(graph, step, FunctionId::cos, first);
-    const Ref sine2 = with_sign(sine_or_cosine(graph, step, FunctionId::sin, second), sign < 0);
-    const Ref cosine2 = sine_or_cosine(graph, step, FunctionId::cos, second);
+    const SignedNode sine1 = sine_or_cosine(graph, step, FunctionId::sin, first);
+    const SignedNode cosine1 = sine_or_cosine(graph, step, FunctionId::cos, first);
+    const SignedNode sine2 =
+        with_sign(sine_or_cosine(graph, step, FunctionId::sin, second), sign < 0);
+    const SignedNode cosine2 = sine_or_cosine(graph, step, FunctionId::cos, second);
     if (function == FunctionId::sin) {
-      const Ref left = graph.product({{sine1}, {cosine2}});
+      const SignedNode left = graph.product({{sine1}, {cosine2}});
       return graph.sum({left, graph.product({{cosine1}, {sine2}})});
     }
-    const Ref left = graph.product({{cosine1}, {cosine2}});
+    const SignedNode left = graph.product({{cosine1}, {cosine2}});
     return graph.sum({left, -graph.product({{sine1}, {sine2}})});
   }
 
-  std::map<NodeId, Split> splits_;
-  std::vector<Ref> arguments_;  ///< in the new graph, by old node
+  std::map<NodeId, AngleSplit> splits_;
+  std::vector<SignedNode> arguments_;  ///< in the new graph, by old node
   std::vector<bool> is_built_;
-  std::map<std::pair<FunctionId, NodeId>, Ref> known_values_;  ///< by function and old argument
+  std::map<std::pair<FunctionId, NodeId>, SignedNode>
+      known_values_;  ///< by function and old argument
 };
 
 }  // namespace
@@ -199,10 +203,10 @@ bool is_exact_multiple(const Graph& graph, NodeId id) {
          is_exact_multiple(graph, node.operands[1].node);
 }
 
-std::optional<Expressions> expand_angle_sums(const Expressions& expressions, Splits which) {
-  std::map<NodeId, Split> splits = splits_of(expressions, which);
+std::optional<Expressions> expand_angle_sums(const Expressions& expressions, ExpandedAngles which) {
+  std::map<NodeId, AngleSplit> splits = find_splits(expressions, which);
   if (splits.empty()) return std::nullopt;
-  return rebuild(expressions, AngleSums(std::move(splits), expressions.graph.size()));
+  return rebuild(expressions, AngleSumRule(std::move(splits), expressions.graph.size()));
 }
 
 }  // namespace elgen

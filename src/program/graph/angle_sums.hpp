@@ -21,10 +21,10 @@ namespace elgen {
 /// Selects the angles that are split: only sums, or also differences. For nearly equal a and b, the
 /// call sin(a - b) keeps all digits, but sin(a)*cos(b) - cos(a)*sin(b) cancels and loses all
 /// digits.
-enum class Splits : std::uint8_t { sums, sums_and_differences };
+enum class ExpandedAngles : std::uint8_t { sums, sums_and_differences };
 
 /// The expressions with the selected angles expanded; none if no angle can be split.
 [[nodiscard]] std::optional<Expressions> expand_angle_sums(
-    const Expressions& expressions, Splits which = Splits::sums_and_differences);
+    const Expressions& expressions, ExpandedAngles which = ExpandedAngles::sums_and_differences);
 
 }  // namespace elgen

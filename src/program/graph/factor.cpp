@@ -15,7 +15,7 @@ constexpr std::size_t maximal_terms = 400;
 /// A term as a sign and powers, from which common factors are divided out. A rational number is not
 /// divisible. Unlike a ScaledTerm, a FactoredTerm has no separate coefficient.
 struct FactoredTerm {
-  bool negative = false;
+  bool is_negative = false;
   std::vector<Power> factors = {};
   bool is_divisible = false;
 };
@@ -50,20 +50,21 @@ class FactorRule {
   explicit FactorRule(const Expressions& expressions)
       : uses_(use_counts(expressions.graph, expressions.values)) {}
 
-  Ref operator()(Graph& graph, const RebuildStep& step) const {
+  SignedNode operator()(Graph& graph, const RebuildStep& step) const {
     const Node& node = step.old_graph.node(step.old_node);
     if (node.kind != NodeKind::sum || node.operands.size() > maximal_terms) {
-      return copy(graph, step);
+      return copy_node(graph, step);
     }
     std::vector<FactoredTerm> terms;
-    for (const Operand& operand : node.operands) terms.push_back(term(graph, step, operand));
-    return sum_of_terms(graph, std::move(terms));
+    for (const Operand& operand : node.operands) terms.push_back(make_term(graph, step, operand));
+    return factor_terms(graph, std::move(terms));
   }
 
  private:
-  FactoredTerm term(const Graph& graph, const RebuildStep& step, const Operand& operand) const {
-    const Ref value = with_sign(step.renewed[operand.node], operand.weight < 0);
-    FactoredTerm result{value.negative, {}, true};
+  FactoredTerm make_term(const Graph& graph, const RebuildStep& step,
+                         const Operand& operand) const {
+    const SignedNode value = with_sign(step.renewed[operand.node], operand.weight < 0);
+    FactoredTerm result{value.is_negative, {}, true};
     const Node& node = graph.node(value.node);
     if (node.kind == NodeKind::product && uses_[operand.node] == 1) {
       append_factors(graph, step.old_graph, operand.node, node, result);
@@ -96,8 +97,8 @@ class FactorRule {
   }
 
   /// The factor that most terms have; none if no two terms share a factor.
-  static std::optional<NodeId> most_common(const Graph& graph,
-                                           const std::vector<FactoredTerm>& terms) {
+  static std::optional<NodeId> most_common_factor(const Graph& graph,
+                                                  const std::vector<FactoredTerm>& terms) {
     std::map<NodeId, std::size_t> counts;
     for (const FactoredTerm& term : terms) {
       for (const Power& power : term.factors) {
@@ -113,26 +114,26 @@ class FactorRule {
     return best;
   }
 
-  static Ref sum_of_terms(Graph& graph, std::vector<FactoredTerm> terms) {
-    std::vector<Ref> finished;
-    while (const std::optional<NodeId> common = most_common(graph, terms)) {
+  static SignedNode factor_terms(Graph& graph, std::vector<FactoredTerm> terms) {
+    std::vector<SignedNode> finished;
+    while (const std::optional<NodeId> common = most_common_factor(graph, terms)) {
       const auto rest = std::stable_partition(
           terms.begin(), terms.end(),
           [&](const FactoredTerm& term) { return has_factor(term, *common); });
       std::vector<FactoredTerm> inner(terms.begin(), rest);
       terms.erase(terms.begin(), rest);
       for (FactoredTerm& term : inner) divide(term, *common);
-      terms.push_back(product_term(graph, *common, sum_of_terms(graph, std::move(inner))));
+      terms.push_back(product_term(graph, *common, factor_terms(graph, std::move(inner))));
     }
     for (const FactoredTerm& term : terms) {
-      finished.push_back(with_sign(graph.product(term.factors), term.negative));
+      finished.push_back(with_sign(graph.product(term.factors), term.is_negative));
     }
     return graph.sum(finished);
   }
 
   /// common * inner. If inner is a product, its factors may be common to other terms.
-  static FactoredTerm product_term(Graph& graph, NodeId common, Ref inner) {
-    FactoredTerm result{inner.negative, {{{common, false}, 1}}, true};
+  static FactoredTerm product_term(Graph& graph, NodeId common, SignedNode inner) {
+    FactoredTerm result{inner.is_negative, {{{common, false}, 1}}, true};
     const Node& node = graph.node(inner.node);
     const bool is_product = node.kind == NodeKind::product;
     const std::vector<Operand> factors =
@@ -149,11 +150,11 @@ class FlattenRule {
   FlattenRule(const Expressions& expressions, FlattenedProducts which)
       : uses_(use_counts(expressions.graph, expressions.values)), which_(which) {}
 
-  Ref operator()(Graph& graph, const RebuildStep& step) const {
+  SignedNode operator()(Graph& graph, const RebuildStep& step) const {
     const NodeKind kind = step.old_graph.node(step.old_node).kind;
     if (kind == NodeKind::sum) return sum(graph, step);
     if (kind == NodeKind::product) return product(graph, step);
-    return copy(graph, step);
+    return copy_node(graph, step);
   }
 
  private:
@@ -168,32 +169,32 @@ class FlattenRule {
            graph.node(step.renewed[operand.node].node).kind == kind;
   }
 
-  Ref sum(Graph& graph, const RebuildStep& step) const {
-    std::vector<Ref> terms;
+  SignedNode sum(Graph& graph, const RebuildStep& step) const {
+    std::vector<SignedNode> terms;
     for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
-      const Ref renewed = with_sign(step.renewed[operand.node], operand.weight < 0);
+      const SignedNode renewed = with_sign(step.renewed[operand.node], operand.weight < 0);
       if (!is_spliced(graph, step, operand)) {
         terms.push_back(renewed);
         continue;
       }
       for (const Operand& term : graph.node(renewed.node).operands) {
-        terms.push_back({term.node, (term.weight < 0) != renewed.negative});
+        terms.push_back({term.node, (term.weight < 0) != renewed.is_negative});
       }
     }
     return graph.sum(terms);
   }
 
-  Ref product(Graph& graph, const RebuildStep& step) const {
+  SignedNode product(Graph& graph, const RebuildStep& step) const {
     std::vector<Power> factors;
     bool negative = false;
     for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
-      const Ref renewed = step.renewed[operand.node];
+      const SignedNode renewed = step.renewed[operand.node];
       const bool is_power = operand.weight != 1 && which_ == FlattenedProducts::used_once;
       if (is_power || !is_spliced(graph, step, operand)) {
         factors.push_back({renewed, operand.weight});
         continue;
       }
-      negative = negative != (renewed.negative && operand.weight % 2 != 0);
+      negative = negative != (renewed.is_negative && operand.weight % 2 != 0);
       for (const Operand& factor : graph.node(renewed.node).operands) {
         factors.push_back({{factor.node, false}, factor.weight * operand.weight});
       }

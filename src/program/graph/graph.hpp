@@ -23,17 +23,17 @@ namespace elgen {
 
 using NodeId = std::uint32_t;
 
-struct Ref {
+struct SignedNode {
   NodeId node = 0;
-  bool negative = false;
-  friend bool operator==(const Ref&, const Ref&) = default;
+  bool is_negative = false;
+  friend bool operator==(const SignedNode&, const SignedNode&) = default;
 };
 
-[[nodiscard]] inline Ref operator-(Ref x) { return {x.node, !x.negative}; }
+[[nodiscard]] inline SignedNode operator-(SignedNode x) { return {x.node, !x.is_negative}; }
 
 /// x or -x.
-[[nodiscard]] inline Ref with_sign(Ref x, bool negative) {
-  return {x.node, x.negative != negative};
+[[nodiscard]] inline SignedNode with_sign(SignedNode x, bool negative) {
+  return {x.node, x.is_negative != negative};
 }
 
 enum class NodeKind : std::uint8_t { rational, pi, leaf, product, square_root, call, sum };
@@ -51,7 +51,7 @@ struct Node {
   FunctionId function = FunctionId::sin;  ///< of a call
   std::uint32_t index = 0;                ///< of the leaf or the rational number
   std::vector<Operand> operands = {};     ///< a rational factor or term comes first, then constants
-  std::uint32_t birth = 0;
+  std::uint32_t creation_rank = 0;
   /// The number of nodes of a constant as a tree, at most most_constant_nodes. 0: the node contains
   /// leaves.
   std::uint32_t constant_size = 0;
@@ -73,34 +73,34 @@ struct Node {
 inline constexpr std::uint32_t most_constant_nodes = 400;
 
 struct Power {
-  Ref base;
+  SignedNode base;
   std::int32_t exponent = 1;
 };
 
 class Graph {
  public:
   /// The birth of nodes that are first built from now on; a later birth comes later in the order.
-  void set_birth(std::uint32_t birth) { birth_ = birth; }
+  void set_creation_rank(std::uint32_t birth) { creation_rank_ = birth; }
 
-  Ref rational(const cln::cl_RA& value);
-  Ref pi();
-  Ref leaf(Opcode leaf, std::uint32_t index);
-  Ref sum(const std::vector<Ref>& terms);
+  SignedNode rational(const cln::cl_RA& value);
+  SignedNode pi();
+  SignedNode leaf(Opcode leaf, std::uint32_t index);
+  SignedNode sum(const std::vector<SignedNode>& terms);
   /// The product of all powers. A base with a negative exponent must not be the number 0.
-  Ref product(const std::vector<Power>& powers);
-  Ref square_root(Ref radicand);
-  Ref call(FunctionId function, std::vector<Ref> arguments);
+  SignedNode product(const std::vector<Power>& powers);
+  SignedNode square_root(SignedNode radicand);
+  SignedNode call(FunctionId function, std::vector<SignedNode> arguments);
 
   /// A constant, node by node; nested sums and nested products are spliced.
-  Ref constant(const ConstantForm& form);
+  SignedNode constant(const ConstantForm& form);
 
   /// Names the node, see merge_name. Leaves, constants and negated values are skipped.
-  void name(Ref value, const std::string& name);
+  void set_name(SignedNode value, const std::string& name);
 
   [[nodiscard]] const Node& node(NodeId id) const { return nodes_[id]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] bool is_constant(NodeId id) const { return node(id).constant_size > 0; }
-  [[nodiscard]] bool has_form(NodeId id) const {
+  [[nodiscard]] bool has_constant_form(NodeId id) const {
     return is_constant(id) && node(id).constant_size < most_constant_nodes;
   }
   [[nodiscard]] bool is_rational(NodeId id) const { return node(id).kind == NodeKind::rational; }
@@ -110,8 +110,8 @@ class Graph {
   }
   [[nodiscard]] bool is_zero(NodeId id) const;
   /// The form of a constant; has_form(id) must hold.
-  [[nodiscard]] ConstantForm form_of(NodeId id) const;
-  [[nodiscard]] ConstantForm form_of(Ref value) const;
+  [[nodiscard]] ConstantForm constant_form(NodeId id) const;
+  [[nodiscard]] ConstantForm form_of(SignedNode value) const;
 
   /// True if x precedes y in the total order, which is strict and the same in every process.
   [[nodiscard]] bool less(NodeId x, NodeId y) const { return compare(x, y) < 0; }
@@ -126,23 +126,24 @@ class Graph {
   [[nodiscard]] int compare_operands(const Node& x, const Node& y) const;
   void sort(std::vector<Operand>& operands) const;
 
-  [[nodiscard]] std::optional<cln::cl_RA> rational_value(Ref value) const;
-  [[nodiscard]] std::optional<int> constant_sign(Ref value) const;
-  [[nodiscard]] std::optional<Ref> kinked_call(FunctionId function,
-                                               const std::vector<Ref>& arguments);
-  std::optional<Ref> exact_call(FunctionId function, const std::vector<Ref>& arguments);
-  void collect(const Power& power, Factors& factors);
+  [[nodiscard]] std::optional<cln::cl_RA> rational_value(SignedNode value) const;
+  [[nodiscard]] std::optional<int> constant_sign(SignedNode value) const;
+  [[nodiscard]] std::optional<SignedNode> fold_kinked_call(
+      FunctionId function, const std::vector<SignedNode>& arguments);
+  std::optional<SignedNode> fold_exact_call(FunctionId function,
+                                            const std::vector<SignedNode>& arguments);
+  void collect_factors(const Power& power, Factors& factors);
   void merge_factors(Factors& factors);
-  Ref build_product(Factors factors);
+  SignedNode build_product(Factors factors);
   std::optional<Term> scaled_product(NodeId id);
-  Term split_coefficient(Ref term);
+  Term split_coefficient(SignedNode term);
   [[nodiscard]] std::size_t squared_sine_index(NodeId id) const;
   template <class Choice>
   std::vector<Term*> sorted_terms(std::vector<Term>& terms, const Choice& is_chosen) const;
   bool join_squares(std::vector<Term>& terms);
   bool expand_opposite_terms(std::vector<Term>& terms);
   static void merge_terms(std::vector<Term>& terms);
-  Ref build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant);
+  SignedNode build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant);
 
   struct RationalHash {
     std::size_t operator()(const cln::cl_RA& x) const { return cln::equal_hashcode(x); }
@@ -151,15 +152,16 @@ class Graph {
   std::vector<cln::cl_RA> rationals_;
   std::unordered_map<cln::cl_RA, NodeId, RationalHash> rational_nodes_;
   std::unordered_multimap<std::size_t, NodeId> known_;
-  std::uint32_t birth_ = 0;
+  std::uint32_t creation_rank_ = 0;
   std::optional<NodeId> one_ = {};  ///< the coefficient of almost every product
 };
 
 /// The nodes that `outputs` need, each once, operands before users.
-[[nodiscard]] std::vector<NodeId> reachable(const Graph& graph, const std::vector<Ref>& outputs);
+[[nodiscard]] std::vector<NodeId> reachable_nodes(const Graph& graph,
+                                                  const std::vector<SignedNode>& outputs);
 
 /// The number of operand slots and outputs that refer to each node.
 [[nodiscard]] std::vector<std::uint32_t> use_counts(const Graph& graph,
-                                                    const std::vector<Ref>& outputs);
+                                                    const std::vector<SignedNode>& outputs);
 
 }  // namespace elgen

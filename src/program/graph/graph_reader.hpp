@@ -15,8 +15,8 @@ namespace elgen {
 
 /// The value of `text`; a bracket stays a separate node, names are coordinates. None for another
 /// name, a syntax error, a power or divisor of 0, and an exponent that is no integer up to 1e6.
-[[nodiscard]] std::optional<Ref> read_value(Graph& graph, const std::string& text,
-                                            const std::vector<std::string>& coordinates,
-                                            const Limits& limits = {});
+[[nodiscard]] std::optional<SignedNode> read_value(Graph& graph, const std::string& text,
+                                                   const std::vector<std::string>& coordinates,
+                                                   const Limits& limits = {});
 
 }  // namespace elgen

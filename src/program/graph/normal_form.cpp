@@ -45,9 +45,9 @@ struct Graph::Term {
   NodeId node = 0;
 };
 
-void Graph::collect(const Power& power, Factors& factors) {
+void Graph::collect_factors(const Power& power, Factors& factors) {
   const bool is_odd = power.exponent % 2 != 0;
-  if (power.base.negative && is_odd) factors.coefficient = -factors.coefficient;
+  if (power.base.is_negative && is_odd) factors.coefficient = -factors.coefficient;
   if (is_rational(power.base.node)) {
     const cln::cl_RA value = cln::expt(rational_of(power.base.node), power.exponent);
     factors.coefficient = factors.coefficient * value;
@@ -58,7 +58,7 @@ void Graph::collect(const Power& power, Factors& factors) {
   if (base.kind == NodeKind::product && is_constant(power.base.node)) {
     const std::vector<Operand> operands = base.operands;
     for (const Operand& operand : operands) {
-      collect({{operand.node, false}, operand.weight * power.exponent}, factors);
+      collect_factors({{operand.node, false}, operand.weight * power.exponent}, factors);
     }
     return;
   }
@@ -66,7 +66,7 @@ void Graph::collect(const Power& power, Factors& factors) {
   // shared.
   if (const std::optional<Term> scaled = scaled_product(power.base.node)) {
     factors.coefficient = factors.coefficient * cln::expt(scaled->coefficient, power.exponent);
-    collect({{scaled->node, false}, power.exponent}, factors);
+    collect_factors({{scaled->node, false}, power.exponent}, factors);
     return;
   }
   factors.powers.push_back({power.base.node, power.exponent});
@@ -89,15 +89,15 @@ void Graph::merge_factors(Factors& factors) {
       }
       if (is_whole) continue;
       const Operand radicand = node(power.node).operands[0];
-      collect({{radicand.node, radicand.weight < 0}, power.weight / 2}, factors);
+      collect_factors({{radicand.node, radicand.weight < 0}, power.weight / 2}, factors);
     }
   }
 }
 
-Ref Graph::build_product(Factors factors) {
+SignedNode Graph::build_product(Factors factors) {
   if (cln::zerop(factors.coefficient)) return rational(0);
   const bool negative = cln::minusp(factors.coefficient);
-  const Ref coefficient = rational(cln::abs(factors.coefficient));
+  const SignedNode coefficient = rational(cln::abs(factors.coefficient));
   if (factors.powers.empty()) return with_sign(coefficient, negative);
   const bool has_coefficient = cln::abs(factors.coefficient) != 1;
   if (!has_coefficient && factors.powers.size() == 1 && factors.powers[0].weight == 1) {
@@ -108,10 +108,10 @@ Ref Graph::build_product(Factors factors) {
   return {intern({.kind = NodeKind::product, .operands = std::move(factors.powers)}), negative};
 }
 
-Ref Graph::product(const std::vector<Power>& powers) {
+SignedNode Graph::product(const std::vector<Power>& powers) {
   Factors factors;
   factors.powers.reserve(powers.size() + 1);  // + 1: the coefficient
-  for (const Power& power : powers) collect(power, factors);
+  for (const Power& power : powers) collect_factors(power, factors);
   merge_factors(factors);
   return build_product(std::move(factors));
 }
@@ -130,13 +130,13 @@ std::optional<Graph::Term> Graph::scaled_product(NodeId id) {
   return Term{rational_of(node(id).operands[0].node), scaled};
 }
 
-Graph::Term Graph::split_coefficient(Ref term) {
+Graph::Term Graph::split_coefficient(SignedNode term) {
   Term result = scaled_product(term.node).value_or(Term{1, term.node});
-  if (term.negative) result.coefficient = -result.coefficient;
+  if (term.is_negative) result.coefficient = -result.coefficient;
   return result;
 }
 
-Ref Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant) {
+SignedNode Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant) {
   const bool has_constant = !cln::zerop(constant);
   if (terms.empty()) return rational(constant);
   const cln::cl_RA first = cln::abs(terms[0].coefficient);
@@ -147,7 +147,7 @@ Ref Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant)
   operands.reserve(terms.size() + 1);
   for (const Term& term : terms) {
     const cln::cl_RA magnitude = is_common ? cln::cl_RA(1) : cln::abs(term.coefficient);
-    const Ref factor = rational(magnitude);
+    const SignedNode factor = rational(magnitude);
     const bool is_itself = magnitude == 1 && !is_constant(term.node);
     const NodeId scaled = is_itself ? term.node : product({{factor}, {{term.node, false}}}).node;
     operands.push_back({scaled, cln::minusp(term.coefficient) ? -1 : 1});
@@ -160,7 +160,7 @@ Ref Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& constant)
   if (negative) {
     for (Operand& operand : operands) operand.weight = -operand.weight;
   }
-  Ref result{operands[0].node, negative};
+  SignedNode result{operands[0].node, negative};
   if (operands.size() > 1) {
     result.node = intern({.kind = NodeKind::sum, .operands = std::move(operands)});
   }
@@ -251,11 +251,11 @@ bool Graph::expand_opposite_terms(std::vector<Term>& terms) {
   return false;
 }
 
-Ref Graph::sum(const std::vector<Ref>& terms) {
+SignedNode Graph::sum(const std::vector<SignedNode>& terms) {
   cln::cl_RA constant = 0;
   std::vector<Term> split;
   split.reserve(terms.size());
-  for (const Ref term : terms) {
+  for (const SignedNode term : terms) {
     if (const auto number = rational_value(term)) {
       constant = constant + *number;
     } else {
@@ -264,7 +264,7 @@ Ref Graph::sum(const std::vector<Ref>& terms) {
   }
   merge_terms(split);
   if (!join_squares(split) && !expand_opposite_terms(split)) return build_sum(split, constant);
-  std::vector<Ref> fewer;
+  std::vector<SignedNode> fewer;
   for (const Term& term : split) {
     fewer.push_back(product({{rational(term.coefficient)}, {{term.node, false}}}));
   }

@@ -1,5 +1,5 @@
 // rebuild: the loop of every pass from Graph to Graph; operands are renewed before their users.
-// from_program: one instruction after another.
+// expressions_from_program: one instruction after another.
 #include "program/graph/rebuild.hpp"
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace elgen {
 namespace {
 
 /// The terms or arguments of the old node in the new graph, with their signs.
-std::vector<Ref> renewed_terms(const RebuildStep& step) {
-  std::vector<Ref> terms;
+std::vector<SignedNode> renewed_terms(const RebuildStep& step) {
+  std::vector<SignedNode> terms;
   terms.reserve(step.old_graph.node(step.old_node).operands.size());
   for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
     terms.push_back(with_sign(step.renewed[operand.node], operand.weight < 0));
@@ -32,7 +32,7 @@ std::vector<Power> renewed_factors(const RebuildStep& step) {
 
 }  // namespace
 
-Ref copy(Graph& graph, const RebuildStep& step) {
+SignedNode copy_node(Graph& graph, const RebuildStep& step) {
   const Node& node = step.old_graph.node(step.old_node);
   switch (node.kind) {
     case NodeKind::rational:
@@ -53,26 +53,26 @@ Ref copy(Graph& graph, const RebuildStep& step) {
   return {};
 }
 
-Ref copy_value(Graph& graph, const Expressions& from) {
-  std::vector<Ref> renewed(from.graph.size());
-  for (const NodeId id : reachable(from.graph, from.values)) {
-    renewed[id] = copy(graph, {from.graph, id, renewed});
+SignedNode copy_value(Graph& graph, const Expressions& from) {
+  std::vector<SignedNode> renewed(from.graph.size());
+  for (const NodeId id : reachable_nodes(from.graph, from.values)) {
+    renewed[id] = copy_node(graph, {from.graph, id, renewed});
   }
-  const Ref value = from.values[0];
-  return with_sign(renewed[value.node], value.negative);
+  const SignedNode value = from.values[0];
+  return with_sign(renewed[value.node], value.is_negative);
 }
 
 Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
   const Graph& old_graph = expressions.graph;
   Expressions result;
-  std::vector<Ref> renewed(old_graph.size());
-  for (const NodeId id : reachable(old_graph, expressions.values)) {
-    result.graph.set_birth(old_graph.node(id).birth);
+  std::vector<SignedNode> renewed(old_graph.size());
+  for (const NodeId id : reachable_nodes(old_graph, expressions.values)) {
+    result.graph.set_creation_rank(old_graph.node(id).creation_rank);
     renewed[id] = rule(result.graph, {old_graph, id, renewed});
-    result.graph.name(renewed[id], old_graph.node(id).name);
+    result.graph.set_name(renewed[id], old_graph.node(id).name);
   }
-  for (const Ref value : expressions.values) {
-    result.values.push_back(with_sign(renewed[value.node], value.negative));
+  for (const SignedNode value : expressions.values) {
+    result.values.push_back(with_sign(renewed[value.node], value.is_negative));
   }
   return result;
 }
@@ -80,32 +80,32 @@ Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
 namespace {
 
 /// The new values of the instructions of a cone, by instruction index.
-struct ConeRefs {
+struct ConeValues {
   const std::vector<std::uint32_t>& cone;
-  std::vector<Ref> made;
+  std::vector<SignedNode> values;
 
-  [[nodiscard]] Ref operator[](std::uint32_t at) const {
+  [[nodiscard]] SignedNode operator[](std::uint32_t at) const {
     const auto place = std::ranges::lower_bound(cone, at);
-    return made[static_cast<std::size_t>(place - cone.begin())];
+    return values[static_cast<std::size_t>(place - cone.begin())];
   }
 };
 
 }  // namespace
 
-Expressions from_program(const Program& program, const Function& function,
-                         const std::vector<std::uint32_t>& wanted,
-                         const std::vector<bool>& is_zero) {
+Expressions expressions_from_program(const Program& program, const Function& function,
+                                     const std::vector<std::uint32_t>& wanted,
+                                     const std::vector<bool>& is_zero) {
   Expressions result;
   Graph& graph = result.graph;
-  const std::vector<std::uint32_t> cone = cone_of(function, wanted);
-  ConeRefs refs{cone, {}};
+  const std::vector<std::uint32_t> cone = dependency_cone(function, wanted);
+  ConeValues refs{cone, {}};
   for (const std::uint32_t at : cone) {
-    graph.set_birth(at);
+    graph.set_creation_rank(at);
     const bool vanishes = !is_zero.empty() && is_zero[at];
-    refs.made.push_back(
+    refs.values.push_back(
         vanishes ? graph.rational(0)
                  : fold_instruction(GraphRules{graph}, program, function.instructions[at], refs));
-    graph.name(refs.made.back(), function.names[at]);
+    graph.set_name(refs.values.back(), function.names[at]);
   }
   for (const std::uint32_t at : wanted) result.values.push_back(refs[at]);
   return result;

@@ -12,24 +12,24 @@ namespace elgen {
 /// A graph and its outputs.
 struct Expressions {
   Graph graph = {};
-  std::vector<Ref> values = {};
+  std::vector<SignedNode> values = {};
 };
 
 /// One step of a pass: the old node, and the new refs of its operands.
 struct RebuildStep {
   const Graph& old_graph;
   NodeId old_node;
-  const std::vector<Ref>& renewed;  ///< by old NodeId
+  const std::vector<SignedNode>& renewed;  ///< by old NodeId
 };
 
 /// Copies the old node, unchanged, to the new graph.
-[[nodiscard]] Ref copy(Graph& graph, const RebuildStep& step);
+[[nodiscard]] SignedNode copy_node(Graph& graph, const RebuildStep& step);
 
 /// Copies the only value of `from` to another graph.
-[[nodiscard]] Ref copy_value(Graph& graph, const Expressions& from);
+[[nodiscard]] SignedNode copy_value(Graph& graph, const Expressions& from);
 
 /// Returns the new value of an old node. `rebuild` copies births and names.
-using RebuildRule = std::function<Ref(Graph&, const RebuildStep&)>;
+using RebuildRule = std::function<SignedNode(Graph&, const RebuildStep&)>;
 
 [[nodiscard]] Expressions rebuild(const Expressions& expressions, const RebuildRule& rule);
 
@@ -37,19 +37,23 @@ using RebuildRule = std::function<Ref(Graph&, const RebuildStep&)>;
 struct GraphRules {
   Graph& graph;
 
-  [[nodiscard]] Ref constant(const Constant& constant) const {
+  [[nodiscard]] SignedNode constant(const Constant& constant) const {
     return graph.constant(constant.form);
   }
-  [[nodiscard]] Ref leaf(Opcode kind, std::uint32_t number) const {
+  [[nodiscard]] SignedNode leaf(Opcode kind, std::uint32_t number) const {
     return graph.leaf(kind, number);
   }
-  [[nodiscard]] Ref negate(Ref x) const { return -x; }
-  [[nodiscard]] Ref add(Ref x, Ref y) const { return graph.sum({x, y}); }
-  [[nodiscard]] Ref subtract(Ref x, Ref y) const { return graph.sum({x, -y}); }
-  [[nodiscard]] Ref multiply(Ref x, Ref y) const { return graph.product({{x, 1}, {y, 1}}); }
-  [[nodiscard]] Ref divide(Ref x, Ref y) const { return graph.product({{x, 1}, {y, -1}}); }
-  [[nodiscard]] Ref square_root(Ref x) const { return graph.square_root(x); }
-  [[nodiscard]] Ref call(FunctionId function, Ref x, Ref y) const {
+  [[nodiscard]] SignedNode negate(SignedNode x) const { return -x; }
+  [[nodiscard]] SignedNode add(SignedNode x, SignedNode y) const { return graph.sum({x, y}); }
+  [[nodiscard]] SignedNode subtract(SignedNode x, SignedNode y) const { return graph.sum({x, -y}); }
+  [[nodiscard]] SignedNode multiply(SignedNode x, SignedNode y) const {
+    return graph.product({{x, 1}, {y, 1}});
+  }
+  [[nodiscard]] SignedNode divide(SignedNode x, SignedNode y) const {
+    return graph.product({{x, 1}, {y, -1}});
+  }
+  [[nodiscard]] SignedNode square_root(SignedNode x) const { return graph.square_root(x); }
+  [[nodiscard]] SignedNode call(FunctionId function, SignedNode x, SignedNode y) const {
     if (function_row(function).arity == 1) return graph.call(function, {x});
     return graph.call(function, {x, y});
   }
@@ -57,8 +61,8 @@ struct GraphRules {
 
 /// The values of the instructions `wanted`. Instructions marked in `is_zero` (empty: none) become 0
 /// in all uses, so none of them may be a divisor.
-[[nodiscard]] Expressions from_program(const Program& program, const Function& function,
-                                       const std::vector<std::uint32_t>& wanted,
-                                       const std::vector<bool>& is_zero = {});
+[[nodiscard]] Expressions expressions_from_program(const Program& program, const Function& function,
+                                                   const std::vector<std::uint32_t>& wanted,
+                                                   const std::vector<bool>& is_zero = {});
 
 }  // namespace elgen

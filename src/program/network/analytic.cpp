@@ -11,54 +11,58 @@ namespace elgen {
 namespace {
 
 /// Each class contains the next.
-enum class Kind : std::uint8_t { unknown, analytic, smooth, nonnegative, positive };
+enum class ValueClass : std::uint8_t { unknown, analytic, smooth, nonnegative, positive };
 
-bool is_smooth(Kind x) { return x >= Kind::smooth; }
-bool is_positive(Kind x) { return x == Kind::positive; }
+bool is_smooth(ValueClass x) { return x >= ValueClass::smooth; }
+bool is_positive(ValueClass x) { return x == ValueClass::positive; }
 
 /// Rules of fold.hpp. No operand is unknown, because unknowns were replaced by variables.
-struct KindRules {
+struct ValueClassRules {
   const LeafNames& leaves;
 
-  [[nodiscard]] static Kind constant(const Constant& x) {
-    if (cln::plusp(x.value)) return Kind::positive;
-    return is_rational(x) && cln::zerop(x.value) ? Kind::nonnegative : Kind::smooth;
+  [[nodiscard]] static ValueClass constant(const Constant& x) {
+    if (cln::plusp(x.value)) return ValueClass::positive;
+    return is_rational(x) && cln::zerop(x.value) ? ValueClass::nonnegative : ValueClass::smooth;
   }
-  [[nodiscard]] Kind leaf(Opcode kind, std::uint32_t number) const {
-    if (kind != Opcode::parameter) return Kind::smooth;
+  [[nodiscard]] ValueClass leaf(Opcode kind, std::uint32_t number) const {
+    if (kind != Opcode::parameter) return ValueClass::smooth;
     const Assumption assumption = assumption_of(leaves, number);
-    if (assumption == Assumption::positive) return Kind::positive;
-    return assumption == Assumption::nonnegative ? Kind::nonnegative : Kind::smooth;
+    if (assumption == Assumption::positive) return ValueClass::positive;
+    return assumption == Assumption::nonnegative ? ValueClass::nonnegative : ValueClass::smooth;
   }
-  [[nodiscard]] static Kind negate(Kind x) { return std::min(x, Kind::smooth); }
-  [[nodiscard]] static Kind add(Kind x, Kind y) {
-    const Kind least = std::min(x, y);
-    return least == Kind::nonnegative ? std::max(x, y) : least;
+  [[nodiscard]] static ValueClass negate(ValueClass x) { return std::min(x, ValueClass::smooth); }
+  [[nodiscard]] static ValueClass add(ValueClass x, ValueClass y) {
+    const ValueClass least = std::min(x, y);
+    return least == ValueClass::nonnegative ? std::max(x, y) : least;
   }
-  [[nodiscard]] static Kind subtract(Kind x, Kind y) { return std::min({x, y, Kind::smooth}); }
-  [[nodiscard]] static Kind multiply(Kind x, Kind y) { return std::min(x, y); }
-  [[nodiscard]] static Kind divide(Kind x, Kind y) { return is_positive(y) ? x : Kind::analytic; }
-  [[nodiscard]] static Kind square_root(Kind x) {
-    return is_positive(x) ? Kind::positive : Kind::unknown;
+  [[nodiscard]] static ValueClass subtract(ValueClass x, ValueClass y) {
+    return std::min({x, y, ValueClass::smooth});
   }
-  [[nodiscard]] static Kind call(FunctionId function, Kind x, Kind y) {
+  [[nodiscard]] static ValueClass multiply(ValueClass x, ValueClass y) { return std::min(x, y); }
+  [[nodiscard]] static ValueClass divide(ValueClass x, ValueClass y) {
+    return is_positive(y) ? x : ValueClass::analytic;
+  }
+  [[nodiscard]] static ValueClass square_root(ValueClass x) {
+    return is_positive(x) ? ValueClass::positive : ValueClass::unknown;
+  }
+  [[nodiscard]] static ValueClass call(FunctionId function, ValueClass x, ValueClass y) {
     const FunctionRow& row = function_row(function);
-    const Kind last = row.arity == 2 ? y : x;
+    const ValueClass last = row.arity == 2 ? y : x;
     switch (row.smoothness) {
-      case Smoothness::everywhere:
-        return std::min(x, Kind::smooth);
-      case Smoothness::positive:
-        return is_smooth(x) ? Kind::positive : Kind::analytic;
-      case Smoothness::poles:
-        return Kind::analytic;
-      case Smoothness::real:
-        return is_smooth(x) ? Kind::smooth : Kind::unknown;
+      case Smoothness::entire:
+        return std::min(x, ValueClass::smooth);
+      case Smoothness::entire_positive:
+        return is_smooth(x) ? ValueClass::positive : ValueClass::analytic;
+      case Smoothness::meromorphic:
+        return ValueClass::analytic;
+      case Smoothness::real_analytic:
+        return is_smooth(x) ? ValueClass::smooth : ValueClass::unknown;
       case Smoothness::half_plane:
-        return is_smooth(x) && is_positive(last) ? Kind::smooth : Kind::unknown;
+        return is_smooth(x) && is_positive(last) ? ValueClass::smooth : ValueClass::unknown;
       case Smoothness::branches:
-        return Kind::unknown;
+        return ValueClass::unknown;
     }
-    return Kind::unknown;
+    return ValueClass::unknown;
   }
 };
 
@@ -66,15 +70,15 @@ struct KindRules {
 class SignAnalysis {
  public:
   /// The next instruction's kind: a smooth product of even powers becomes nonnegative.
-  Kind refined_kind(const Instruction& i, Kind kind) {
+  ValueClass refine_class(const Instruction& i, ValueClass kind) {
     const auto at = static_cast<std::uint32_t>(odd_factors_.size());
-    std::vector<std::uint32_t> odd = factors(i);
-    if (kind == Kind::smooth && i.opcode == Opcode::multiply && odd.empty()) {
-      kind = Kind::nonnegative;
+    std::vector<std::uint32_t> odd = odd_factors(i);
+    if (kind == ValueClass::smooth && i.opcode == Opcode::multiply && odd.empty()) {
+      kind = ValueClass::nonnegative;
     }
     const bool is_product = i.opcode == Opcode::multiply || i.opcode == Opcode::divide;
-    if (kind == Kind::smooth && (!is_product || odd.size() > most_factors)) odd = {at};
-    if (kind != Kind::smooth) odd.clear();
+    if (kind == ValueClass::smooth && (!is_product || odd.size() > most_factors)) odd = {at};
+    if (kind != ValueClass::smooth) odd.clear();
     odd_factors_.push_back(std::move(odd));
     return kind;
   }
@@ -84,7 +88,7 @@ class SignAnalysis {
   /// quadratic time.
   static constexpr std::size_t most_factors = 16;
 
-  [[nodiscard]] std::vector<std::uint32_t> factors(const Instruction& i) const {
+  [[nodiscard]] std::vector<std::uint32_t> odd_factors(const Instruction& i) const {
     if (i.opcode == Opcode::divide) return odd_factors_[i.a];  // smooth only if i.b is positive
     if (i.opcode != Opcode::multiply) return {};
     std::vector<std::uint32_t> odd;
@@ -99,15 +103,15 @@ class SignAnalysis {
 
 }  // namespace
 
-std::vector<bool> unknowns(const Program& program, const Function& function) {
-  const KindRules rules{program.leaves};
+std::vector<bool> mark_unknown_values(const Program& program, const Function& function) {
+  const ValueClassRules rules{program.leaves};
   std::vector<bool> result;
-  std::vector<Kind> kinds;
+  std::vector<ValueClass> kinds;
   SignAnalysis signs;
   for (const Instruction& i : function.instructions) {
-    const Kind kind = fold_instruction(rules, program, i, kinds);
-    result.push_back(kind == Kind::unknown);
-    kinds.push_back(signs.refined_kind(i, kind == Kind::unknown ? Kind::smooth : kind));
+    const ValueClass kind = fold_instruction(rules, program, i, kinds);
+    result.push_back(kind == ValueClass::unknown);
+    kinds.push_back(signs.refine_class(i, kind == ValueClass::unknown ? ValueClass::smooth : kind));
   }
   return result;
 }

@@ -25,6 +25,7 @@ namespace elgen {
 
 /// True for each instruction whose value is unknown. A parameter is positive only by assumption,
 /// not by its range or value. Cost: one pass.
-[[nodiscard]] std::vector<bool> unknowns(const Program& program, const Function& function);
+[[nodiscard]] std::vector<bool> mark_unknown_values(const Program& program,
+                                                    const Function& function);
 
 }  // namespace elgen

@@ -12,12 +12,12 @@ namespace {
 
 /// For larger graphs, the forms with all products expanded are skipped, because they take the most
 /// time.
-constexpr std::size_t maximal_nodes_written_out = 20'000;
+constexpr std::size_t max_nodes_to_expand = 20'000;
 
-CostedNetwork candidate(Network network, const Function& unfilled) {
+CostedNetwork make_candidate(Network network, const Function& unfilled) {
   CostedNetwork result{std::move(network)};
   eliminate_common_subexpressions(result.network);
-  turn_signs(result.network);
+  flip_signs(result.network);
   Program scratch;
   Function function = unfilled;
   linearise(result.network, scratch, function);
@@ -27,26 +27,26 @@ CostedNetwork candidate(Network network, const Function& unfilled) {
 
 }  // namespace
 
-Expressions factored(const Expressions& flat) { return factor(flatten(factor(flat))); }
+Expressions factor_twice(const Expressions& flat) { return factor(flatten(factor(flat))); }
 
 std::vector<CostedNetwork> networks_by_cost(const Expressions& expressions,
-                                            const Function& unfilled, Splits splits) {
+                                            const Function& unfilled, ExpandedAngles splits) {
   std::vector<CostedNetwork> networks;
   // If all constants are rational, the graph has merged them, and joining changes nothing.
   const auto add = [&](const Expressions& form) {
     Network network = make_network(form);
     const bool is_done = std::ranges::all_of(
         network.constants, [](const Constant& constant) { return is_rational(constant); });
-    networks.push_back(candidate(std::move(network), unfilled));
+    networks.push_back(make_candidate(std::move(network), unfilled));
     if (is_done) return;
-    networks.push_back(candidate(make_network(form, Numbers::joined), unfilled));
+    networks.push_back(make_candidate(make_network(form, NumberJoining::joined), unfilled));
   };
   const auto add_forms = [&](const Expressions& all) {
     const Expressions flat = flatten(all);
-    add(factored(flat));
+    add(factor_twice(flat));
     add(flat);
-    if (flat.graph.size() > maximal_nodes_written_out) return;
-    add(factored(flatten(flat, FlattenedProducts::all_products)));
+    if (flat.graph.size() > max_nodes_to_expand) return;
+    add(factor_twice(flatten(flat, FlattenedProducts::all_products)));
   };
   add_forms(expressions);
   if (const auto expanded = expand_angle_sums(expressions, splits)) add_forms(*expanded);
@@ -54,7 +54,8 @@ std::vector<CostedNetwork> networks_by_cost(const Expressions& expressions,
   return networks;
 }
 
-Network cheapest_network(const Expressions& expressions, const Function& unfilled, Splits splits) {
+Network cheapest_network(const Expressions& expressions, const Function& unfilled,
+                         ExpandedAngles splits) {
   return std::move(networks_by_cost(expressions, unfilled, splits).front().network);
 }
 

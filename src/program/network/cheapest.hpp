@@ -17,7 +17,7 @@ namespace elgen {
 
 /// `flat`, factored, flattened and factored again: factoring splits sums, whose terms can then meet
 /// in one sum.
-[[nodiscard]] Expressions factored(const Expressions& flat);
+[[nodiscard]] Expressions factor_twice(const Expressions& flat);
 
 /// A form, and the cost() of its instructions.
 struct CostedNetwork {
@@ -29,10 +29,11 @@ struct CostedNetwork {
 /// without_instructions().
 [[nodiscard]] std::vector<CostedNetwork> networks_by_cost(
     const Expressions& expressions, const Function& unfilled,
-    Splits splits = Splits::sums_and_differences);
+    ExpandedAngles splits = ExpandedAngles::sums_and_differences);
 
 /// The cheapest form.
-[[nodiscard]] Network cheapest_network(const Expressions& expressions, const Function& unfilled,
-                                       Splits splits = Splits::sums_and_differences);
+[[nodiscard]] Network cheapest_network(
+    const Expressions& expressions, const Function& unfilled,
+    ExpandedAngles splits = ExpandedAngles::sums_and_differences);
 
 }  // namespace elgen

@@ -14,25 +14,25 @@ namespace {
 /// in the length of an operation.
 constexpr std::size_t pairing_distance = 24;
 
-struct Pair {
+struct OperandPair {
   OperationKind kind;
-  bool opposite;  ///< a - b rather than a + b
-  NodeId a;       ///< a <= b
+  bool is_opposite;  ///< a - b rather than a + b
+  NodeId a;          ///< a <= b
   NodeId b;
-  friend auto operator<=>(const Pair&, const Pair&) = default;
+  friend auto operator<=>(const OperandPair&, const OperandPair&) = default;
 };
 
-struct PairHash {
-  std::size_t operator()(const Pair& pair) const {
+struct OperandPairHash {
+  std::size_t operator()(const OperandPair& pair) const {
     const std::uint64_t operands = (std::uint64_t{pair.a} << 32U) | pair.b;
     const bool is_sum = pair.kind == OperationKind::sum;
-    return (operands ^ (is_sum ? 2U : 0U) ^ (pair.opposite ? 1U : 0U)) * 0x9E3779B97F4A7C15U;
+    return (operands ^ (is_sum ? 2U : 0U) ^ (pair.is_opposite ? 1U : 0U)) * 0x9E3779B97F4A7C15U;
   }
 };
 
 struct CommonPair {
   std::size_t count;
-  Pair pair;
+  OperandPair pair;
   /// std::priority_queue pops the largest: the pair with most users, then the first pair.
   friend bool operator<(const CommonPair& x, const CommonPair& y) {
     return x.count != y.count ? x.count < y.count : y.pair < x.pair;
@@ -43,15 +43,15 @@ bool is_n_ary(OperationKind kind) {
   return kind == OperationKind::sum || kind == OperationKind::product;
 }
 
-Pair pair_of(OperationKind kind, Ref x, Ref y) {
-  return {kind, x.negative != y.negative, std::min(x.node, y.node), std::max(x.node, y.node)};
+OperandPair pair_of(OperationKind kind, SignedNode x, SignedNode y) {
+  return {kind, x.is_negative != y.is_negative, std::min(x.node, y.node), std::max(x.node, y.node)};
 }
 
 /// Indices of the pair's operands in an operation, the smaller first.
 using OperandPositions = std::pair<std::size_t, std::size_t>;
 
-std::optional<OperandPositions> find(const Operation& operation, const Pair& pair) {
-  const std::vector<Ref>& operands = operation.operands;
+std::optional<OperandPositions> find_pair(const Operation& operation, const OperandPair& pair) {
+  const std::vector<SignedNode>& operands = operation.operands;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     if (operands[i].node != pair.a && operands[i].node != pair.b) continue;
     for (std::size_t j = i + 1; j < operands.size(); ++j) {
@@ -65,7 +65,7 @@ class CommonPairElimination {
  public:
   explicit CommonPairElimination(Network& network) : network_(network) {}
 
-  void run() {
+  void eliminate_all() {
     for (NodeId id = 0; id < network_.operations.size(); ++id) register_pairs(id);
     for (const auto& [pair, users] : users_) {
       if (users.size() > 1) queue_.push({users.size(), pair});
@@ -73,7 +73,7 @@ class CommonPairElimination {
     while (!queue_.empty()) {
       const CommonPair candidate = queue_.top();
       queue_.pop();
-      process_candidate(candidate);
+      extract_if_common(candidate);
     }
   }
 
@@ -89,36 +89,37 @@ class CommonPairElimination {
 
   void register_pair(NodeId id, std::size_t i, std::size_t j) {
     const Operation& operation = network_.operations[id];
-    const Pair pair = pair_of(operation.kind, operation.operands[i], operation.operands[j]);
+    const OperandPair pair = pair_of(operation.kind, operation.operands[i], operation.operands[j]);
     std::vector<NodeId>& users = users_[pair];
     if (users.empty() || users.back() != id) users.push_back(id);
   }
 
-  void process_candidate(const CommonPair& candidate) {
+  void extract_if_common(const CommonPair& candidate) {
     std::vector<NodeId>& users = users_[candidate.pair];
     std::sort(users.begin(), users.end());
     users.erase(std::unique(users.begin(), users.end()), users.end());
-    std::erase_if(users, [&](NodeId id) { return !find(network_.operations[id], candidate.pair); });
+    std::erase_if(users,
+                  [&](NodeId id) { return !find_pair(network_.operations[id], candidate.pair); });
     if (users.size() < 2) return;
     if (users.size() < candidate.count) {
       queue_.push({users.size(), candidate.pair});
       return;
     }
-    extract(candidate.pair, std::vector<NodeId>(users));
+    extract_pair(candidate.pair, std::vector<NodeId>(users));
   }
 
-  void extract(const Pair& pair, const std::vector<NodeId>& users) {
+  void extract_pair(const OperandPair& pair, const std::vector<NodeId>& users) {
     NodeId common = existing_operation(users);
     if (common == network_.operations.size()) {
       Operation operation{.kind = pair.kind};
       const Operation& user = network_.operations[users[0]];
-      const auto [first, second] = *find(user, pair);
+      const auto [first, second] = *find_pair(user, pair);
       operation.operands = {{user.operands[first].node, false},
-                            {user.operands[second].node, pair.opposite}};
+                            {user.operands[second].node, pair.is_opposite}};
       network_.operations.push_back(std::move(operation));
     }
     for (const NodeId user : users) {
-      if (user != common) replace(pair, user, common);
+      if (user != common) replace_pair(pair, user, common);
     }
   }
 
@@ -131,40 +132,44 @@ class CommonPairElimination {
     return static_cast<NodeId>(network_.operations.size());
   }
 
-  void replace(const Pair& pair, NodeId user, NodeId common) {
+  void replace_pair(const OperandPair& pair, NodeId user, NodeId common) {
     Operation& operation = network_.operations[user];
-    const Ref reference = network_.operations[common].operands[0];
-    while (const std::optional<OperandPositions> positions = find(operation, pair)) {
+    const SignedNode reference = network_.operations[common].operands[0];
+    while (const std::optional<OperandPositions> positions = find_pair(operation, pair)) {
       const auto [first, second] = *positions;
-      std::vector<Ref>& operands = operation.operands;
-      const Ref same = operands[first].node == reference.node ? operands[first] : operands[second];
-      operands[first] = {common, same.negative != reference.negative};
+      std::vector<SignedNode>& operands = operation.operands;
+      const SignedNode same =
+          operands[first].node == reference.node ? operands[first] : operands[second];
+      operands[first] = {common, same.is_negative != reference.is_negative};
       operands.erase(operands.begin() + static_cast<std::ptrdiff_t>(second));
-      queue_pairs_of(user, first);
+      queue_new_pairs(user, first);
     }
   }
 
   /// Queues the pairs of the new operand with the remaining operands.
-  void queue_pairs_of(NodeId user, std::size_t place) {
-    const std::vector<Ref>& operands = network_.operations[user].operands;
+  void queue_new_pairs(NodeId user, std::size_t place) {
+    const std::vector<SignedNode>& operands = network_.operations[user].operands;
     const std::size_t begin = place > pairing_distance ? place - pairing_distance : 0;
     const std::size_t end = std::min(operands.size(), place + 1 + pairing_distance);
     for (std::size_t other = begin; other < end; ++other) {
       if (other == place) continue;
       register_pair(user, std::min(place, other), std::max(place, other));
-      const Pair pair = pair_of(network_.operations[user].kind, operands[place], operands[other]);
+      const OperandPair pair =
+          pair_of(network_.operations[user].kind, operands[place], operands[other]);
       const std::size_t count = users_[pair].size();
       if (count > 1) queue_.push({count, pair});
     }
   }
 
   Network& network_;
-  std::unordered_map<Pair, std::vector<NodeId>, PairHash> users_;
+  std::unordered_map<OperandPair, std::vector<NodeId>, OperandPairHash> users_;
   std::priority_queue<CommonPair> queue_;
 };
 
 }  // namespace
 
-void eliminate_common_subexpressions(Network& network) { CommonPairElimination(network).run(); }
+void eliminate_common_subexpressions(Network& network) {
+  CommonPairElimination(network).eliminate_all();
+}
 
 }  // namespace elgen

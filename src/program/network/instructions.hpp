@@ -7,9 +7,9 @@
 
 namespace elgen {
 
-class Instructions {
+class InstructionBuilder {
  public:
-  explicit Instructions(Function& function) : function_(function) {
+  explicit InstructionBuilder(Function& function) : function_(function) {
     for (std::uint32_t at = 0; at < function.instructions.size(); ++at) {
       known_.emplace(function.instructions[at], at);
     }

@@ -20,8 +20,8 @@ namespace elgen {
 void linearise(const Network& network, Program& program, Function& function);
 
 /// The values of a network as a function with one field, and its constants.
-struct Linearised {
-  explicit Linearised(const Network& network);
+struct LinearisedNetwork {
+  explicit LinearisedNetwork(const Network& network);
 
   Program program = {};
   Function function = {};

@@ -14,7 +14,7 @@ namespace {
 
 /// Relative tolerance. Equal values differ by rounding, about 1e-15. The probability that two of
 /// ten thousand different values agree within 1e-12 is 1e-4.
-constexpr double rounding = 1e-12;
+constexpr double relative_tolerance = 1e-12;
 
 struct PortableRules : interpreter::NumberRules<double> {
   [[nodiscard]] double call(FunctionId function, double x, double y) const {
@@ -26,14 +26,15 @@ struct PortableRules : interpreter::NumberRules<double> {
 };
 
 /// The value of each instruction at the random leaves.
-std::vector<double> values_of(const Program& program, const Function& function) {
-  const LeafValues<double> at = Sampler(1).scaled_point(program.leaves, -2, 0);
+std::vector<double> sample_values(const Program& program, const Function& function) {
+  const LeafValues<double> at = Sampler(1).log_uniform_point(program.leaves, -2, 0);
   return fold<double>(PortableRules{{at}}, program, function);
 }
 
-NamedIntermediates::const_iterator found(const NamedIntermediates& told, double value) {
-  const auto next = told.lower_bound(std::abs(value) * (1 - rounding));
-  const bool is_near = next != told.end() && next->first <= std::abs(value) * (1 + rounding);
+NamedIntermediates::const_iterator find_value(const NamedIntermediates& told, double value) {
+  const auto next = told.lower_bound(std::abs(value) * (1 - relative_tolerance));
+  const bool is_near =
+      next != told.end() && next->first <= std::abs(value) * (1 + relative_tolerance);
   return is_near ? next : told.end();
 }
 
@@ -42,12 +43,13 @@ NamedIntermediates::const_iterator found(const NamedIntermediates& told, double 
 NamedIntermediates named_intermediates(const Expressions& told,
                                        const std::vector<std::string>& names,
                                        const LeafNames& leaves) {
-  Linearised all(make_network(told));
+  LinearisedNetwork all(make_network(told));
   all.program.leaves = leaves;
-  const std::vector<double> values = entries_of(all.function, values_of(all.program, all.function));
+  const std::vector<double> values =
+      entries_of(all.function, sample_values(all.program, all.function));
   NamedIntermediates result;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool is_new = std::isnormal(values[i]) && found(result, values[i]) == result.end();
+    const bool is_new = std::isnormal(values[i]) && find_value(result, values[i]) == result.end();
     if (is_new) result.try_emplace(std::abs(values[i]), names[i], values[i] < 0);
   }
   return result;
@@ -55,9 +57,9 @@ NamedIntermediates named_intermediates(const Expressions& told,
 
 void name_intermediates(const NamedIntermediates& told, const Program& program,
                         Function& function) {
-  const std::vector<double> values = values_of(program, function);
+  const std::vector<double> values = sample_values(program, function);
   for (std::size_t at = 0; at < values.size(); ++at) {
-    const auto known = found(told, values[at]);
+    const auto known = find_value(told, values[at]);
     if (known == told.end() || operand_count(function.instructions[at]) == 0) continue;
     const auto& [name, is_negative] = known->second;
     const bool is_opposite = is_negative != (values[at] < 0);

@@ -19,7 +19,7 @@ namespace elgen {
 using NamedIntermediates = std::map<double, std::pair<std::string, bool>>;
 
 /// The values of `told` and their names, one name per value. Of equal values the first is kept.
-[[nodiscard]] NamedIntermediates named_intermediates(const Expressions& told,
+[[nodiscard]] NamedIntermediates named_intermediates(const Expressions& named,
                                                      const std::vector<std::string>& names,
                                                      const LeafNames& leaves);
 

@@ -18,17 +18,17 @@ constexpr std::int32_t most_repeated_factors = 4;
 
 /// Constants with more nodes are not joined: their forms are trees, which grow, and a person would
 /// not join them either.
-constexpr std::uint32_t largest_joined = 64;
+constexpr std::uint32_t largest_joined_constant = 64;
 
 /// The operands of a sum or product: operands with leaves, and all constants as one number.
-struct Operands {
+struct FoldedOperands {
   std::vector<Operand> rest = {};
   std::optional<NodeId> constant = {};  ///< the operation of the number
   bool is_negative = false;             ///< the constant is negative
 };
 
 /// The operations of a network. Each number and each reciprocal is one operation.
-class Operations {
+class NetworkBuilder {
  public:
   NodeId add(Operation operation) {
     network.operations.push_back(std::move(operation));
@@ -36,45 +36,45 @@ class Operations {
   }
 
   /// The number of a form, as magnitude and sign; none if the form has no value.
-  std::optional<Ref> constant_value(const ConstantForm& form) {
+  std::optional<SignedNode> add_constant(const ConstantForm& form) {
     Graph scratch;
-    std::optional<Constant> constant = constant_of(scratch.form_of(scratch.constant(form)));
+    std::optional<Constant> constant = make_constant(scratch.form_of(scratch.constant(form)));
     if (!constant) return std::nullopt;
     const bool negative = cln::minusp(constant->value);
-    if (negative) *constant = {-constant->value, negated(std::move(constant->form))};
-    return Ref{number(*constant), negative};
+    if (negative) *constant = {-constant->value, negated_form(std::move(constant->form))};
+    return SignedNode{add_number(*constant), negative};
   }
 
-  void append_power(NodeId base, std::int32_t exponent, std::vector<Ref>& factors) {
+  void append_power(NodeId base, std::int32_t exponent, std::vector<SignedNode>& factors) {
     if (exponent <= most_repeated_factors) {
-      factors.insert(factors.end(), static_cast<std::size_t>(exponent), Ref{base});
+      factors.insert(factors.end(), static_cast<std::size_t>(exponent), SignedNode{base});
       return;
     }
     if (exponent % 2 != 0) factors.push_back({base});
-    append_power(product({{base}, {base}}), exponent / 2, factors);
+    append_power(add_product({{base}, {base}}), exponent / 2, factors);
   }
 
-  NodeId product(std::vector<Ref> factors) {
-    if (factors.empty()) return number(rational_constant(1));
+  NodeId add_product(std::vector<SignedNode> factors) {
+    if (factors.empty()) return add_number(rational_constant(1));
     if (factors.size() == 1) return factors[0].node;
     return add({.kind = OperationKind::product, .operands = std::move(factors)});
   }
 
-  NodeId quotient(NodeId above, NodeId below) {
+  NodeId add_quotient(NodeId above, NodeId below) {
     return add({.kind = OperationKind::quotient, .operands = {{above}, {below}}});
   }
 
-  NodeId reciprocal(NodeId base) {
+  NodeId add_reciprocal(NodeId base) {
     const auto [it, is_new] = reciprocals_.emplace(base, NodeId{0});
-    if (is_new) it->second = quotient(product({}), base);
+    if (is_new) it->second = add_quotient(add_product({}), base);
     return it->second;
   }
 
   /// True if `sum` is a sum with at most one exact coefficient, so that scaling it costs no digits:
   /// x - y keeps digits that 0.7 x - 0.7 y loses.
   bool can_scale_sum(NodeId sum) const {
-    const auto is_exact = [this](Ref term) {
-      const ConstantForm number = scaled(term).first;
+    const auto is_exact = [this](SignedNode term) {
+      const ConstantForm number = split_number(term).first;
       return number.kind == ConstantKind::rational &&
              cln::power2p(cln::denominator(number.number)) > 0;
     };
@@ -86,34 +86,35 @@ class Operations {
   /// Multiplies the terms by `scale`, if it is set, and merges terms that differ only in their
   /// numeric factors. If a new factor has no value or too many nodes, returns false and changes
   /// nothing.
-  bool join(std::vector<Ref>& terms, std::optional<NodeId> scale = {}) {
+  bool merge_like_terms(std::vector<SignedNode>& terms, std::optional<NodeId> scale = {}) {
     struct Group {
-      std::vector<Ref> rest;
+      std::vector<SignedNode> rest;
       ConstantForm number;
-      Ref last;
+      SignedNode last;
     };
     std::vector<Group> groups;
-    for (const Ref term : terms) {
-      auto [number, rest] = scaled(term);
+    for (const SignedNode term : terms) {
+      auto [number, rest] = split_number(term);
       auto group = std::ranges::find(groups, rest, &Group::rest);
       if (group == groups.end()) {
-        group =
-            groups.insert(group, {std::move(rest), {.kind = ConstantKind::sum, .parts = {}}, term});
+        group = groups.insert(group,
+                              {std::move(rest), {.kind = ConstantKind::sum, .operands = {}}, term});
       }
-      group->number.parts.push_back({std::move(number), term.negative ? -1 : 1});
+      group->number.operands.push_back({std::move(number), term.is_negative ? -1 : 1});
     }
-    std::vector<Ref> joined;
+    std::vector<SignedNode> joined;
     for (auto& [rest, sum, last] : groups) {
-      ConstantForm form{.kind = ConstantKind::product, .parts = {{sum}}};
-      if (scale) form.parts.push_back({form_of(*scale)});
-      const bool is_new = scale || sum.parts.size() > 1;
-      const std::optional<Ref> number =
-          is_new && is_joined_size(form) ? constant_value(form) : std::nullopt;
+      ConstantForm form{.kind = ConstantKind::product, .operands = {{sum}}};
+      if (scale) form.operands.push_back({form_of(*scale)});
+      const bool is_new = scale || sum.operands.size() > 1;
+      const std::optional<SignedNode> number =
+          is_new && is_small_enough_to_join(form) ? add_constant(form) : std::nullopt;
       if (is_new && !number) return false;
-      if (is_new && (number->node != product({}) || rest.empty())) {
+      if (is_new && (number->node != add_product({}) || rest.empty())) {
         rest.insert(rest.begin(), {number->node});
       }
-      joined.push_back(is_new ? Ref{product(std::move(rest)), number->negative} : last);
+      joined.push_back(is_new ? SignedNode{add_product(std::move(rest)), number->is_negative}
+                              : last);
     }
     terms = std::move(joined);
     return true;
@@ -126,15 +127,15 @@ class Operations {
     return network.constants[network.operations[constant].index].form;
   }
 
-  static bool is_joined_size(const ConstantForm& form) {
+  static bool is_small_enough_to_join(const ConstantForm& form) {
     Graph scratch;
-    return scratch.node(scratch.constant(form).node).constant_size <= largest_joined;
+    return scratch.node(scratch.constant(form).node).constant_size <= largest_joined_constant;
   }
 
   /// The numeric factor of a term, and its other factors.
-  std::pair<ConstantForm, std::vector<Ref>> scaled(Ref term) const {
+  std::pair<ConstantForm, std::vector<SignedNode>> split_number(SignedNode term) const {
     const Operation& operation = network.operations[term.node];
-    std::vector<Ref> rest{{term.node}};
+    std::vector<SignedNode> rest{{term.node}};
     if (operation.kind == OperationKind::product) rest = operation.operands;
     const NodeId first = rest.front().node;
     if (network.operations[first].kind != OperationKind::constant) return {rational_form(1), rest};
@@ -142,8 +143,8 @@ class Operations {
     return {form_of(first), rest};
   }
 
-  NodeId number(const Constant& constant) {
-    const std::uint32_t index = position_of(constant, network.constants);
+  NodeId add_number(const Constant& constant) {
+    const std::uint32_t index = intern_constant(constant, network.constants);
     if (index == numbers_.size()) {
       numbers_.push_back(add({.kind = OperationKind::constant, .index = index}));
     }
@@ -155,9 +156,10 @@ class Operations {
 };
 
 /// The number of products that divide by each node.
-std::vector<std::uint32_t> division_counts(const Graph& graph, const std::vector<Ref>& values) {
+std::vector<std::uint32_t> division_counts(const Graph& graph,
+                                           const std::vector<SignedNode>& values) {
   std::vector<std::uint32_t> counts(graph.size(), 0);
-  for (const NodeId id : reachable(graph, values)) {
+  for (const NodeId id : reachable_nodes(graph, values)) {
     if (graph.node(id).kind != NodeKind::product) continue;
     for (const Operand& factor : graph.node(id).operands) {
       if (factor.weight < 0) ++counts[factor.node];
@@ -166,22 +168,22 @@ std::vector<std::uint32_t> division_counts(const Graph& graph, const std::vector
   return counts;
 }
 
-class Conversion {
+class NetworkConverter {
  public:
-  Conversion(const Expressions& expressions, Numbers numbers)
+  NetworkConverter(const Expressions& expressions, NumberJoining numbers)
       : graph_(expressions.graph),
         converted_(graph_.size()),
         divisions_(division_counts(graph_, expressions.values)) {
-    if (numbers == Numbers::joined) uses_ = use_counts(graph_, expressions.values);
+    if (numbers == NumberJoining::joined) uses_ = use_counts(graph_, expressions.values);
   }
 
-  Network converted(const std::vector<Ref>& values) && {
-    for (const Ref value : values) builder_.network.values.push_back(convert(value));
+  Network convert_values(const std::vector<SignedNode>& values) && {
+    for (const SignedNode value : values) builder_.network.values.push_back(convert(value));
     return std::move(builder_.network);
   }
 
  private:
-  Ref convert(Ref value) {
+  SignedNode convert(SignedNode value) {
     std::vector<NodeId> pending = {value.node};
     while (!pending.empty()) {
       const NodeId id = pending.back();
@@ -194,29 +196,29 @@ class Conversion {
       pending.pop_back();
       if (!converted_[id]) converted_[id] = convert_node(id);
     }
-    const Ref result = *converted_[value.node];
-    return with_sign(result, value.negative && !graph_.is_zero(value.node));
+    const SignedNode result = *converted_[value.node];
+    return with_sign(result, value.is_negative && !graph_.is_zero(value.node));
   }
 
   /// Operands with all constants folded into one: 1/2*pi*x multiplies x by one number. Memoised.
-  const Operands& operands_of(NodeId id) {
+  const FoldedOperands& operands_of(NodeId id) {
     const auto [at, is_new] = operands_.try_emplace(id);
     if (!is_new) return at->second;
-    Operands result;
+    FoldedOperands result;
     ConstantForm form;
     const Node& node = graph_.node(id);
     form.kind = node.kind == NodeKind::sum ? ConstantKind::sum : ConstantKind::product;
     for (const Operand& operand : node.operands) {
-      if (graph_.has_form(operand.node)) {
-        form.parts.push_back({graph_.form_of(operand.node), operand.weight});
+      if (graph_.has_constant_form(operand.node)) {
+        form.operands.push_back({graph_.constant_form(operand.node), operand.weight});
       } else {
         result.rest.push_back(operand);
       }
     }
-    const auto number = form.parts.empty() ? std::nullopt : builder_.constant_value(form);
+    const auto number = form.operands.empty() ? std::nullopt : builder_.add_constant(form);
     if (number) {
       result.constant = number->node;
-      result.is_negative = number->negative;
+      result.is_negative = number->is_negative;
     } else {
       result.rest = node.operands;
     }
@@ -226,18 +228,18 @@ class Conversion {
   /// Operands that must be converted before the node.
   std::vector<Operand> needed_operands(NodeId id) {
     const NodeKind kind = graph_.node(id).kind;
-    if (graph_.has_form(id) && fold(id)) return {};
+    if (graph_.has_constant_form(id) && fold_constant(id)) return {};
     const bool is_n_ary = kind == NodeKind::sum || kind == NodeKind::product;
     return is_n_ary ? operands_of(id).rest : graph_.node(id).operands;
   }
 
   /// Converts a constant node to a number; false if it has no value.
-  bool fold(NodeId id) {
-    if (!converted_[id]) converted_[id] = builder_.constant_value(graph_.form_of(id));
+  bool fold_constant(NodeId id) {
+    if (!converted_[id]) converted_[id] = builder_.add_constant(graph_.constant_form(id));
     return converted_[id].has_value();
   }
 
-  Ref convert_node(NodeId id) {
+  SignedNode convert_node(NodeId id) {
     const Node& node = graph_.node(id);
     if (node.kind == NodeKind::product) return convert_product(id);
     Operation operation{.leaf = node.leaf, .function = node.function, .index = node.index};
@@ -252,44 +254,45 @@ class Conversion {
       operation.operands.push_back({*operands_of(id).constant, operands_of(id).is_negative});
     }
     for (const Operand& operand : is_sum ? operands_of(id).rest : node.operands) {
-      const Ref value = with_sign(*converted_[operand.node], operand.weight < 0);
-      std::vector<Ref> terms{{value.node}};
+      const SignedNode value = with_sign(*converted_[operand.node], operand.weight < 0);
+      std::vector<SignedNode> terms{{value.node}};
       // Joining numbers may have turned the product into a sum.
       const Operation& made = builder_.network.operations[value.node];
       const bool is_spliced =
           is_sum && has_single_use(operand.node) && made.kind == OperationKind::sum;
       if (is_spliced) terms = made.operands;
-      for (const Ref term : terms) operation.operands.push_back(with_sign(term, value.negative));
+      for (const SignedNode term : terms)
+        operation.operands.push_back(with_sign(term, value.is_negative));
     }
-    if (is_sum && !uses_.empty()) builder_.join(operation.operands);
+    if (is_sum && !uses_.empty()) builder_.merge_like_terms(operation.operands);
     return {builder_.add(std::move(operation))};
   }
 
-  Ref convert_product(NodeId id) {
+  SignedNode convert_product(NodeId id) {
     const Node& node = graph_.node(id);
-    const Operands& operands = operands_of(id);
-    std::vector<Ref> numerator;
-    std::vector<Ref> denominator;
+    const FoldedOperands& operands = operands_of(id);
+    std::vector<SignedNode> numerator;
+    std::vector<SignedNode> denominator;
     bool negative = operands.is_negative;
     bool has_number = operands.constant.has_value();
     for (const Operand& factor : operands.rest) {
-      const Ref base = *converted_[factor.node];
-      negative = negative != (base.negative && factor.weight % 2 != 0);
+      const SignedNode base = *converted_[factor.node];
+      negative = negative != (base.is_negative && factor.weight % 2 != 0);
       if (has_number && factor.weight == 1 && has_single_use(factor.node)) {
         has_number = !multiply_into_sum(base.node, *operands.constant);
       }
       if (factor.weight > 0) {
         builder_.append_power(base.node, factor.weight, numerator);
       } else if (divisions_[factor.node] > 1) {
-        builder_.append_power(builder_.reciprocal(base.node), -factor.weight, numerator);
+        builder_.append_power(builder_.add_reciprocal(base.node), -factor.weight, numerator);
       } else {
         builder_.append_power(base.node, -factor.weight, denominator);
       }
     }
     if (has_number) numerator.insert(numerator.begin(), {*operands.constant});
-    NodeId result = builder_.product(std::move(numerator));
+    NodeId result = builder_.add_product(std::move(numerator));
     if (!denominator.empty()) {
-      result = builder_.quotient(result, builder_.product(std::move(denominator)));
+      result = builder_.add_quotient(result, builder_.add_product(std::move(denominator)));
     }
     if (!negative) merge_name(builder_.network.operations[result].name, node.name);
     return {result, negative};
@@ -300,24 +303,24 @@ class Conversion {
 
   bool multiply_into_sum(NodeId sum, NodeId number) {
     if (!builder_.can_scale_sum(sum)) return false;
-    std::vector<Ref> terms = builder_.network.operations[sum].operands;
-    if (!builder_.join(terms, number)) return false;
+    std::vector<SignedNode> terms = builder_.network.operations[sum].operands;
+    if (!builder_.merge_like_terms(terms, number)) return false;
     builder_.network.operations[sum] = {.kind = OperationKind::sum, .operands = std::move(terms)};
     return true;
   }
 
   const Graph& graph_;
-  std::vector<std::optional<Ref>> converted_;
-  std::vector<std::uint32_t> uses_;       ///< only if numbers are joined
-  std::vector<std::uint32_t> divisions_;  ///< number of products that divide by each node
-  std::map<NodeId, Operands> operands_;   ///< of sums and products
-  Operations builder_;
+  std::vector<std::optional<SignedNode>> converted_;
+  std::vector<std::uint32_t> uses_;            ///< only if numbers are joined
+  std::vector<std::uint32_t> divisions_;       ///< number of products that divide by each node
+  std::map<NodeId, FoldedOperands> operands_;  ///< of sums and products
+  NetworkBuilder builder_;
 };
 
 }  // namespace
 
-Network make_network(const Expressions& expressions, Numbers numbers) {
-  return Conversion(expressions, numbers).converted(expressions.values);
+Network make_network(const Expressions& expressions, NumberJoining numbers) {
+  return NetworkConverter(expressions, numbers).convert_values(expressions.values);
 }
 
 }  // namespace elgen

@@ -29,24 +29,24 @@ struct Operation {
   Opcode leaf = Opcode::constant;
   FunctionId function = FunctionId::sin;
   std::uint32_t index = 0;
-  std::vector<Ref> operands = {};  ///< products and quotients: none negative
+  std::vector<SignedNode> operands = {};  ///< products and quotients: none negative
   std::string name = {};
 };
 
 struct Network {
   std::vector<Constant> constants = {};
   std::vector<Operation> operations = {};
-  std::vector<Ref> values = {};
+  std::vector<SignedNode> values = {};
 };
 
 /// Numbers keep their place in the graph, or are multiplied into the sums that they scale.
 ///
 ///     before:  3*cos(q) - 2*(sin(1)*sin(q) - cos(1)*cos(q))
 ///     after:   (3 + 2*cos(1))*cos(q) - 2*sin(1)*sin(q)          two numbers, two products
-enum class Numbers : std::uint8_t { unjoined, joined };
+enum class NumberJoining : std::uint8_t { unjoined, joined };
 
 [[nodiscard]] Network make_network(const Expressions& expressions,
-                                   Numbers numbers = Numbers::unjoined);
+                                   NumberJoining numbers = NumberJoining::unjoined);
 
 /// Computes each sub-sum or sub-product only once, even if several operations contain it.
 ///
@@ -63,6 +63,6 @@ void eliminate_common_subexpressions(Network& network);
 ///
 ///     before:  s = a - b   result -s        p = product(m, a - b)   result -p
 ///     after:   s = b - a   result s         p = product(m, b - a)   result p
-void turn_signs(Network& network);
+void flip_signs(Network& network);
 
 }  // namespace elgen

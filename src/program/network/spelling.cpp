@@ -15,7 +15,7 @@ using End = OperandName::End;
 
 constexpr std::size_t most_names = 4;
 
-OperandName joined(OperandName a, std::string_view between, const OperandName& b, End end) {
+OperandName join_names(OperandName a, std::string_view between, const OperandName& b, End end) {
   a.text.append(between).append(b.text);
   a.names += b.names;
   a.has_intermediate = a.has_intermediate || b.has_intermediate;
@@ -30,23 +30,23 @@ bool can_append(const OperandName& b, const OperandName& a) {
 
 OperandName product_name(const OperandName& a, const OperandName& b) {
   if (a.end == End::sum || b.end == End::sum) return {};
-  if (can_append(b, a)) return joined(a, "_", b, b.end);
-  return can_append(a, b) ? joined(b, "_", a, a.end) : OperandName{};
+  if (can_append(b, a)) return join_names(a, "_", b, b.end);
+  return can_append(a, b) ? join_names(b, "_", a, a.end) : OperandName{};
 }
 
-OperandName quotient(const OperandName& a, const OperandName& b) {
+OperandName quotient_name(const OperandName& a, const OperandName& b) {
   const bool is_plain = a.end < End::divisor && b.end < End::divisor && b.begin != Begin::number;
-  return is_plain ? joined(a, "_over_", b, End::divisor) : OperandName{};
+  return is_plain ? join_names(a, "_over_", b, End::divisor) : OperandName{};
 }
 
 /// "a_minus_b"; none if a ends with a call or b is a sum: sin_a_minus_b reads as sin(a - b).
-OperandName difference(const OperandName& a, const OperandName& b) {
+OperandName difference_name(const OperandName& a, const OperandName& b) {
   const bool reads_otherwise = a.end == End::call || b.end == End::sum;
-  return reads_otherwise ? OperandName{} : joined(a, "_minus_", b, End::sum);
+  return reads_otherwise ? OperandName{} : join_names(a, "_minus_", b, End::sum);
 }
 
 /// "sin_half_theta". The argument must be one name, because sin_a_b reads as sin(a + b).
-OperandName named_call(std::string_view function, OperandName a) {
+OperandName call_name(std::string_view function, OperandName a) {
   if (a.end != End::name || a.names != 1) return {};
   a.text = fmt::format("{}_{}", function, a.text);
   a.begin = Begin::call;
@@ -54,14 +54,14 @@ OperandName named_call(std::string_view function, OperandName a) {
   return a;
 }
 
-OperandName named_operation(const Instruction& operation, const OperandName& a,
-                            const OperandName& b) {
-  if (operation.opcode == Opcode::add) return joined(a, "_plus_", b, End::sum);
-  if (operation.opcode == Opcode::subtract) return difference(a, b);
+OperandName operation_name(const Instruction& operation, const OperandName& a,
+                           const OperandName& b) {
+  if (operation.opcode == Opcode::add) return join_names(a, "_plus_", b, End::sum);
+  if (operation.opcode == Opcode::subtract) return difference_name(a, b);
   if (operation.opcode == Opcode::multiply) return product_name(a, b);
-  if (operation.opcode == Opcode::divide) return quotient(a, b);
+  if (operation.opcode == Opcode::divide) return quotient_name(a, b);
   const bool is_call = operation.opcode == Opcode::call && operand_count(operation) == 1;
-  return is_call ? named_call(function_row(operation.function).name, a) : OperandName{};
+  return is_call ? call_name(function_row(operation.function).name, a) : OperandName{};
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ OperandName spell_name(const ConstantForm& form) {
 
 OperandName spell_name(const Instruction& operation, const OperandName& a, const OperandName& b) {
   if (a.text.empty() || b.text.empty()) return {};
-  OperandName result = named_operation(operation, a, b);
+  OperandName result = operation_name(operation, a, b);
   return result.names <= most_names ? result : OperandName{};
 }
 

@@ -127,7 +127,7 @@ std::vector<std::string> part_names(const Function& function, const std::vector<
 std::set<std::string, std::less<>> reserved_identifiers(const Program& program) {
   std::set<std::string, std::less<>> taken(reserved_names.begin(), reserved_names.end());
   for (const LeafRow& row : leaf_table()) {
-    if (is_passed(program.leaves, row.id)) taken.emplace(row.symbol);
+    if (may_be_argument(program.leaves, row.id)) taken.emplace(row.symbol);
   }
   for (const FunctionRow& row : function_table()) taken.emplace(row.name);
   for_each_leaf(
@@ -143,7 +143,7 @@ bool is_trigonometric(const Instruction& i) {
 struct UsedIdentifiers {
   std::set<std::string, std::less<>> all;
 
-  std::string unique(const std::string& wanted) {
+  std::string reserve_unique(const std::string& wanted) {
     std::string name = wanted;
     for (int number = 1; !all.insert(name).second; ++number) {
       name = number == 1 ? wanted + "_" : fmt::format("{}_{}", wanted, number);
@@ -151,13 +151,13 @@ struct UsedIdentifiers {
     return name;
   }
 
-  std::string hash_name(std::uint64_t hash) {
+  std::string reserve_hash_name(std::uint64_t hash) {
     const std::string digits = fmt::format("{:016x}", hash);
     for (int length = shortest_hash; length < 16; ++length) {
       const std::string name = "t_" + digits.substr(0, static_cast<std::size_t>(length));
       if (all.insert(name).second) return name;
     }
-    return unique("t_" + digits);
+    return reserve_unique("t_" + digits);
   }
 };
 
@@ -171,13 +171,13 @@ class TemporaryNamer {
         hashes_(hashes_of(program, function)) {
     find_angles();
     for (std::size_t at = 0; at < function.instructions.size(); ++at) {
-      sums_.push_back(leaf_sum(at));
+      sums_.push_back(leaf_sum_name(at));
       own_.push_back(own_name(at));
       spellings_.push_back(spelling(at));
     }
   }
 
-  std::vector<std::string> names(FallbackName last) {
+  std::vector<std::string> assign_names(FallbackName fallback) {
     const std::size_t count = function_.instructions.size();
     std::vector<std::string> names(count);
     std::vector<std::size_t> sizes(count, 0);
@@ -190,23 +190,23 @@ class TemporaryNamer {
       const bool is_written_out = is_short && !has_sine_and_cosine(i);
       if (i.opcode == Opcode::negate || (own_[at].empty() && is_written_out)) continue;
       if (own_[at].empty()) unnamed.push_back(at);
-      if (!own_[at].empty()) names[at] = used_names_.unique(own_[at]);
+      if (!own_[at].empty()) names[at] = used_names_.reserve_unique(own_[at]);
       sizes[at] = 0;
     }
     for (const std::size_t at : unnamed) names[at] = spellings_[at].text;
-    unnamed = assign_unique_names(unnamed, names);
+    unnamed = reserve_unique_names(unnamed, names);
     const std::vector<std::string> parts =
         part_names(function_, names, {unnamed.begin(), unnamed.end()});
     for (const std::size_t at : unnamed) names[at] = parts[at];
-    for (const std::size_t at : assign_unique_names(unnamed, names)) {
-      names[at] = last == FallbackName::hash ? used_names_.hash_name(hashes_[at])
-                                             : used_names_.unique("part");
+    for (const std::size_t at : reserve_unique_names(unnamed, names)) {
+      names[at] = fallback == FallbackName::hash ? used_names_.reserve_hash_name(hashes_[at])
+                                                 : used_names_.reserve_unique("part");
     }
     return names;
   }
 
   std::vector<std::string> context_free_names() {
-    std::vector<std::string> own = names(FallbackName::hash);
+    std::vector<std::string> own = assign_names(FallbackName::hash);
     for (std::size_t at = 0; at < own.size(); ++at) {
       if (own_[at].empty()) own[at].clear();
     }
@@ -253,8 +253,8 @@ class TemporaryNamer {
 
   /// Reserves the names of `places`. Clears a name that two places claim or that has another
   /// meaning; returns the places with cleared names.
-  std::vector<std::size_t> assign_unique_names(const std::vector<std::size_t>& places,
-                                               std::vector<std::string>& names) {
+  std::vector<std::size_t> reserve_unique_names(const std::vector<std::size_t>& places,
+                                                std::vector<std::string>& names) {
     std::map<std::string, int> claims;
     for (const std::size_t at : places) ++claims[names[at]];
     std::vector<std::size_t> left;
@@ -285,7 +285,7 @@ class TemporaryNamer {
   }
 
   /// "q1_minus_q2", from the names of its operands.
-  std::optional<std::string> leaf_sum(std::size_t at) const {
+  std::optional<std::string> leaf_sum_name(std::size_t at) const {
     const Instruction& i = function_.instructions[at];
     if (is_leaf(i.opcode)) return identifier_of(leaf_of(program_.leaves, i.opcode, i.a));
     if (i.opcode != Opcode::add && i.opcode != Opcode::subtract) return std::nullopt;
@@ -311,7 +311,7 @@ class TemporaryNamer {
 
 std::vector<std::string> temporary_names(const Program& program, const Function& function,
                                          FallbackName last) {
-  return TemporaryNamer(program, function).names(last);
+  return TemporaryNamer(program, function).assign_names(last);
 }
 
 std::vector<std::string> context_free_names(const Program& program, const Function& function) {

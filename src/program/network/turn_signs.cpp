@@ -1,4 +1,4 @@
-// turn_signs: see network.hpp. A value is turned only if this saves an executed negation: at
+// flip_signs: see network.hpp. A value is turned only if this saves an executed negation: at
 // results, in calls and in roots.
 #include <algorithm>
 
@@ -7,74 +7,75 @@
 namespace elgen {
 namespace {
 
-struct Uses {
+struct UseCounts {
   std::uint32_t all = 0;
   std::uint32_t negative = 0;
-  std::uint32_t negated = 0;  ///< negative uses that cost a negation
+  std::uint32_t costly = 0;  ///< negative uses that cost a negation
 };
 
-class SignTurner {
+class SignFlipper {
  public:
-  explicit SignTurner(Network& network) : network_(network), uses_(network.operations.size()) {
+  explicit SignFlipper(Network& network) : network_(network), uses_(network.operations.size()) {
     for (const Operation& operation : network.operations) {
-      for (const Ref operand : operation.operands) {
-        count(operand, operation.kind != OperationKind::sum);
+      for (const SignedNode operand : operation.operands) {
+        count_use(operand, operation.kind != OperationKind::sum);
       }
     }
-    for (const Ref value : network.values) count(value, true);
+    for (const SignedNode value : network.values) count_use(value, true);
   }
 
-  void run() {
+  void flip_all() {
     std::vector<bool> turned(network_.operations.size(), false);
     for (NodeId id = 0; id < turned.size(); ++id) {
-      const Uses& uses = uses_[id];
-      turned[id] = uses.negated > 0 && uses.negative == uses.all && turn(id);
+      const UseCounts& uses = uses_[id];
+      turned[id] = uses.costly > 0 && uses.negative == uses.all && try_flip(id);
     }
-    for (Operation& operation : network_.operations) turn_references(operation.operands, turned);
-    turn_references(network_.values, turned);
+    for (Operation& operation : network_.operations) flip_references(operation.operands, turned);
+    flip_references(network_.values, turned);
   }
 
  private:
-  void count(Ref use, bool is_costly) {
-    Uses& uses = uses_[use.node];
+  void count_use(SignedNode use, bool is_costly) {
+    UseCounts& uses = uses_[use.node];
     ++uses.all;
-    if (!use.negative) return;
+    if (!use.is_negative) return;
     ++uses.negative;
-    if (is_costly) ++uses.negated;
+    if (is_costly) ++uses.costly;
   }
 
-  static void turn_references(std::vector<Ref>& references, const std::vector<bool>& turned) {
-    for (Ref& reference : references) {
-      if (turned[reference.node]) reference.negative = !reference.negative;
+  static void flip_references(std::vector<SignedNode>& references,
+                              const std::vector<bool>& turned) {
+    for (SignedNode& reference : references) {
+      if (turned[reference.node]) reference.is_negative = !reference.is_negative;
     }
   }
 
   /// Negates the operation if that costs nothing: reverses a difference, or turns a factor of a
   /// product or quotient that has no other use. Otherwise returns false.
-  bool turn(NodeId id) {
+  bool try_flip(NodeId id) {
     Operation& operation = network_.operations[id];
-    std::vector<Ref>& operands = operation.operands;
+    std::vector<SignedNode>& operands = operation.operands;
     if (operation.kind == OperationKind::sum) {
-      const bool is_difference =
-          std::any_of(operands.begin(), operands.end(), [](Ref term) { return term.negative; });
+      const bool is_difference = std::any_of(operands.begin(), operands.end(),
+                                             [](SignedNode term) { return term.is_negative; });
       if (!is_difference) return false;
-      for (Ref& term : operands) term.negative = !term.negative;
+      for (SignedNode& term : operands) term.is_negative = !term.is_negative;
       return true;
     }
     if (operation.kind != OperationKind::product && operation.kind != OperationKind::quotient) {
       return false;
     }
-    return std::any_of(operands.begin(), operands.end(), [&](Ref factor) {
-      return uses_[factor.node].all == 1 && turn(factor.node);
+    return std::any_of(operands.begin(), operands.end(), [&](SignedNode factor) {
+      return uses_[factor.node].all == 1 && try_flip(factor.node);
     });
   }
 
   Network& network_;
-  std::vector<Uses> uses_;
+  std::vector<UseCounts> uses_;
 };
 
 }  // namespace
 
-void turn_signs(Network& network) { SignTurner(network).run(); }
+void flip_signs(Network& network) { SignFlipper(network).flip_all(); }
 
 }  // namespace elgen

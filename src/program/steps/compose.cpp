@@ -13,19 +13,19 @@ namespace {
 
 /// A matrix of values, row-major.
 struct ValueMatrix {
-  Places entries = {};
+  InstructionIndices entries = {};
   std::size_t columns = 0;
 };
 
-Places row_of(const ValueMatrix& matrix, std::size_t row) {
+InstructionIndices row_of(const ValueMatrix& matrix, std::size_t row) {
   const auto begin = matrix.entries.begin() + static_cast<std::ptrdiff_t>(row * matrix.columns);
   return {begin, begin + static_cast<std::ptrdiff_t>(matrix.columns)};
 }
 
-class Derivatives {
+class DerivativeComposer {
  public:
   /// `parts` must outlive this object, and must not be a function of `program`.
-  Derivatives(Program& program, const Function& parts)
+  DerivativeComposer(Program& program, const Function& parts)
       : program_(program),
         parts_(parts),
         function_(without_body(parts)),
@@ -33,20 +33,21 @@ class Derivatives {
 
   Function operator()() {
     const LeafNames& leaves = program_.leaves;
-    CallPoint at{.q = compose_.leaves(Opcode::coordinate, leaves.q.size()),
-                 .v = compose_.leaves(Opcode::velocity, leaves.v.size())};
-    if (leaves.uses_time) at.t = compose_.leaf(Opcode::time);
+    CallPoint at{.q = compose_.add_leaves(Opcode::coordinate, leaves.q.size()),
+                 .v = compose_.add_leaves(Opcode::velocity, leaves.v.size())};
+    if (leaves.uses_time) at.t = compose_.add_leaf(Opcode::time);
     const std::vector<ValueMatrix> dynamics = call_parts({mass_part, force_part}, at);
-    const MassFactorisation mass(compose_, parts_.elimination, dynamics[0].entries);
+    const MassFactorisation mass(compose_, parts_.elimination_order, dynamics[0].entries);
     at.a = mass.solve(dynamics[1].entries);
     compose_.name(at.a, "acceleration_");
     const std::vector<ValueMatrix> rates = call_parts({rate_part}, at);
-    write(responses(mass, call_parts({position_part, velocity_part, input_part}, at)), rates);
+    write_fields(solve_responses(mass, call_parts({position_part, velocity_part, input_part}, at)),
+                 rates);
     if (!parts_.sampled_zeros.empty()) {
       function_.sampled_zeros.resize(entry_count(function_));
       std::iota(function_.sampled_zeros.begin(), function_.sampled_zeros.end(), 0U);
     }
-    return pruned(function_);
+    return eliminate_dead_code(function_);
   }
 
  private:
@@ -59,10 +60,10 @@ class Derivatives {
       const auto field = std::ranges::find(parts_.fields, name, &Field::name);
       if (field == parts_.fields.end()) continue;
       all.entries.insert(all.entries.end(), field->entries.begin(), field->entries.end());
-      result.push_back({Places(field->entries.size()), field->columns});
+      result.push_back({InstructionIndices(field->entries.size()), field->columns});
     }
     if (result.empty()) return result;
-    const Places values = compose_.call(program_, parts_, all, at);
+    const InstructionIndices values = compose_.inline_call(program_, parts_, all, at);
     auto next = values.begin();
     for (ValueMatrix& matrix : result) {
       const auto end = next + static_cast<std::ptrdiff_t>(matrix.entries.size());
@@ -72,21 +73,21 @@ class Derivatives {
   }
 
   /// M^-1 times every column of the matrices.
-  std::vector<ValueMatrix> responses(const MassFactorisation& mass,
-                                     std::vector<ValueMatrix> forces) {
-    const std::size_t n = parts_.elimination.size();
-    std::vector<Places> columns;
+  std::vector<ValueMatrix> solve_responses(const MassFactorisation& mass,
+                                           std::vector<ValueMatrix> forces) {
+    const std::size_t n = parts_.elimination_order.size();
+    std::vector<InstructionIndices> columns;
     std::vector<std::pair<ValueMatrix*, std::size_t>> places;
     for (ValueMatrix& matrix : forces) {
       for (std::size_t j = 0; j < matrix.columns; ++j) {
-        Places column;
+        InstructionIndices column;
         for (std::size_t i = 0; i < n; ++i)
           column.push_back(matrix.entries[i * matrix.columns + j]);
         columns.push_back(std::move(column));
         places.emplace_back(&matrix, j);
       }
     }
-    const std::vector<Places> solved = mass.solve_columns(columns);
+    const std::vector<InstructionIndices> solved = mass.solve_columns(columns);
     for (std::size_t k = 0; k < solved.size(); ++k) {
       const auto& [matrix, j] = places[k];
       for (std::size_t i = 0; i < n; ++i) matrix->entries[i * matrix->columns + j] = solved[k][i];
@@ -96,22 +97,23 @@ class Derivatives {
 
   /// Writes the fields of the output: each derivative if `rates` is empty, else the matrices
   /// A = [rates; d/dq, d/dv] and B = [0; d/du].
-  void write(const std::vector<ValueMatrix>& derivatives, const std::vector<ValueMatrix>& rates) {
+  void write_fields(const std::vector<ValueMatrix>& derivatives,
+                    const std::vector<ValueMatrix>& rates) {
     if (rates.empty()) {
       for (const ValueMatrix& matrix : derivatives) add_field(matrix);
       return;
     }
     ValueMatrix a = rates.front();
-    for (std::size_t i = 0; i < parts_.elimination.size(); ++i) {
+    for (std::size_t i = 0; i < parts_.elimination_order.size(); ++i) {
       for (std::size_t k = 0; k < 2; ++k) {
-        const Places row = row_of(derivatives[k], i);
+        const InstructionIndices row = row_of(derivatives[k], i);
         a.entries.insert(a.entries.end(), row.begin(), row.end());
       }
     }
     add_field(a);
     if (derivatives.size() < 3) return;
     ValueMatrix b = derivatives[2];
-    b.entries.insert(b.entries.begin(), b.entries.size(), compose_.number(0));
+    b.entries.insert(b.entries.begin(), b.entries.size(), compose_.add_number(0));
     add_field(b);
   }
 
@@ -132,9 +134,9 @@ class Derivatives {
 
 Program compose_outputs(Program program) {
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
-    if (program.functions[i].elimination.empty()) continue;
+    if (program.functions[i].elimination_order.empty()) continue;
     const Function parts = std::move(program.functions[i]);
-    program.functions[i] = Derivatives(program, parts)();
+    program.functions[i] = DerivativeComposer(program, parts)();
   }
   require_invariants(program);
   return program;

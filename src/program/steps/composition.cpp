@@ -25,18 +25,18 @@ std::uint32_t subtract_product(Composition& compose, std::uint32_t value, std::u
 
 }  // namespace
 
-std::uint32_t Composition::leaf(Opcode kind, std::uint32_t number) {
+std::uint32_t Composition::add_leaf(Opcode kind, std::uint32_t number) {
   return instructions_.add(Instruction{.opcode = kind, .a = number});
 }
 
-Places Composition::leaves(Opcode kind, std::size_t count) {
-  Places places;
-  for (std::uint32_t i = 0; i < count; ++i) places.push_back(leaf(kind, i));
+InstructionIndices Composition::add_leaves(Opcode kind, std::size_t count) {
+  InstructionIndices places;
+  for (std::uint32_t i = 0; i < count; ++i) places.push_back(add_leaf(kind, i));
   return places;
 }
 
-std::uint32_t Composition::number(const cln::cl_RA& value) {
-  const std::uint32_t constant = position_of(rational_constant(value), program_.constants);
+std::uint32_t Composition::add_number(const cln::cl_RA& value) {
+  const std::uint32_t constant = intern_constant(rational_constant(value), program_.constants);
   return instructions_.add(Instruction{.opcode = Opcode::constant, .a = constant});
 }
 
@@ -92,21 +92,23 @@ std::uint32_t Composition::add_call(FunctionId function, std::uint32_t x, std::u
   return add({.opcode = Opcode::call, .function = function, .a = x, .b = is_binary ? y : 0});
 }
 
-Places Composition::add(Opcode opcode, const Places& x, const Places& y) {
-  Places result;
+InstructionIndices Composition::add(Opcode opcode, const InstructionIndices& x,
+                                    const InstructionIndices& y) {
+  InstructionIndices result;
   for (std::size_t i = 0; i < x.size(); ++i) result.push_back(add(opcode, x[i], y[i]));
   return result;
 }
 
-Places Composition::add_scaled(const Places& x, std::uint32_t c, const Places& y) {
-  Places sum;
+InstructionIndices Composition::add_scaled(const InstructionIndices& x, std::uint32_t c,
+                                           const InstructionIndices& y) {
+  InstructionIndices sum;
   for (std::size_t i = 0; i < x.size(); ++i) {
     sum.push_back(add(Opcode::add, x[i], add(Opcode::multiply, c, y[i])));
   }
   return sum;
 }
 
-std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at) {
+std::uint32_t Composition::substitute_leaf(const Instruction& leaf, const CallPoint& at) {
   if (leaf.opcode == Opcode::coordinate) return at.q[leaf.a];
   if (leaf.opcode == Opcode::velocity) return at.v[leaf.a];
   if (leaf.opcode == Opcode::time) return at.t;
@@ -114,23 +116,24 @@ std::uint32_t Composition::leaf_at(const Instruction& leaf, const CallPoint& at)
   return instructions_.add(leaf);
 }
 
-Places Composition::call(const Program& from, const Function& callee, const Field& field,
-                         const CallPoint& at, bool is_inner) {
+InstructionIndices Composition::inline_call(const Program& from, const Function& callee,
+                                            const Field& field, const CallPoint& at,
+                                            bool is_inner) {
   const std::vector<bool> needed = needed_instructions(callee, field.entries);
   // Names that are spelt from operands are not kept, because the operands differ here from the
   // operands in the callee.
   const std::vector<std::string> names = context_free_names(from, callee);
   const std::string suffix = at.number > 1 ? fmt::format("_{}", at.number) : "";
-  Places places(callee.instructions.size());
+  InstructionIndices places(callee.instructions.size());
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!needed[i]) continue;
     Instruction instruction = callee.instructions[i];
     if (is_leaf(instruction.opcode)) {
-      places[i] = leaf_at(instruction, at);
+      places[i] = substitute_leaf(instruction, at);
       continue;
     }
     if (instruction.opcode == Opcode::constant) {
-      instruction.a = position_of(from.constants[instruction.a], program_.constants);
+      instruction.a = intern_constant(from.constants[instruction.a], program_.constants);
     }
     instruction.is_inner = is_inner && operand_count(instruction) > 0;
     places[i] = add(renumber_operands(instruction, places));
@@ -139,12 +142,12 @@ Places Composition::call(const Program& from, const Function& callee, const Fiel
     const std::string& own = is_told ? callee.names[i] : names[i];
     if (is_computed && !own.empty()) merge_name(function_.names[places[i]], own + suffix);
   }
-  Places result;
+  InstructionIndices result;
   for (const std::uint32_t entry : field.entries) result.push_back(places[entry]);
   return result;
 }
 
-void Composition::name(const Places& values, Opcode kind, std::uint32_t number) {
+void Composition::set_name(const InstructionIndices& values, Opcode kind, std::uint32_t number) {
   for (std::uint32_t i = 0; i < values.size(); ++i) {
     const std::string of = identifier_of(leaf_of(program_.leaves, kind, i));
     const std::string leaf = fmt::format(fmt::runtime(leaf_row(kind).identifier), of);
@@ -157,14 +160,14 @@ void Composition::name(std::uint32_t value, const std::string& name) {
   if (operand_count(function_.instructions[value]) > 0 && known.empty()) known = name;
 }
 
-void Composition::name(const Places& values, const std::string& prefix) {
+void Composition::name(const InstructionIndices& values, const std::string& prefix) {
   for (std::uint32_t i = 0; i < values.size(); ++i) {
     name(values[i], prefix + identifier_of(leaf_of(program_.leaves, Opcode::velocity, i)));
   }
 }
 
-std::vector<std::size_t> Composition::long_columns(const std::vector<Places>& columns,
-                                                   const Body& body, std::size_t length) const {
+std::vector<std::size_t> Composition::columns_to_repeat(
+    const std::vector<InstructionIndices>& columns, const Body& body, std::size_t length) const {
   Function straight = function_;
   Composition trial(program_, straight);
   std::vector<std::size_t> result;
@@ -178,21 +181,22 @@ std::vector<std::size_t> Composition::long_columns(const std::vector<Places>& co
 }
 
 /// The body is composed once, on leaves that no function has, in a copy of the function.
-std::vector<Places> Composition::repeat(const std::vector<Places>& columns, const Body& body) {
+std::vector<InstructionIndices> Composition::repeat_for_columns(
+    const std::vector<InstructionIndices>& columns, const Body& body) {
   Function pattern = function_;
   Composition trial(program_, pattern);
   const auto first = static_cast<std::uint32_t>(pattern.instructions.size());
   const std::size_t rows = columns.empty() ? 0 : columns.front().size();
-  const Places inner = body(trial, trial.leaves(Opcode::energy, rows));
+  const InstructionIndices inner = body(trial, trial.add_leaves(Opcode::energy, rows));
   const auto begin = static_cast<std::uint32_t>(first + rows);
   const auto end = static_cast<std::uint32_t>(pattern.instructions.size());
-  const std::vector<std::size_t> repeated = long_columns(columns, body, end - begin);
-  std::vector<Places> results(columns.size());
+  const std::vector<std::size_t> repeated = columns_to_repeat(columns, body, end - begin);
+  std::vector<InstructionIndices> results(columns.size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (!std::ranges::binary_search(repeated, i)) results[i] = body(*this, columns[i]);
   }
   for (const std::size_t i : repeated) {
-    Places places(end);
+    InstructionIndices places(end);
     std::iota(places.begin(), places.begin() + first, 0U);
     std::ranges::copy(columns[i], places.begin() + first);
     const std::string suffix = i == repeated.front() ? "" : fmt::format("_{}", i + 1);
@@ -209,18 +213,19 @@ std::vector<Places> Composition::repeat(const std::vector<Places>& columns, cons
   return results;
 }
 
-Places elimination_order(const Model& model) {
-  Places order(model.velocities.size());
+InstructionIndices elimination_order(const Model& model) {
+  InstructionIndices order(model.velocities.size());
   std::iota(order.begin(), order.end(), 0U);
-  if (eliminates_last_first(model)) std::reverse(order.begin(), order.end());
+  if (eliminates_backward(model)) std::reverse(order.begin(), order.end());
   return order;
 }
 
-MassFactorisation::MassFactorisation(Composition& compose, Places order, const Places& mass)
+MassFactorisation::MassFactorisation(Composition& compose, InstructionIndices order,
+                                     const InstructionIndices& mass)
     : compose_(compose), order_(std::move(order)) {
   const std::size_t n = order_.size();
   lower_.resize(n);
-  std::vector<Places> unscaled(n);  // W = L D
+  std::vector<InstructionIndices> unscaled(n);  // W = L D
   for (std::size_t j = 0; j < n; ++j) {
     for (std::size_t i = j; i < n; ++i) {
       std::uint32_t w = mass[order_[i] * n + order_[j]];
@@ -228,7 +233,7 @@ MassFactorisation::MassFactorisation(Composition& compose, Places order, const P
         w = subtract_product(compose_, w, lower_[j][k], unscaled[i][k]);
       unscaled[i].push_back(w);
       if (i == j) {
-        reciprocals_.push_back(compose_.add(Opcode::divide, compose_.number(1), w));
+        reciprocals_.push_back(compose_.add(Opcode::divide, compose_.add_number(1), w));
         continue;
       }
       lower_[i].push_back(compose_.add(Opcode::multiply, w, reciprocals_[j]));
@@ -238,8 +243,9 @@ MassFactorisation::MassFactorisation(Composition& compose, Places order, const P
 }
 
 /// L^-1 r, indexed by row of M.
-Places MassFactorisation::forward_substitute(Composition& compose, const Places& r) const {
-  Places z = r;
+InstructionIndices MassFactorisation::forward_substitute(Composition& compose,
+                                                         const InstructionIndices& r) const {
+  InstructionIndices z = r;
   for (std::size_t i = 0; i < order_.size(); ++i) {
     std::uint32_t& value = z[order_[i]];
     for (std::size_t k = 0; k < i; ++k)
@@ -249,9 +255,10 @@ Places MassFactorisation::forward_substitute(Composition& compose, const Places&
 }
 
 /// L^-T D^-1 z, indexed by row of M.
-Places MassFactorisation::back_substitute(Composition& compose, const Places& z) const {
+InstructionIndices MassFactorisation::back_substitute(Composition& compose,
+                                                      const InstructionIndices& z) const {
   const std::size_t n = order_.size();
-  Places x(n);
+  InstructionIndices x(n);
   for (std::size_t i = n; i-- > 0;) {
     std::uint32_t value = compose.add(Opcode::multiply, z[order_[i]], reciprocals_[i]);
     for (std::size_t k = i + 1; k < n; ++k)
@@ -261,14 +268,16 @@ Places MassFactorisation::back_substitute(Composition& compose, const Places& z)
   return x;
 }
 
-std::vector<Places> MassFactorisation::solve_columns(const std::vector<Places>& columns) const {
-  return compose_.repeat(columns, [this](Composition& compose, const Places& r) {
-    const Places z = forward_substitute(compose, r);
-    compose.name(z, "reduced_");
-    Places x = back_substitute(compose, z);
-    compose.name(x, "response_");
-    return x;
-  });
+std::vector<InstructionIndices> MassFactorisation::solve_columns(
+    const std::vector<InstructionIndices>& columns) const {
+  return compose_.repeat_for_columns(columns,
+                                     [this](Composition& compose, const InstructionIndices& r) {
+                                       const InstructionIndices z = forward_substitute(compose, r);
+                                       compose.name(z, "reduced_");
+                                       InstructionIndices x = back_substitute(compose, z);
+                                       compose.name(x, "response_");
+                                       return x;
+                                     });
 }
 
 }  // namespace elgen

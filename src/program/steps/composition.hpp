@@ -19,16 +19,16 @@
 namespace elgen {
 
 /// Indices of instructions.
-using Places = std::vector<std::uint32_t>;
+using InstructionIndices = std::vector<std::uint32_t>;
 
 /// The arguments q, v, t of a call, and a if the callee needs it. Parameters and u are passed on
 /// from the caller.
 struct CallPoint {
-  Places q = {};
-  Places v = {};
+  InstructionIndices q = {};
+  InstructionIndices v = {};
   std::uint32_t t = 0;
   std::uint32_t number = 1;  ///< of the call; from 2 on, it is a suffix of names
-  Places a = {};
+  InstructionIndices a = {};
 };
 
 class Composition {
@@ -37,55 +37,59 @@ class Composition {
   Composition(Program& program, Function& function)
       : program_(program), function_(function), instructions_(function) {}
 
-  [[nodiscard]] std::uint32_t leaf(Opcode kind, std::uint32_t number = 0);
+  [[nodiscard]] std::uint32_t add_leaf(Opcode kind, std::uint32_t number = 0);
   /// All `count` leaves of a kind.
-  [[nodiscard]] Places leaves(Opcode kind, std::size_t count);
-  [[nodiscard]] std::uint32_t number(const cln::cl_RA& value);
+  [[nodiscard]] InstructionIndices add_leaves(Opcode kind, std::size_t count);
+  [[nodiscard]] std::uint32_t add_number(const cln::cl_RA& value);
   [[nodiscard]] std::uint32_t add(Opcode opcode, std::uint32_t a, std::uint32_t b = 0);
 
   /// f(x), or f(x, y).
   [[nodiscard]] std::uint32_t add_call(FunctionId function, std::uint32_t x, std::uint32_t y);
 
   /// Entry by entry: x + y, x - y.
-  [[nodiscard]] Places add(Opcode opcode, const Places& x, const Places& y);
+  [[nodiscard]] InstructionIndices add(Opcode opcode, const InstructionIndices& x,
+                                       const InstructionIndices& y);
   /// x + c y
-  [[nodiscard]] Places add_scaled(const Places& x, std::uint32_t c, const Places& y);
+  [[nodiscard]] InstructionIndices add_scaled(const InstructionIndices& x, std::uint32_t c,
+                                              const InstructionIndices& y);
 
   /// The entries of a field of `callee`, a function of `from`, at a point. `is_inner` marks the
   /// copied operations, see Instruction::is_inner.
-  [[nodiscard]] Places call(const Program& from, const Function& callee, const Field& field,
-                            const CallPoint& at, bool is_inner = false);
+  [[nodiscard]] InstructionIndices inline_call(const Program& from, const Function& callee,
+                                               const Field& field, const CallPoint& at,
+                                               bool is_inner = false);
 
-  using Body = std::function<Places(Composition&, const Places&)>;
+  using Body = std::function<InstructionIndices(Composition&, const InstructionIndices&)>;
   /// Applies `body` to each column. Columns with few zeros become the repetitions of the function
   /// (Function::repeated), and no instruction may follow them. A column that needs at most two
   /// thirds of the operations is composed without repetition. If fewer than 16 columns need more,
   /// all columns are composed without repetition.
   ///
   ///     r -> r/d   of   (0 = q), (1 = v)   ->   3 = divide 0 2   4 = divide 1 2
-  [[nodiscard]] std::vector<Places> repeat(const std::vector<Places>& columns, const Body& body);
+  [[nodiscard]] std::vector<InstructionIndices> repeat_for_columns(
+      const std::vector<InstructionIndices>& columns, const Body& body);
 
   /// Names values "theta_2", if they are computed (not leaves or constants) and have no name yet.
-  void name(const Places& values, Opcode kind, std::uint32_t number);
+  void set_name(const InstructionIndices& values, Opcode kind, std::uint32_t number);
   /// Names a value `name`, if it is computed and has no name yet.
   void name(std::uint32_t value, const std::string& name);
   /// Names computed values without a name: "reduced_theta" for the prefix "reduced_".
-  void name(const Places& values, const std::string& prefix);
+  void name(const InstructionIndices& values, const std::string& prefix);
 
  private:
-  [[nodiscard]] std::uint32_t leaf_at(const Instruction& leaf, const CallPoint& at);
+  [[nodiscard]] std::uint32_t substitute_leaf(const Instruction& leaf, const CallPoint& at);
   [[nodiscard]] std::optional<std::uint32_t> simplified_value(const Instruction& instruction);
   [[nodiscard]] bool is_zero(std::uint32_t place) const;
   [[nodiscard]] bool is_one(std::uint32_t place) const;
   [[nodiscard]] std::uint32_t add(const Instruction& instruction);
   /// The columns for which `body` needs more than two thirds of `length` instructions; none if
   /// there are fewer than 16 of these columns.
-  [[nodiscard]] std::vector<std::size_t> long_columns(const std::vector<Places>& columns,
-                                                      const Body& body, std::size_t length) const;
+  [[nodiscard]] std::vector<std::size_t> columns_to_repeat(
+      const std::vector<InstructionIndices>& columns, const Body& body, std::size_t length) const;
 
   Program& program_;
   Function& function_;
-  Instructions instructions_;
+  InstructionBuilder instructions_;
 };
 
 /// A symmetric matrix M of values of a composition, as L D L^T, and solutions of M x = r.
@@ -100,27 +104,30 @@ class MassFactorisation {
  public:
   /// `mass`: n x n, row-major. `order`: its rows in the order of elimination. No pivoting, because
   /// M is positive definite.
-  MassFactorisation(Composition& compose, Places order, const Places& mass);
+  MassFactorisation(Composition& compose, InstructionIndices order, const InstructionIndices& mass);
 
   /// x with M x = r.
-  [[nodiscard]] Places solve(const Places& r) const {
+  [[nodiscard]] InstructionIndices solve(const InstructionIndices& r) const {
     return back_substitute(compose_, forward_substitute(compose_, r));
   }
 
   /// x with M x = r for every column r, by Composition::repeat.
-  [[nodiscard]] std::vector<Places> solve_columns(const std::vector<Places>& columns) const;
+  [[nodiscard]] std::vector<InstructionIndices> solve_columns(
+      const std::vector<InstructionIndices>& columns) const;
 
  private:
-  [[nodiscard]] Places forward_substitute(Composition& compose, const Places& r) const;
-  [[nodiscard]] Places back_substitute(Composition& compose, const Places& z) const;
+  [[nodiscard]] InstructionIndices forward_substitute(Composition& compose,
+                                                      const InstructionIndices& r) const;
+  [[nodiscard]] InstructionIndices back_substitute(Composition& compose,
+                                                   const InstructionIndices& z) const;
 
   Composition& compose_;
-  Places order_;
-  std::vector<Places> lower_ = {};  ///< L below its diagonal, rows in order_
-  Places reciprocals_ = {};         ///< 1 / D
+  InstructionIndices order_;
+  std::vector<InstructionIndices> lower_ = {};  ///< L below its diagonal, rows in order_
+  InstructionIndices reciprocals_ = {};         ///< 1 / D
 };
 
 /// The velocities of a model in the order of elimination.
-[[nodiscard]] Places elimination_order(const Model& model);
+[[nodiscard]] InstructionIndices elimination_order(const Model& model);
 
 }  // namespace elgen

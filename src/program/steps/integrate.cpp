@@ -16,7 +16,7 @@
 namespace elgen {
 namespace {
 
-constexpr NextState (*methods[])(const StepContext&) = {
+constexpr NextState (*step_composers[])(const StepContext&) = {
 #define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) &compose_##name,
 #include "elgen/step_methods.def"
 #undef ELGEN_STEP_METHOD
@@ -26,9 +26,11 @@ constexpr NextState (*methods[])(const StepContext&) = {
 /// 1 to 4.
 constexpr std::uint32_t projected_suffix = 5;
 
-StepDomain domain_of(const OutputRequest& step) { return step_row(step.step->method).domain; }
+StepDomain domain_of(const OutputRequest& step) {
+  return step_method_row(step.step->method).domain;
+}
 
-void add_field(Function& function, std::string name, Places entries) {
+void add_field(Function& function, std::string name, InstructionIndices entries) {
   if (entries.empty()) return;
   const auto rows = static_cast<std::uint32_t>(entries.size());
   function.fields.push_back({std::move(name), rows, 1, std::move(entries)});
@@ -53,18 +55,19 @@ bool carries_tangents(const Model& model, const OutputRequest& step) {
 }
 
 /// A and B from their columns; if `columns` is empty, from derivatives of the step's instructions.
-Function derivatives(const Model& model, const Program& calls, Function function,
-                     std::vector<Places> columns, Program& program) {
+Function differentiate_step(const Model& model, const Program& calls, Function function,
+                            std::vector<InstructionIndices> columns, Program& program) {
   if (columns.empty()) {
-    const Function step = pruned(function);
+    const Function step = eliminate_dead_code(function);
     function = step;
     Composition compose(program, function);
-    columns = step_columns(model, calls, step, compose);
+    columns = step_jacobian_columns(model, calls, step, compose);
   }
   function.fields.clear();
   std::size_t first = 0;
   for (const FieldRow& row : output_row(function.kind).fields) {
-    Field field{std::string(row.name), extent_of(model, row.rows), extent_of(model, row.columns)};
+    Field field{std::string(row.name), extent_size(model, row.rows),
+                extent_size(model, row.columns)};
     for (std::size_t i = 0; i < field.rows; ++i) {
       for (std::size_t j = 0; j < field.columns; ++j) {
         field.entries.push_back(columns[first + j][i]);
@@ -73,11 +76,11 @@ Function derivatives(const Model& model, const Program& calls, Function function
     first += field.columns;
     if (field.columns > 0) function.fields.push_back(std::move(field));
   }
-  return pruned(function);
+  return eliminate_dead_code(function);
 }
 
 /// Outputs that are needed only to decide if the method applies.
-std::vector<OutputKind> kinds_for_applicability(const OutputRequest& step) {
+std::vector<OutputKind> applicability_outputs(const OutputRequest& step) {
   if (domain_of(step) != StepDomain::separable) return {};
   return {OutputKind::mass_matrix, OutputKind::bias, OutputKind::momentum};
 }
@@ -99,20 +102,22 @@ std::vector<OutputKind> called_kinds(const OutputRequest& step) {
 }
 
 /// Projects `moved`, the state at the time t + h, onto the constraints.
-void project(const StepContext& step, NextState& moved) {
-  CallPoint at{.q = moved.q, .v = moved.v, .t = step.time_at(1), .number = projected_suffix};
-  step.name(at);
-  const Function& projected = *find_function(step.calls, OutputKind::projected);
-  moved.q = step.compose.call(step.calls, projected, projected.fields[0], at);
-  moved.v = step.compose.call(step.calls, projected, projected.fields[1], at);
+void project_state(const StepContext& step, NextState& moved) {
+  CallPoint at{
+      .q = moved.q, .v = moved.v, .t = step.time_at_fraction(1), .number = projected_suffix};
+  step.name_entries(at);
+  const Function& projected = *find_function(step.callees, OutputKind::projected);
+  moved.q = step.composition.inline_call(step.callees, projected, projected.fields[0], at);
+  moved.v = step.composition.inline_call(step.callees, projected, projected.fields[1], at);
 }
 
-std::string refusal(const CheckedModel& checked, const OutputRequest& step, const Program& calls) {
+std::string inapplicable_reason(const CheckedModel& checked, const OutputRequest& step,
+                                const Program& calls) {
   switch (domain_of(step)) {
     case StepDomain::separable:
       return nonseparable_reason(checked, calls);
     case StepDomain::quadratic:  // p is M v + b
-      return checked.model.quadratic ? "" : "L is not quadratic in the rates";
+      return checked.model.is_quadratic ? "" : "L is not quadratic in the rates";
     case StepDomain::any:
       break;
   }
@@ -121,7 +126,7 @@ std::string refusal(const CheckedModel& checked, const OutputRequest& step, cons
 
 /// "theta", "dot(x)" or "t": the first leaf of these kinds that the output contains; "" if it
 /// contains no such leaf.
-std::string leaf_read(const Program& program, OutputKind kind, LeafSet kinds) {
+std::string first_leaf_read(const Program& program, OutputKind kind, LeafSet kinds) {
   const Function* const function = find_function(program, kind);
   if (function == nullptr) return {};
   for (const Instruction& instruction : function->instructions) {
@@ -135,7 +140,7 @@ std::string leaf_read(const Program& program, OutputKind kind, LeafSet kinds) {
 /// True if p contains more than M v; M must be constant.
 bool has_linear_terms(const CheckedModel& checked, const Program& program) {
   constexpr OutputKind momentum = OutputKind::momentum;
-  if (!leaf_read(program, momentum, Opcode::coordinate | Opcode::time).empty()) return true;
+  if (!first_leaf_read(program, momentum, Opcode::coordinate | Opcode::time).empty()) return true;
   const State resting = nominal_state(checked.model, checked.scene);
   const auto at_rest =
       evaluate(program, *find_function(program, momentum), arguments_at<double>(resting));
@@ -147,57 +152,57 @@ bool has_linear_terms(const CheckedModel& checked, const Program& program) {
 StepContext::StepContext(const CheckedModel& checked, const OutputRequest& request,
                          const Program& the_calls, Composition& composition)
     : model(checked.model),
-      calls(the_calls),
-      compose(composition),
-      has_inner(checked.scene.numerics.inner == InnerScalar::single_precision),
-      directions(
+      callees(the_calls),
+      composition(composition),
+      has_float_accelerations(checked.scene.numerics.inner == InnerScalar::single_precision),
+      direction_count(
           carries_tangents(model, request) ? 2 * model.velocities.size() + model.inputs.size() : 0),
       iterations(request.step->iterations),
       parts(composition_coefficients(request.step->composed_order)),
-      h(compose.leaf(Opcode::step)),
-      start{compose.leaves(Opcode::coordinate, model.coordinates.size()),
-            compose.leaves(Opcode::velocity, model.velocities.size()),
-            model.uses_time ? compose.leaf(Opcode::time) : 0},
-      half(compose.add(Opcode::multiply, compose.number(cln::cl_RA(1) / 2), h)) {}
+      h(composition.add_leaf(Opcode::step)),
+      start{composition.add_leaves(Opcode::coordinate, model.coordinates.size()),
+            composition.add_leaves(Opcode::velocity, model.velocities.size()),
+            model.uses_time ? composition.add_leaf(Opcode::time) : 0},
+      half_step(composition.add(Opcode::multiply, composition.add_number(cln::cl_RA(1) / 2), h)) {}
 
 std::uint32_t StepContext::time_after(std::uint32_t c) const {
-  return model.uses_time ? compose.add(Opcode::add, start.t, c) : 0;
+  return model.uses_time ? composition.add(Opcode::add, start.t, c) : 0;
 }
 
-std::uint32_t StepContext::time_at(const cln::cl_RA& c) const {
-  return model.uses_time ? time_after(part(c)) : 0;
+std::uint32_t StepContext::time_at_fraction(const cln::cl_RA& c) const {
+  return model.uses_time ? time_after(step_multiple(c)) : 0;
 }
 
-std::uint32_t StepContext::part(const cln::cl_RA& c) const {
+std::uint32_t StepContext::step_multiple(const cln::cl_RA& c) const {
   if (c == 1) return h;
-  return compose.add(Opcode::multiply, compose.number(c), h);
+  return composition.add(Opcode::multiply, composition.add_number(c), h);
 }
 
-void StepContext::name(const CallPoint& at) const {
-  compose.name(at.q, Opcode::coordinate, at.number);
-  compose.name(at.v, Opcode::velocity, at.number);
+void StepContext::name_entries(const CallPoint& at) const {
+  composition.set_name(at.q, Opcode::coordinate, at.number);
+  composition.set_name(at.v, Opcode::velocity, at.number);
 }
 
 std::string nonseparable_reason(const CheckedModel& checked, const Program& program) {
-  const std::string of_mass = leaf_read(program, OutputKind::mass_matrix,
-                                        Opcode::coordinate | Opcode::time | Opcode::velocity);
+  const std::string of_mass = first_leaf_read(program, OutputKind::mass_matrix,
+                                              Opcode::coordinate | Opcode::time | Opcode::velocity);
   if (!of_mass.empty()) return fmt::format("M depends on `{}`", of_mass);
   if (has_linear_terms(checked, program)) return "L has terms linear in the rates";
-  const std::string of_bias = leaf_read(program, OutputKind::bias, Opcode::velocity);
+  const std::string of_bias = first_leaf_read(program, OutputKind::bias, Opcode::velocity);
   return of_bias.empty() ? "" : fmt::format("a force depends on `{}`", of_bias);
 }
 
 std::vector<OutputRequest> outputs_for_step(const Model& model, const OutputRequest& step) {
   std::vector<OutputRequest> needed;
   const auto add = [&](OutputKind kind, const std::optional<Form>& form) {
-    OutputRequest request = request_of(model, kind, 0);
+    OutputRequest request = make_request(model, kind, 0);
     if (!is_available(model, request)) return;
     request.span = step.span;
-    request.without_pivots = output_row(kind).gives_pivots;
+    request.omits_pivots = output_row(kind).gives_pivots;
     request.form = form;
     needed.push_back(std::move(request));
   };
-  for (const OutputKind kind : kinds_for_applicability(step)) add(kind, std::nullopt);
+  for (const OutputKind kind : applicability_outputs(step)) add(kind, std::nullopt);
   for (const OutputKind kind : called_kinds(step)) add(kind, step.form);
   if (carries_tangents(model, step)) add(OutputKind::forward_dynamics_derivatives, step.form);
   if (step.step->projects) add(OutputKind::projected, step.form);
@@ -206,28 +211,29 @@ std::vector<OutputRequest> outputs_for_step(const Model& model, const OutputRequ
 
 Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, const Program& calls,
                      Program& program) {
-  const std::string reason = refusal(checked, step, calls);
+  const std::string reason = inapplicable_reason(checked, step, calls);
   if (!reason.empty()) {
     return {{Code::E622, step.span,
-             fmt::format("`{}` does not apply to this system: {}", step_row(step.step->method).name,
-                         reason),
+             fmt::format("`{}` does not apply to this system: {}",
+                         step_method_row(step.step->method).name, reason),
              "`rk4` takes any model"}};
   }
   name_optional_leaves(Opcode::step, program.leaves);
   Function function{.kind = step.kind, .step = step.step, .name = step.name};
   Composition compose(program, function);
   const StepContext context(checked, step, calls, compose);
-  NextState moved = methods[static_cast<std::size_t>(step.step->method)](context);
-  if (step.step->projects) project(context, moved);
+  NextState moved = step_composers[static_cast<std::size_t>(step.step->method)](context);
+  if (step.step->projects) project_state(context, moved);
   add_field(function, "coordinates", std::move(moved.q));
   add_field(function, "rates", std::move(moved.v));
   if (output_row(step.kind).differentiates) {
-    function = derivatives(checked.model, calls, std::move(function), moved.columns, program);
+    function =
+        differentiate_step(checked.model, calls, std::move(function), moved.columns, program);
   } else {
     add_field(function, "residual", std::move(moved.residual));
   }
   function.sampled_zeros = sampled_zeros(calls, function);
-  program.functions.push_back(pruned(function));
+  program.functions.push_back(eliminate_dead_code(function));
   require_invariants(program);
   return {};
 }

@@ -18,38 +18,41 @@ struct StepContext {
   /// t + c; 0 and unused if the model does not contain t.
   [[nodiscard]] std::uint32_t time_after(std::uint32_t c) const;
   /// t + c h; 0 and unused if the model does not contain t.
-  [[nodiscard]] std::uint32_t time_at(const cln::cl_RA& c) const;
+  [[nodiscard]] std::uint32_t time_at_fraction(const cln::cl_RA& c) const;
   /// c h
-  [[nodiscard]] std::uint32_t part(const cln::cl_RA& c) const;
+  [[nodiscard]] std::uint32_t step_multiple(const cln::cl_RA& c) const;
   /// Names computed entries of q and v, with the number of the point.
-  void name(const CallPoint& at) const;
+  void name_entries(const CallPoint& at) const;
 
   const Model& model;
-  const Program& calls;
-  Composition& compose;
-  bool has_inner;                 ///< accelerations are computed in float
-  std::size_t directions;         ///< number of tangents of explicit methods; 0: none
+  const Program& callees;
+  Composition& composition;
+  bool has_float_accelerations;   ///< accelerations are computed in float
+  std::size_t direction_count;    ///< number of tangents of explicit methods; 0: none
   std::uint32_t iterations;       ///< of an implicit method
   std::vector<cln::cl_RA> parts;  ///< steps of a composed symmetric method, in units of h
   std::uint32_t h;
   CallPoint start;
-  std::uint32_t half;  ///< h/2
+  std::uint32_t half_step;  ///< h/2
 };
 
 /// The values of q and v after a step.
 struct NextState {
-  Places q = {};
-  Places v = {};
-  Places residual = {};              ///< of an implicit method; otherwise empty
-  std::vector<Places> columns = {};  ///< d(q, v) along each direction of q, v, u; may be empty
+  InstructionIndices q = {};
+  InstructionIndices v = {};
+  InstructionIndices residual = {};  ///< of an implicit method; otherwise empty
+  std::vector<InstructionIndices> columns =
+      {};  ///< d(q, v) along each direction of q, v, u; may be empty
 };
 
 /// The columns of A = dPhi/dx, then of B = dPhi/du, for x(t + h) = Phi(x, u), x = (dq, v): exact
 /// derivatives of the instructions of `step`, including iterations and scalings of quaternions.
 /// Appends to the function of `compose`, which must begin with these instructions. `calls` needs
 /// coordinate_rates if the model has rotations. Cost: about one step per column.
-[[nodiscard]] std::vector<Places> step_columns(const Model& model, const Program& calls,
-                                               const Function& step, Composition& compose);
+[[nodiscard]] std::vector<InstructionIndices> step_jacobian_columns(const Model& model,
+                                                                    const Program& calls,
+                                                                    const Function& step,
+                                                                    Composition& compose);
 
 #define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) \
   [[nodiscard]] NextState compose_##name(const StepContext& step);

@@ -23,52 +23,54 @@ namespace {
 
 class Midpoint {
  public:
-  explicit Midpoint(const StepContext& step) : step_(step), compose_(step.compose) {}
+  explicit Midpoint(const StepContext& step) : step_(step), compose_(step.composition) {}
 
   /// p passes through the parts of the step; v is computed after the last part. The last w of a
   /// part is the first w of the next part.
   NextState operator()() {
-    Places p = part(OutputKind::momentum, step_.start);
+    InstructionIndices p = call_dynamics_output(OutputKind::momentum, step_.start);
     CallPoint end = step_.start;
     CallPoint longest;
-    Places expected;
+    InstructionIndices expected;
     for (std::size_t i = 0; i < step_.parts.size(); ++i) {
       const cln::cl_RA& length = step_.parts[i];
       const CallPoint at = solve_midpoint(end, p, length);
-      const Places rate = rate_of_momentum(at);
+      const InstructionIndices rate = rate_of_momentum(at);
       if (i == step_.parts.size() / 2) {
-        expected = compose_.add_scaled(p, step_.part(length / 2), rate);
+        expected = compose_.add_scaled(p, step_.step_multiple(length / 2), rate);
         longest = at;
       }
       time_ = time_ + length;
-      end.q = compose_.add_scaled(end.q, step_.part(length), at.v);
+      end.q = compose_.add_scaled(end.q, step_.step_multiple(length), at.v);
       end.v = at.v;
-      end.t = step_.time_at(time_);
+      end.t = step_.time_at_fraction(time_);
       end.number = at.number + 1;
-      compose_.name(end.q, Opcode::coordinate, end.number);
-      p = compose_.add_scaled(p, step_.part(length), rate);
+      compose_.set_name(end.q, Opcode::coordinate, end.number);
+      p = compose_.add_scaled(p, step_.step_multiple(length), rate);
     }
-    return {end.q, velocities(end, p),
-            compose_.add(Opcode::subtract, part(OutputKind::momentum, longest), expected)};
+    return {end.q, solve_velocities(end, p),
+            compose_.add(Opcode::subtract, call_dynamics_output(OutputKind::momentum, longest),
+                         expected)};
   }
 
  private:
   /// One of the outputs that `dynamics` computes together.
-  Places part(OutputKind kind, const CallPoint& at) {
-    const Function& all = *find_function(step_.calls, OutputKind::dynamics);
+  InstructionIndices call_dynamics_output(OutputKind kind, const CallPoint& at) {
+    const Function& all = *find_function(step_.callees, OutputKind::dynamics);
     const auto field = std::ranges::find(all.fields, output_row(kind).name, &Field::name);
-    return compose_.call(step_.calls, all, *field, at);
+    return compose_.inline_call(step_.callees, all, *field, at);
   }
 
   /// dL/dq + B u + Q - dD/dv
-  Places rate_of_momentum(const CallPoint& at) {
-    Places sum = compose_.add(Opcode::add, part(OutputKind::position_gradient, at),
-                              part(OutputKind::applied_force, at));
-    sum = compose_.add(Opcode::subtract, sum, part(OutputKind::dissipation, at));
+  InstructionIndices rate_of_momentum(const CallPoint& at) {
+    InstructionIndices sum =
+        compose_.add(Opcode::add, call_dynamics_output(OutputKind::position_gradient, at),
+                     call_dynamics_output(OutputKind::applied_force, at));
+    sum = compose_.add(Opcode::subtract, sum, call_dynamics_output(OutputKind::dissipation, at));
     const std::size_t inputs = step_.model.inputs.size();
     if (inputs == 0) return sum;
-    const Places u = compose_.leaves(Opcode::input, inputs);
-    const Places b = part(OutputKind::input_matrix, at);
+    const InstructionIndices u = compose_.add_leaves(Opcode::input, inputs);
+    const InstructionIndices b = call_dynamics_output(OutputKind::input_matrix, at);
     for (std::size_t i = 0; i < b.size(); ++i) {
       std::uint32_t& entry = sum[i / inputs];
       entry = compose_.add(Opcode::add, entry, compose_.add(Opcode::multiply, b[i], u[i % inputs]));
@@ -77,24 +79,26 @@ class Midpoint {
   }
 
   /// M^-1 (p - b) at a point; its v is ignored.
-  Places velocities(CallPoint at, const Places& p) {
+  InstructionIndices solve_velocities(CallPoint at, const InstructionIndices& p) {
     const MassFactorisation mass(compose_, elimination_order(step_.model),
-                                 part(OutputKind::mass_matrix, at));
-    at.v.assign(p.size(), compose_.number(0));
-    return mass.solve(compose_.add(Opcode::subtract, p, part(OutputKind::momentum, at)));
+                                 call_dynamics_output(OutputKind::mass_matrix, at));
+    at.v.assign(p.size(), compose_.add_number(0));
+    return mass.solve(
+        compose_.add(Opcode::subtract, p, call_dynamics_output(OutputKind::momentum, at)));
   }
 
   /// The midpoint of the part of the step that begins at `begin` with p, with the last w.
-  CallPoint solve_midpoint(const CallPoint& begin, const Places& p, const cln::cl_RA& length) {
-    const std::uint32_t half = step_.part(length / 2);
+  CallPoint solve_midpoint(const CallPoint& begin, const InstructionIndices& p,
+                           const cln::cl_RA& length) {
+    const std::uint32_t half = step_.step_multiple(length / 2);
     CallPoint at = begin;
     for (std::uint32_t i = 0;; ++i) {
       at.q = compose_.add_scaled(begin.q, half, at.v);
-      at.t = step_.time_at(time_ + length / 2);
+      at.t = step_.time_at_fraction(time_ + length / 2);
       ++at.number;
-      step_.name(at);
+      step_.name_entries(at);
       if (i == step_.iterations) return at;
-      at.v = velocities(at, compose_.add_scaled(p, half, rate_of_momentum(at)));
+      at.v = solve_velocities(at, compose_.add_scaled(p, half, rate_of_momentum(at)));
     }
   }
 

@@ -18,7 +18,7 @@ namespace elgen {
       "viewBox=\"0 0 {0} {1}\" font-family=\"sans-serif\" font-size=\"12\">\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
       "<text x=\"14\" y=\"22\" font-size=\"14\" font-weight=\"bold\">{2}</text>\n",
-      width, height, xml_text(title));
+      width, height, escape_xml(title));
 }
 
 [[nodiscard]] inline std::string svg_grid_line(double x1, double y1, double x2, double y2) {
@@ -31,13 +31,13 @@ namespace elgen {
 [[nodiscard]] inline std::string svg_label(double x, double y, const char* anchor,
                                            const std::string& text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{}</text>\n", x, y, anchor,
-                     xml_text(text));
+                     escape_xml(text));
 }
 
 /// The title of a part of the plot, in bold, beginning at x.
 [[nodiscard]] inline std::string svg_title(double x, double y, const std::string& text) {
   return fmt::format("<text x=\"{}\" y=\"{}\" font-weight=\"bold\">{}</text>\n", x, y,
-                     xml_text(text));
+                     escape_xml(text));
 }
 
 /// A tick of an axis: a line across the chart, and its label.
@@ -53,7 +53,7 @@ struct ChartAxis {
   std::string title = {};  ///< of the x axis; "": it has neither title nor labels
 
   /// The position of a number on the axis: 0 at or below the low end, 1 at or above the high end.
-  [[nodiscard]] double part(double number) const {
+  [[nodiscard]] double axis_fraction(double number) const {
     return (std::clamp(number, low, high) - low) / (high - low);
   }
 };
@@ -67,8 +67,10 @@ struct Chart {
   ChartAxis x = {};
   ChartAxis y = {};
 
-  [[nodiscard]] double x_of(double number) const { return left + width * x.part(number); }
-  [[nodiscard]] double y_of(double number) const { return top + height * (1 - y.part(number)); }
+  [[nodiscard]] double x_of(double number) const { return left + width * x.axis_fraction(number); }
+  [[nodiscard]] double y_of(double number) const {
+    return top + height * (1 - y.axis_fraction(number));
+  }
 
   /// The SVG of a line at each tick. Labels and title of the x axis are below the chart; labels of
   /// the y axis are left of the chart.

@@ -27,19 +27,20 @@ struct Slider {
   std::string name = {};
   std::string unit = {};
   double value = 0;
-  double reach = 1;  ///< half the width of the interval, if there is no range
+  double half_width = 1;  ///< half the width of the interval, if there is no range
   std::optional<Interval> range = {};
 };
 
-double reach_of(double value) { return value == 0 ? 1 : std::abs(value); }
+double default_half_width(double value) { return value == 0 ? 1 : std::abs(value); }
 
 TemplateData slider_data(const Slider& slider) {
-  const double low = slider.range ? to_double(slider.range->low) : slider.value - slider.reach;
-  const double high = slider.range ? to_double(slider.range->high) : slider.value + slider.reach;
+  const double low = slider.range ? to_double(slider.range->low) : slider.value - slider.half_width;
+  const double high =
+      slider.range ? to_double(slider.range->high) : slider.value + slider.half_width;
   return TemplateRow{{"kind", std::string(1, slider.kind)},
                      {"index", std::to_string(slider.index)},
-                     {"name", xml_text(slider.name)},
-                     {"unit", attribute_text(slider.unit)},
+                     {"name", escape_xml(slider.name)},
+                     {"unit", html_attribute_text(slider.unit)},
                      {"value", fmt::format("{}", slider.value)},
                      {"low", fmt::format("{}", std::min(low, slider.value))},
                      {"high", fmt::format("{}", std::max(high, slider.value))}};
@@ -52,7 +53,7 @@ Sliders coordinate_sliders(const Model& model) {
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& c = model.coordinates[i];
     const double start = to_double(c.start_value);
-    const double reach = is_angle(c) ? std::numbers::pi : reach_of(start);
+    const double reach = is_angle(c) ? std::numbers::pi : default_half_width(start);
     if (!c.rotation) list.push_back({'q', i, c.name, c.unit_text, start, reach, c.range});
   }
   return list;
@@ -65,7 +66,8 @@ Sliders velocity_sliders(const Model& model, const LeafNames& leaves) {
     const Velocity& v = model.velocities[i];
     const double start = to_double(v.start_rate);
     list.push_back({'v', i, leaf_text(leaves, Opcode::velocity, static_cast<std::uint32_t>(i)),
-                    velocity_unit(model, v), start, turns * reach_of(start), v.rate_range});
+                    velocity_unit_text(model, v), start, turns * default_half_width(start),
+                    v.rate_range});
   }
   return list;
 }
@@ -92,8 +94,8 @@ Sliders parameter_sliders(const Model& model, const Program& program) {
       std::optional<Interval> range = array.range;
       const bool is_above_zero = !range && parameter.assumption != Assumption::none;
       if (is_above_zero) range = Interval{parameter.value / 4, parameter.value * 4};
-      list.push_back(
-          {'p', list.size(), parameter.name, array.unit_text, value, reach_of(value), range});
+      list.push_back({'p', list.size(), parameter.name, array.unit_text, value,
+                      default_half_width(value), range});
     }
   }
   return list;
@@ -101,8 +103,8 @@ Sliders parameter_sliders(const Model& model, const Program& program) {
 
 }  // namespace
 
-std::string attribute_text(const std::string& text) {
-  return escaped(xml_text(text), {{'"', "&quot;"}});
+std::string html_attribute_text(const std::string& text) {
+  return escape_markup(escape_xml(text), {{'"', "&quot;"}});
 }
 
 void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program,
@@ -114,7 +116,7 @@ void set_controls(TemplateData& data, const CheckedModel& checked, const Program
     if (sliders.empty()) return;
     groups << TemplateRow{{"title", title},
                           {"open", sliders.size() > most_open ? "" : " open"},
-                          {"sliders", rows_data(sliders, slider_data)}};
+                          {"sliders", repeated_section(sliders, slider_data)}};
   };
   add("Start", coordinate_sliders(model));
   add("Rates at the start", velocity_sliders(model, program.leaves));
@@ -125,17 +127,17 @@ void set_controls(TemplateData& data, const CheckedModel& checked, const Program
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& v = model.velocities[i];
     if (v.rotation) continue;
-    phases << TemplateRow{{"index", std::to_string(i)}, {"name", xml_text(v.name)}};
+    phases << TemplateRow{{"index", std::to_string(i)}, {"name", escape_xml(v.name)}};
   }
   data.set("phases", phases);
   TemplateData starts(TemplateData::type::list);
   for (const ShownStart& start : shown_starts(model, read)) {
     starts << TemplateRow{{"index", std::to_string(starts.list_value().size())},
-                          {"name", xml_text(start.name)}};
+                          {"name", escape_xml(start.name)}};
   }
   data.set("starts", starts);
   constexpr std::array paces{"0.1", "0.25", "0.5", "1", "2", "5", "10"};
-  data.set("paces", rows_data(paces, [](const std::string_view pace) {
+  data.set("paces", repeated_section(paces, [](const std::string_view pace) {
              return TemplateRow{{"pace", std::string(pace)},
                                 {"selected", pace == "1" ? " selected" : ""}};
            }));

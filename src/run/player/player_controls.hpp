@@ -12,6 +12,6 @@ void set_controls(TemplateData& data, const CheckedModel& checked, const Program
                   const Products& read);
 
 /// Escapes a text for use in a quoted HTML attribute.
-[[nodiscard]] std::string attribute_text(const std::string& text);
+[[nodiscard]] std::string html_attribute_text(const std::string& text);
 
 }  // namespace elgen

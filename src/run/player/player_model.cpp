@@ -1,4 +1,4 @@
-// player_model: builds each list that the page's script needs, in one function per list.
+// player_model_json: builds each list that the page's script needs, in one function per list.
 #include "run/player/player_model.hpp"
 
 #include <fmt/ranges.h>
@@ -26,7 +26,7 @@ Json coordinates_json(const Model& model) {
     list.push_back({{"name", c.name},
                     {"unit", c.unit_text},
                     {"start", to_double(c.start_value)},
-                    {"wraps", c.wrap}});
+                    {"wraps", c.wraps}});
   }
   return list;
 }
@@ -52,7 +52,7 @@ Json laws_json(const CheckedModel& checked) {
     const Input& input = model.inputs[k];
     const ExpressionId* const law = find_law(checked.scene, input);
     if (law == nullptr) continue;
-    const bool is_cut = input.limits && !is_one_number(model, *law);
+    const bool is_cut = input.limits && !is_constant_along_run(model, *law);
     list.push_back({k, is_cut ? to_double(input.limits->low) : -most,
                     is_cut ? to_double(input.limits->high) : most});
   }
@@ -93,7 +93,7 @@ std::vector<std::size_t> first_rows(const Model& model, const std::vector<ShownP
   std::size_t next = 0;
   for (const ShownPlace& place : places) {
     rows.push_back(next);
-    next += rows_of(model, place).size() / 3;
+    next += place_coordinates(model, place).size() / 3;
   }
   return rows;
 }
@@ -106,7 +106,7 @@ bool is_zero(const Model& model, ExpressionId id) {
 /// True if the z component of every place is the number 0, and no place is a frame.
 bool is_planar(const Model& model, const std::vector<ShownPlace>& places) {
   return std::ranges::all_of(places, [&](const ShownPlace& place) {
-    return place.kind != PlaceKind::frame && is_zero(model, rows_of(model, place)[2]);
+    return place.kind != PlaceKind::frame && is_zero(model, place_coordinates(model, place)[2]);
   });
 }
 
@@ -148,8 +148,8 @@ void add_places(Json& json, const Model& model) {
 std::string rest_point_label(const Model& model, const RestPoint& point) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
-    const CoordinateAtRest& at = point.coordinates[i];
-    if (at.is_any) continue;
+    const RestCoordinate& at = point.coordinates[i];
+    if (at.is_arbitrary) continue;
     parts.push_back(
         fmt::format("{} = {:.6g}", model.coordinates[i].name, to_double(at.value) + 0.0));
   }
@@ -157,7 +157,7 @@ std::string rest_point_label(const Model& model, const RestPoint& point) {
 }
 
 /// A start at rest: the equilibrium `point` plus 0.1 times the shape of `mode`.
-ShownStart start_of(const Model& model, const RestPoint& point, const NormalMode& mode) {
+ShownStart mode_start(const Model& model, const RestPoint& point, const NormalMode& mode) {
   constexpr double part = 0.1;
   const double omega = std::sqrt(to_double(mode.omega_squared));
   ShownStart start{fmt::format("Mode of {:.4g} rad/s: {}", omega, rest_point_label(model, point))};
@@ -170,19 +170,19 @@ ShownStart start_of(const Model& model, const RestPoint& point, const NormalMode
 
 /// Simulated seconds per real second: 1 if the run takes 2 to 60 s; otherwise the pace that shows
 /// the whole run in 20 s.
-double pace_of(const SimulationOptions& options) {
+double playback_pace(const SimulationOptions& options) {
   constexpr double shortest = 2;
   constexpr double longest = 60;
   constexpr double watched = 20;
-  const bool is_watched = shortest <= options.time && options.time <= longest;
-  return is_watched ? 1 : options.time / watched;
+  const bool is_watched = shortest <= options.duration && options.duration <= longest;
+  return is_watched ? 1 : options.duration / watched;
 }
 
 Json run_json(const SimulationOptions& options) {
   return {{"from", options.from},
           {"step", *options.step},
-          {"projects", options.project},
-          {"pace", pace_of(options)}};
+          {"projects", options.projects},
+          {"pace", playback_pace(options)}};
 }
 
 }  // namespace
@@ -201,15 +201,15 @@ std::vector<ShownStart> shown_starts(const Model& model, const Products& read) {
   for (const LinearMotions& motions :
        has_modes ? read.modes->motions : std::vector<LinearMotions>{}) {
     for (const NormalMode& mode : motions.modes) {
-      if (cln::plusp(mode.omega_squared)) starts.push_back(start_of(model, motions.point, mode));
+      if (cln::plusp(mode.omega_squared)) starts.push_back(mode_start(model, motions.point, mode));
     }
   }
   if (starts.size() > most) starts.resize(most);
   return starts;
 }
 
-std::string player_model(const CheckedModel& checked, const Program& program, const Products& read,
-                         const SimulationOptions& options) {
+std::string player_model_json(const CheckedModel& checked, const Program& program,
+                              const Products& read, const SimulationOptions& options) {
   const Model& model = checked.model;
   const bool is_driven = !model.inputs.empty();
   const Conservation conservation = find_conservation(model, program, is_driven, false);
@@ -227,10 +227,10 @@ std::string player_model(const CheckedModel& checked, const Program& program, co
   json["power"] = {{"has_time", conservation.has_time},
                    {"is_forced", conservation.is_forced},
                    {"has_moving_constraints", has_moving_constraints(model)}};
-  json["is_whole"] = has_whole_lagrangian(model);
+  json["is_whole"] = has_combined_lagrangian(model);
   json["unit_of_energy"] = has_units(model) ? "J" : "";
   json["run"] = run_json(options);
-  return escaped(json.dump(-1, true), {{'<', "\\u003c"}});
+  return escape_markup(json.dump(-1, true), {{'<', "\\u003c"}});
 }
 
 }  // namespace elgen

@@ -23,9 +23,9 @@ namespace elgen {
 namespace {
 
 /// The key by which the page's script finds the function: "places", "mass_matrix".
-std::string kind_of_call(const Scene& scene, const Function& function) {
-  const bool is_shown = is_value_of_user(output_row(function.kind));
-  return std::string(is_shown ? name_of(scene.shown.at(function.user))
+std::string call_key(const Scene& scene, const Function& function) {
+  const bool is_shown = is_user_value(output_row(function.kind));
+  return std::string(is_shown ? name_of(scene.page_outputs.at(function.user))
                               : output_row(function.kind).name);
 }
 
@@ -33,15 +33,15 @@ TemplateData calls_data(const CheckedModel& checked, const Program& program) {
   const Model& model = checked.model;
   const Scene& scene = checked.scene;
   const LanguageId language = scene.emission.language;
-  return rows_data(program.functions, [&](const Function& function) {
+  return repeated_section(program.functions, [&](const Function& function) {
     std::vector<std::string> arguments;
     for (const Opcode argument : arguments_of(model, function, program, language)) {
       arguments.push_back(fmt::format("x.{}", leaf_row(argument).symbol));
     }
     const std::string call = fmt::format("{}({})", name_in_language(language, function.name),
                                          fmt::join(arguments, ", "));
-    const bool is_shown = is_value_of_user(output_row(function.kind));
-    return TemplateRow{{"kind", kind_of_call(scene, function)},
+    const bool is_shown = is_user_value(output_row(function.kind));
+    return TemplateRow{{"kind", call_key(scene, function)},
                        {"call", is_shown ? fmt::format("listed({})", call) : call}};
   });
 }
@@ -54,14 +54,14 @@ constexpr double longest_time = 1e8;
 constexpr double most_steps = 1e7;
 
 /// E621 if a browser would need too long for the run.
-Diagnostics refuse_length(const SimulationOptions& options) {
-  if (options.time > longest_time) {
+Diagnostics check_run_length(const SimulationOptions& options) {
+  if (options.duration > longest_time) {
     return {{Code::E621,
              {},
              fmt::format("`--time {:g}` is longer than {:g}, the longest run of a page",
-                         options.time, longest_time)}};
+                         options.duration, longest_time)}};
   }
-  if (!options.step || options.time / *options.step <= most_steps) return {};
+  if (!options.step || options.duration / *options.step <= most_steps) return {};
   return {
       {Code::E621,
        {},
@@ -72,17 +72,17 @@ Diagnostics refuse_length(const SimulationOptions& options) {
 /// In bytes. A page omits a longer derivation; `show --what steps` prints it.
 constexpr std::size_t longest_derivation = 200'000;
 
-struct Readable {
+struct ReadableTexts {
   std::string equations = {};
   std::string derivation = {};
 };
 
-Readable readable_of(const Products& read) {
+ReadableTexts make_readable_texts(const Products& read) {
   const Model& model = read.checked->model;
-  Readable result;
+  ReadableTexts result;
   if (!read.steps) return result;
-  result.equations = html_parts(steps_sections(model, *read.steps, equations_title));
-  result.derivation = html_parts(steps_sections(model, *read.steps));
+  result.equations = html_sections(derivation_sections(model, *read.steps, equations_title));
+  result.derivation = html_sections(derivation_sections(model, *read.steps));
   if (result.derivation.size() > longest_derivation) result.derivation.clear();
   return result;
 }
@@ -93,18 +93,18 @@ Diagnostics check_player_options(const SimulationOptions& options) {
   Diagnostics refused;
   const Result<MethodRow> method = find_method(options);
   if (!method) return method.diagnostics;
-  if (method->step != StepKind::fixed) {
+  if (method->step_kind != StepKind::fixed) {
     refused.push_back({Code::E620,
                        {},
                        fmt::format("a page does not support the method `{}`", options.method),
                        "give `--method rk4`, `verlet` or `midpoint`"});
   }
-  for (const Diagnostic& each : refuse_length(options)) refused.push_back(each);
-  if (options.every) {
+  for (const Diagnostic& each : check_run_length(options)) refused.push_back(each);
+  if (options.row_interval) {
     refused.push_back(
         {Reason::option_of_runs, {}, "`--every` applies to rows, but a page has none"});
   }
-  if (options.hold) {
+  if (options.input_hold_time) {
     refused.push_back(
         {Reason::option_of_runs, {}, "`--hold` applies to computed runs, not to pages"});
   }
@@ -118,25 +118,25 @@ PipelineOptions player_pipeline_options(PipelineOptions options) {
 
 Result<std::string> player_page(const Products& moving, const Products& read,
                                 const SimulationOptions& options, const Limits& limits) {
-  const Result<CheckedModel> assembled = assemble_model(*moving.checked, exact_value(options.from));
+  const Result<CheckedModel> assembled = assemble_start(*moving.checked, exact_value(options.from));
   if (!assembled) return assembled.diagnostics;
   const auto& [model, scene] = *assembled;
   const Program& program = *moving.program;
   const Result<std::string> functions = emitted_script(model, scene, program);
   if (!functions) return functions.diagnostics;
-  const Readable texts = readable_of(read);
+  const ReadableTexts texts = make_readable_texts(read);
   const std::string title = page_title(model);
   TemplateData data(TemplateRow{
       {"generated", std::string(generated_marker)},
-      {"title", xml_text(title)},
-      {"label", attribute_text("The motion of " + title)},
+      {"title", escape_xml(title)},
+      {"label", html_attribute_text("The motion of " + title)},
       {"no_places", shown_places(model).empty() ? " hidden" : ""},
       {"functions", *functions},
       {"calls", calls_data(*assembled, program)},
-      {"model", player_model(*assembled, program, read, options)},
+      {"model", player_model_json(*assembled, program, read, options)},
       {"equations", texts.equations},
       {"derivation",
-       section_if(!texts.derivation.empty(), TemplateRow{{"text", texts.derivation}})}});
+       optional_section(!texts.derivation.empty(), TemplateRow{{"text", texts.derivation}})}});
   set_controls(data, *assembled, program, read);
   std::string page = fill_template("player/page.html.mustache", data);
   if (page.size() <= limits.page_bytes) return page;

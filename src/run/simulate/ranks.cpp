@@ -15,7 +15,7 @@ namespace {
 /// A pivot below 1e-8 of its largest value has lost half of the 16 digits of a double. Then
 /// rounding errors dominate the projection onto the constraints, and the projection changes the
 /// energy. At a ratio of 1e-11, the change is about 1e-9 of the energy.
-constexpr double smallest_share = 1e-8;
+constexpr double min_pivot_ratio = 1e-8;
 
 /// A cosine. If a row turns by more than 120 degrees in one step, the step has no correct digit,
 /// unless the row passed through 0.
@@ -39,10 +39,10 @@ Numbers pivots_of_product(const Numbers& x, const Numbers& y, std::size_t n) {
 
 Diagnostics RankWatch::check_ranks(const Numbers& state, double t) {
   const Numbers pivots = pivots_;
-  const Numbers rows = rows_;
+  const Numbers rows = scaled_rows_;
   measure_pivots(state, t);
   const std::string what =
-      loss_text(pivots.empty() ? pivots_ : pivots, pivots.empty() ? rows_ : rows);
+      rank_loss_text(pivots.empty() ? pivots_ : pivots, pivots.empty() ? scaled_rows_ : rows);
   if (what.empty()) return {};
   return {{Code::E624,
            {},
@@ -53,26 +53,28 @@ Diagnostics RankWatch::check_ranks(const Numbers& state, double t) {
 std::string RankWatch::weakest_pivot_text() const {
   std::size_t least = 0;
   for (std::size_t i = 1; i < largest_.size(); ++i) {
-    if (share(i) < share(least)) least = i;
+    if (pivot_ratio(i) < pivot_ratio(least)) least = i;
   }
   // A pivot that fell by less than four digits is not the reason for a short step.
-  if (largest_.empty() || share(least) > 1e-4) return "";
-  return fmt::format(": the pivot of {} is {:.1e} of its largest value", name(least), share(least));
+  if (largest_.empty() || pivot_ratio(least) > 1e-4) return "";
+  return fmt::format(": the pivot of {} is {:.1e} of its largest value", pivot_name(least),
+                     pivot_ratio(least));
 }
 
 void RankWatch::measure_pivots(const Numbers& state, double t) {
   const double* const q = state.data();
   const double* const v = system_.v_of(state);
-  const std::size_t n = system_.velocities();
+  const std::size_t n = system_.velocity_count();
   Numbers diagonal(n);
-  system_.acceleration(q, v, t, diagonal.data());
+  system_.find_acceleration(q, v, t, diagonal.data());
   const std::span<const double> relative = system_.relative_pivots().first(n);
   pivots_.assign(relative.begin(), relative.end());
   const Numbers& mass = system_.mass_matrix(q, v, t);
   for (std::size_t i = 0; i < n; ++i) diagonal[i] = mass[i * n + i];
-  rows_ = system_.constraint_jacobian(q, v, t);
-  for (std::size_t k = 0; k < rows_.size(); ++k) rows_[k] /= std::sqrt(std::abs(diagonal[k % n]));
-  const Numbers of_rows = pivots_of_product(rows_, rows_, n);
+  scaled_rows_ = system_.constraint_jacobian(q, v, t);
+  for (std::size_t k = 0; k < scaled_rows_.size(); ++k)
+    scaled_rows_[k] /= std::sqrt(std::abs(diagonal[k % n]));
+  const Numbers of_rows = pivots_of_product(scaled_rows_, scaled_rows_, n);
   pivots_.insert(pivots_.end(), of_rows.begin(), of_rows.end());
   for (std::size_t i = 0; i < n; ++i) pivots_.push_back(pivots_[i] * diagonal[i]);
   largest_.resize(pivots_.size());
@@ -82,12 +84,12 @@ void RankWatch::measure_pivots(const Numbers& state, double t) {
 }
 
 /// The ratio of a pivot to its largest value so far; 1 if all values were 0.
-double RankWatch::share(std::size_t i) const {
+double RankWatch::pivot_ratio(std::size_t i) const {
   return largest_[i] > 0 ? std::abs(pivots_[i]) / largest_[i] : 1;
 }
 
-std::string RankWatch::name(std::size_t i) const {
-  const std::size_t n = system_.velocities();
+std::string RankWatch::pivot_name(std::size_t i) const {
+  const std::size_t n = system_.velocity_count();
   const std::size_t both = pivots_.size() - n;
   if (n <= i && i < both) return fmt::format("`{}` in A", system_.model().constraints[i - n].name);
   const auto velocity = static_cast<std::uint32_t>(i < n ? i : i - both);
@@ -96,23 +98,24 @@ std::string RankWatch::name(std::size_t i) const {
 
 /// Describes the loss of rank; "" if both ranks are full. D_i is checked only for a change of sign,
 /// because D_i may become small without a loss of rank: m r^2 of an orbit near its centre.
-std::string RankWatch::loss_text(const Numbers& pivots_before, const Numbers& rows_before) const {
-  const std::size_t n = system_.velocities();
+std::string RankWatch::rank_loss_text(const Numbers& pivots_before,
+                                      const Numbers& rows_before) const {
+  const std::size_t n = system_.velocity_count();
   const std::size_t both = pivots_.size() - n;
   for (std::size_t i = 0; i < both; ++i) {
-    if (share(i) >= smallest_share) continue;
+    if (pivot_ratio(i) >= min_pivot_ratio) continue;
     return fmt::format("nearly lost, because the pivot of {} is {:.1e} of its largest value, at",
-                       name(i), share(i));
+                       pivot_name(i), pivot_ratio(i));
   }
   for (std::size_t i = both; i < pivots_.size(); ++i) {
     if (!(pivots_[i] * pivots_before[i] < 0)) continue;
-    return fmt::format("lost, because the pivot of {} changes its sign, before", name(i));
+    return fmt::format("lost, because the pivot of {} changes its sign, before", pivot_name(i));
   }
-  const Numbers turns = pivots_of_product(rows_before, rows_, n);
+  const Numbers turns = pivots_of_product(rows_before, scaled_rows_, n);
   for (std::size_t k = 0; k < turns.size(); ++k) {
     const double size = std::sqrt(std::abs(pivots_before[n + k] * pivots_[n + k]));
     if (!(turns[k] < reversal_cosine * size)) continue;
-    return fmt::format("lost, because the row of {} reverses, before", name(n + k));
+    return fmt::format("lost, because the row of {} reverses, before", pivot_name(n + k));
   }
   return "";
 }

@@ -19,7 +19,7 @@ namespace elgen {
 class RankWatch {
  public:
   /// `hint`: the hint of E624.
-  RankWatch(System& system, std::string hint) : system_(system), hint_(std::move(hint)) {}
+  RankWatch(SimulatedSystem& system, std::string hint) : system_(system), hint_(std::move(hint)) {}
 
   /// Call this at the start and after every step. E624 if a rank is nearly lost, or if it was lost
   /// since the last call.
@@ -31,16 +31,16 @@ class RankWatch {
 
  private:
   void measure_pivots(const Numbers& state, double t);
-  [[nodiscard]] double share(std::size_t i) const;
-  [[nodiscard]] std::string name(std::size_t i) const;
-  [[nodiscard]] std::string loss_text(const Numbers& pivots_before,
-                                      const Numbers& rows_before) const;
+  [[nodiscard]] double pivot_ratio(std::size_t i) const;
+  [[nodiscard]] std::string pivot_name(std::size_t i) const;
+  [[nodiscard]] std::string rank_loss_text(const Numbers& pivots_before,
+                                           const Numbers& rows_before) const;
 
-  System& system_;
+  SimulatedSystem& system_;
   std::string hint_;
   Numbers pivots_ = {};  ///< D_i / M_ii by velocity, then D'_k by constraint, then D_i by velocity
   Numbers largest_ = {};
-  Numbers rows_ = {};  ///< B
+  Numbers scaled_rows_ = {};  ///< B
 };
 
 }  // namespace elgen

@@ -46,51 +46,52 @@ Drift DriftMeter::drift(std::string name, std::string measure) const {
   return {std::move(name), std::move(measure), worst_ / scale, secular / scale, scale};
 }
 
-Recorder::Recorder(System& system, const SimulationOptions& options, const TrajectorySample& start)
+Recorder::Recorder(SimulatedSystem& system, const SimulationOptions& options,
+                   const TrajectorySample& start)
     : system_(system),
       options_(options),
-      momenta_at_start_(system.velocities()),
-      momenta_(system.velocities()),
-      conserved_(system.conserved()),
+      momenta_at_start_(system.velocity_count()),
+      momenta_(system.velocity_count()),
+      conserved_(system.conserved_quantities()),
       tolerance_(options.step ? 0 : options.tolerance.value_or(default_tolerance)),
-      momentum_drifts_(system.cyclic().size()),
+      momentum_drifts_(system.cyclic_velocities().size()),
       start_(start),
       last_(start) {
   const double* const q = start.state.data();
   energy_at_start_ = system.energy(q, system.v_of(start.state), start.t);
-  system.momentum(q, system.v_of(start.state), start.t, momenta_at_start_.data());
+  system.find_momentum(q, system.v_of(start.state), start.t, momenta_at_start_.data());
   const Numbers& values = system.conserved_values(q, system.v_of(start.state), start.t);
   for (std::size_t i = 0; i < values.size(); ++i) conserved_[i].start = values[i];
 }
 
-Diagnostics Recorder::add(const TrajectorySample& sample) {
+Diagnostics Recorder::add_sample(const TrajectorySample& sample) {
   const double* const q = sample.state.data();
   const double* const v = system_.v_of(sample.state);
   const double energy = system_.energy(q, v, sample.t);
   if (!is_finite(sample.state) || !std::isfinite(energy)) {
-    return {end_diagnostic("the numbers are no longer finite", "", usual_remedy)};
+    return {run_end_error("the numbers are no longer finite", "", default_hint)};
   }
-  const double part = (sample.t - options_.from) / options_.time;
+  const double part = (sample.t - options_.from) / options_.duration;
   const double deviation = energy - energy_at_start_ - sample.state.back();
   const EnergyParts parts = system_.energy_parts(q, v, sample.t);
-  energy_.add(part, sample.after, deviation, parts.magnitude());
+  energy_.add(part, sample.time_since_last, deviation, parts.magnitude());
   largest_kinetic_ = std::max(largest_kinetic_, std::abs(parts.kinetic));
   lowest_potential_ = std::min(lowest_potential_, parts.potential);
   highest_potential_ = std::max(highest_potential_, parts.potential);
   if (tolerance_ > 0 && warnings_.empty()) check_energy_step(sample, energy);
-  if (!momentum_drifts_.empty()) add_momenta(sample, part);
-  add_conserved(sample);
-  add_offset(sample);
+  if (!momentum_drifts_.empty()) update_momentum_drifts(sample, part);
+  update_conserved_drifts(sample);
+  update_constraint_offset(sample);
   if (sample.is_row) {
-    rows_.push_back(row(sample, energy));
+    rows_.push_back(make_row(sample, energy));
     work_.push_back(sample.state.back());
   }
   last_ = sample;
   return {};
 }
 
-Diagnostic Recorder::end_diagnostic(std::string_view why, std::string_view besides,
-                                    std::string_view remedy) const {
+Diagnostic Recorder::run_end_error(std::string_view why, std::string_view besides,
+                                   std::string_view remedy) const {
   return {Code::E624,
           {},
           fmt::format("{} after t = {:.6g}, where {}{}", why, last_.t,
@@ -98,15 +99,15 @@ Diagnostic Recorder::end_diagnostic(std::string_view why, std::string_view besid
           std::string(remedy)};
 }
 
-Diagnostics Recorder::finish(Trajectory& trajectory) && {
+Diagnostics Recorder::move_results(Trajectory& trajectory) && {
   const double* const q = last_.state.data();
-  trajectory.last = row(last_, system_.energy(q, system_.v_of(last_.state), last_.t));
+  trajectory.last = make_row(last_, system_.energy(q, system_.v_of(last_.state), last_.t));
   trajectory.rows = std::move(rows_);
   if (system_.does_work()) trajectory.work = std::move(work_);
   trajectory.energy = energy_.drift(std::string(energy_name()),
-                                    system_.has_energies() ? "|T| + |V|" : "|v.p| + |L|");
+                                    system_.has_separate_energies() ? "|T| + |V|" : "|v.p| + |L|");
   for (std::size_t i = 0; i < momentum_drifts_.size(); ++i) {
-    const std::string& name = system_.leaves().v[system_.cyclic()[i]];
+    const std::string& name = system_.leaves().v[system_.cyclic_velocities()[i]];
     trajectory.momenta.push_back(momentum_drifts_[i].drift(name, "sum |M v|"));
   }
   trajectory.conserved = std::move(conserved_);
@@ -119,7 +120,7 @@ Diagnostics Recorder::finish(Trajectory& trajectory) && {
 }
 
 double Recorder::energy_scale() const {
-  if (!system_.has_energies()) return energy_.scale();
+  if (!system_.has_separate_energies()) return energy_.scale();
   return largest_kinetic_ + (highest_potential_ - lowest_potential_);
 }
 
@@ -128,13 +129,14 @@ double Recorder::energy_scale() const {
 /// tenth.
 void Recorder::check_energy_drift(Trajectory& trajectory) {
   const Drift& drift = trajectory.energy;
-  const bool is_symmetric = step_of_run(options_).has_value();
+  const bool is_symmetric = step_for_run(options_).has_value();
   const double lost = (is_symmetric ? std::abs(drift.secular) : drift.worst) * drift.scale;
   const double scale = energy_scale();
   if (!(lost > reported_loss * scale) || lost <= rounding_share * energy_.scale()) return;
   trajectory.loses_energy = lost > refused_loss * scale;
-  const std::string_view measure =
-      system_.has_energies() ? "the largest |T| plus the range of V" : "the largest |v.p| + |L|";
+  const std::string_view measure = system_.has_separate_energies()
+                                       ? "the largest |T| plus the range of V"
+                                       : "the largest |v.p| + |L|";
   warnings_.push_back({Code::E648,
                        {},
                        fmt::format("{} {} {:.1e}, {:.3g} % of {}, {:.6g}", drift.name,
@@ -150,7 +152,7 @@ void Recorder::check_conserved_drift(const std::vector<ConservedDrift>& conserve
     const ConservedDrift& entry = conserved[i];
     const double scale = std::max(scales[i], last[i]);
     if (!(entry.drift > reported_loss * scale) ||
-        !is_visible_move(entry.start, entry.start + entry.drift))
+        !is_visible_change(entry.start, entry.start + entry.drift))
       continue;
     warnings_.push_back(
         {Code::E648,
@@ -184,35 +186,36 @@ std::string_view Recorder::energy_name() const {
   return system_.does_work() ? "E - E0 - work" : "E - E0";
 }
 
-/// Adds to `allowed_` the change of E - work that this step may cause: by the error of each number,
-/// and by the rounding error of E. Later steps do not enlarge this change, because the exact motion
-/// conserves E - work. E648 if |E - E0 - work| exceeds `allowed_`.
+/// Adds to `allowed_energy_error_` the change of E - work that this step may cause: by the error of
+/// each number, and by the rounding error of E. Later steps do not enlarge this change, because the
+/// exact motion conserves E - work. E648 if |E - E0 - work| exceeds `allowed_energy_error_`.
 void Recorder::check_energy_step(const TrajectorySample& sample, double energy) {
   const std::size_t work = sample.state.size() - 1;
   const auto error = [&](std::size_t i) {
     const double x = sample.state[i];
     return energy_margin * tolerance_ * (1 + std::abs(x) + std::abs(x - last_.state[i]));
   };
-  allowed_ += energy_margin * std::numeric_limits<double>::epsilon() * energy_.scale();
-  if (system_.does_work()) allowed_ += error(work);
+  allowed_energy_error_ += energy_margin * std::numeric_limits<double>::epsilon() * energy_.scale();
+  if (system_.does_work()) allowed_energy_error_ += error(work);
   Numbers moved = sample.state;
   for (std::size_t i = 0; i < work; ++i) {
     moved[i] += error(i);
-    allowed_ += std::abs(system_.energy(moved.data(), system_.v_of(moved), sample.t) - energy);
+    allowed_energy_error_ +=
+        std::abs(system_.energy(moved.data(), system_.v_of(moved), sample.t) - energy);
     moved[i] = sample.state[i];
   }
   const double deviation = energy - energy_at_start_ - sample.state[work];
-  if (!(std::abs(deviation) > allowed_)) return;
+  if (!(std::abs(deviation) > allowed_energy_error_)) return;
   warnings_.push_back(
       {Code::E648,
        {},
        fmt::format("{} is {:.1e} at t = {:.6g}, beyond the {:.1e} that the tolerance of the steps "
                    "allows",
-                   energy_name(), deviation, sample.t, allowed_),
+                   energy_name(), deviation, sample.t, allowed_energy_error_),
        "check with a smaller `--tolerance`, or with a short `--step`"});
 }
 
-std::vector<double> Recorder::row(const TrajectorySample& sample, double energy) const {
+std::vector<double> Recorder::make_row(const TrajectorySample& sample, double energy) const {
   std::vector<double> values{sample.t};
   const double* const q = sample.state.data();
   const double* const v = system_.v_of(sample.state);
@@ -221,32 +224,33 @@ std::vector<double> Recorder::row(const TrajectorySample& sample, double energy)
   values.insert(values.end(), v, &sample.state.back());
   const std::vector<InputLaw>& laws = system_.laws();
   for (std::size_t k = 0; k < laws.size(); ++k) {
-    if (laws[k].value) values.push_back(sample.inputs[k]);
+    if (laws[k].expression) values.push_back(sample.inputs[k]);
   }
   const auto multipliers = system_.multipliers(q, v, sample.t, sample.inputs);
   values.insert(values.end(), multipliers.begin(), multipliers.end());
   for (const Point& point : system_.model().points) {
     if (point.name != options_.path) continue;
-    values.push_back(system_.value(point.at[0], q, v, sample.t));
-    values.push_back(system_.value(point.at[1], q, v, sample.t));
+    values.push_back(system_.value(point.position[0], q, v, sample.t));
+    values.push_back(system_.value(point.position[1], q, v, sample.t));
   }
   values.push_back(energy);
   return values;
 }
 
-void Recorder::add_momenta(const TrajectorySample& sample, double part) {
+void Recorder::update_momentum_drifts(const TrajectorySample& sample, double part) {
   const double* const q = sample.state.data();
   const double* const v = system_.v_of(sample.state);
-  system_.momentum(q, v, sample.t, momenta_.data());
+  system_.find_momentum(q, v, sample.t, momenta_.data());
   const Numbers& scales = system_.momentum_scales(q, v, sample.t);
   for (std::size_t i = 0; i < momentum_drifts_.size(); ++i) {
-    const std::uint32_t place = system_.cyclic()[i];
-    momentum_drifts_[i].add(part, sample.after, momenta_[place] - momenta_at_start_[place],
+    const std::uint32_t place = system_.cyclic_velocities()[i];
+    momentum_drifts_[i].add(part, sample.time_since_last,
+                            momenta_[place] - momenta_at_start_[place],
                             std::max(std::abs(momenta_[place]), scales[place]));
   }
 }
 
-void Recorder::add_conserved(const TrajectorySample& sample) {
+void Recorder::update_conserved_drifts(const TrajectorySample& sample) {
   const Numbers& values =
       system_.conserved_values(sample.state.data(), system_.v_of(sample.state), sample.t);
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -255,9 +259,9 @@ void Recorder::add_conserved(const TrajectorySample& sample) {
   }
 }
 
-void Recorder::add_offset(const TrajectorySample& sample) {
-  const ConstraintOffset offset =
-      system_.offset(sample.state.data(), system_.v_of(sample.state), sample.t);
+void Recorder::update_constraint_offset(const TrajectorySample& sample) {
+  const ConstraintViolation offset =
+      system_.constraint_offset(sample.state.data(), system_.v_of(sample.state), sample.t);
   offset_.position = std::max(offset_.position, offset.position);
   offset_.rate = std::max(offset_.rate, offset.rate);
 }

@@ -48,7 +48,7 @@ class DriftMeter {
 /// A state (q, v, work) of a run, and the inputs at this state.
 struct TrajectorySample {
   double t = 0;
-  double after = 0;  ///< time since the previous sample
+  double time_since_last = 0;  ///< time since the previous sample
   bool is_row = false;
   Numbers state = {};
   Numbers inputs = {};
@@ -56,48 +56,49 @@ struct TrajectorySample {
 
 class Recorder {
  public:
-  Recorder(System& system, const SimulationOptions& options, const TrajectorySample& start);
+  Recorder(SimulatedSystem& system, const SimulationOptions& options,
+           const TrajectorySample& start);
 
   /// Adds a sample. E624 if a number is not finite; the error names the last finite state.
-  [[nodiscard]] Diagnostics add(const TrajectorySample& sample);
+  [[nodiscard]] Diagnostics add_sample(const TrajectorySample& sample);
 
   /// E624 at the last sample: `why` the run ends, then the additional observation `besides`; the
   /// hint is `remedy`.
-  [[nodiscard]] Diagnostic end_diagnostic(std::string_view why, std::string_view besides,
-                                          std::string_view remedy) const;
+  [[nodiscard]] Diagnostic run_end_error(std::string_view why, std::string_view besides,
+                                         std::string_view remedy) const;
 
   /// Moves the rows and drifts into `trajectory`. Returns the warnings E648: with adapted steps, if
-  /// |E - E0 - work| exceeds `allowed_`; with steps of one length, if E - E0 - work or an entry of
-  /// `conserved` drifts by more than 1 % of its scale.
-  Diagnostics finish(Trajectory& trajectory) &&;
+  /// |E - E0 - work| exceeds `allowed_energy_error_`; with steps of one length, if E - E0 - work or
+  /// an entry of `conserved` drifts by more than 1 % of its scale.
+  Diagnostics move_results(Trajectory& trajectory) &&;
 
  private:
   /// The numbers of a row. Multipliers belong to sample.inputs; the system may hold later inputs.
-  [[nodiscard]] std::vector<double> row(const TrajectorySample& sample, double energy) const;
+  [[nodiscard]] std::vector<double> make_row(const TrajectorySample& sample, double energy) const;
   [[nodiscard]] std::string_view energy_name() const;
   void check_energy_step(const TrajectorySample& sample, double energy);
-  void add_momenta(const TrajectorySample& sample, double part);
-  void add_conserved(const TrajectorySample& sample);
-  void add_offset(const TrajectorySample& sample);
+  void update_momentum_drifts(const TrajectorySample& sample, double part);
+  void update_conserved_drifts(const TrajectorySample& sample);
+  void update_constraint_offset(const TrajectorySample& sample);
   /// max |T| + (max V - min V) so far; if only L is known, max (|v.p| + |L|).
   [[nodiscard]] double energy_scale() const;
   void check_energy_drift(Trajectory& trajectory);
   void check_conserved_drift(const std::vector<ConservedDrift>& conserved);
   [[nodiscard]] Numbers conserved_scales(const TrajectorySample& sample) const;
 
-  System& system_;
+  SimulatedSystem& system_;
   const SimulationOptions& options_;
   double energy_at_start_ = 0;
   Numbers momenta_at_start_;
   Numbers momenta_;
   std::vector<ConservedDrift> conserved_;
-  ConstraintOffset offset_ = {};
+  ConstraintViolation offset_ = {};
   DriftMeter energy_ = {};
   double largest_kinetic_ = 0;
   double lowest_potential_ = std::numeric_limits<double>::infinity();
   double highest_potential_ = -std::numeric_limits<double>::infinity();
-  double tolerance_ = 0;  ///< of adapted steps; 0 for steps of one length
-  double allowed_ = 0;    ///< largest |E - E0 - work| within the tolerance of the steps
+  double tolerance_ = 0;             ///< of adapted steps; 0 for steps of one length
+  double allowed_energy_error_ = 0;  ///< largest |E - E0 - work| within the tolerance of the steps
   Diagnostics warnings_ = {};
   std::vector<DriftMeter> momentum_drifts_;
   std::vector<std::vector<double>> rows_ = {};

@@ -1,4 +1,4 @@
-// reference_run: integrates the same equations twice, in double and in long double, by
+// run_reference: integrates the same equations twice, in double and in long double, by
 // Boost.odeint's Fehlberg method with steps adapted to its error estimate. The uncertainty of the
 // reference is the distance of both final states. Hairer, Norsett, Wanner, Solving Ordinary
 // Differential Equations I, 2nd ed., sec. II.10.
@@ -29,33 +29,34 @@ class ReferenceSystem {
   using Values = std::vector<Scalar>;
 
   /// `system` evaluates the laws of inputs, in double.
-  ReferenceSystem(System& system, const CheckedModel& checked, const Program& program)
+  ReferenceSystem(SimulatedSystem& system, const CheckedModel& checked, const Program& program)
       : system_(system),
         program_(program),
         rounded_(program),
         ranks_(system, "measure a run that ends earlier, or starts elsewhere"),
-        at_(arguments_at<Scalar>(nominal_state(checked.model, checked.scene))) {}
+        arguments_(arguments_at<Scalar>(nominal_state(checked.model, checked.scene))) {}
 
   [[nodiscard]] Values start() {
     Values state = stated_start<Scalar>(system_.model());
-    restore(state, 0);
+    project_state(state, 0);
     return state;
   }
 
   void find_rates(const Values& state, Values& rates, Scalar t) {
     set_state(state);
-    at_.t = t;
+    arguments_.t = t;
     if (!system_.model().inputs.empty()) {
       const Numbers seen(state.begin(), state.end());
-      const Numbers& u = system_.inputs(seen.data(), system_.v_of(seen), static_cast<double>(t));
-      at_.u.assign(u.begin(), u.end());
+      const Numbers& u =
+          system_.update_inputs(seen.data(), system_.v_of(seen), static_cast<double>(t));
+      arguments_.u.assign(u.begin(), u.end());
     }
     const Function* const turning = find_function(program_, OutputKind::coordinate_rates);
-    const Values of_q = turning == nullptr ? at_.v : rounded_.values_of(*turning, at_);
+    const Values of_q = turning == nullptr ? arguments_.v : rounded_.evaluate(*turning, arguments_);
     const Function& dynamics = *find_function(program_, OutputKind::forward_dynamics);
-    const Values of_v = rounded_.values_of(dynamics, at_);
+    const Values of_v = rounded_.evaluate(dynamics, arguments_);
     const auto middle = std::copy(of_q.begin(), of_q.end(), rates.begin());
-    std::copy_n(of_v.data() + first_entry_of(dynamics, "acceleration"), system_.velocities(),
+    std::copy_n(of_v.data() + first_entry_of(dynamics, "acceleration"), system_.velocity_count(),
                 middle);
   }
 
@@ -65,37 +66,37 @@ class ReferenceSystem {
   }
 
   /// Normalises quaternions, and projects onto the constraints if the model has any.
-  void restore(Values& state, Scalar t) {
+  void project_state(Values& state, Scalar t) {
     const bool is_projected = !system_.model().constraints.empty();
     const Function* const restored =
         find_function(program_, is_projected ? OutputKind::projected : OutputKind::normalized);
     if (restored == nullptr) return;
     set_state(state);
-    at_.t = t;
-    std::ranges::copy(rounded_.values_of(*restored, at_), state.begin());
+    arguments_.t = t;
+    std::ranges::copy(rounded_.evaluate(*restored, arguments_), state.begin());
   }
 
  private:
   void set_state(const Values& state) {
-    const auto middle = state.begin() + static_cast<std::ptrdiff_t>(system_.positions());
-    at_.q.assign(state.begin(), middle);
-    at_.v.assign(middle, state.end());
+    const auto middle = state.begin() + static_cast<std::ptrdiff_t>(system_.position_count());
+    arguments_.q.assign(state.begin(), middle);
+    arguments_.v.assign(middle, state.end());
   }
 
-  System& system_;
+  SimulatedSystem& system_;
   const Program& program_;
   RoundedProgram<Scalar> rounded_;
   RankWatch ranks_;
-  Arguments<Scalar> at_;
+  Arguments<Scalar> arguments_;
 };
 
-struct ReferenceEnd {
+struct ReferenceResult {
   std::vector<double> last = {};
   std::vector<double> largest = {};
 };
 
 template <class Values>
-bool record_state(const Values& state, ReferenceEnd& end) {
+bool record_state(const Values& state, ReferenceResult& end) {
   end.last.assign(state.begin(), state.end());
   end.largest.resize(end.last.size());
   for (std::size_t i = 0; i < end.last.size(); ++i) {
@@ -107,7 +108,7 @@ bool record_state(const Values& state, ReferenceEnd& end) {
 /// The final state of a run, and the largest magnitude of each number along the run. E624 if the
 /// run does not reach its end, or if M or A loses its rank.
 template <class Scalar>
-Result<ReferenceEnd> integrate(Scalar tolerance, Scalar time, ReferenceSystem<Scalar> system) {
+Result<ReferenceResult> integrate(Scalar tolerance, Scalar time, ReferenceSystem<Scalar> system) {
   using Values = std::vector<Scalar>;
   auto steps = odeint::make_controlled(tolerance, tolerance,
                                        odeint::runge_kutta_fehlberg78<Values, Scalar>());
@@ -116,7 +117,7 @@ Result<ReferenceEnd> integrate(Scalar tolerance, Scalar time, ReferenceSystem<Sc
   };
   const Scalar shortest = 4 * std::numeric_limits<Scalar>::epsilon() * time;
   Values state = system.start();
-  ReferenceEnd end;
+  ReferenceResult end;
   bool goes_on = record_state(state, end);
   Diagnostics lost = system.check_ranks(state, 0);
   Scalar t = 0;
@@ -129,7 +130,7 @@ Result<ReferenceEnd> integrate(Scalar tolerance, Scalar time, ReferenceSystem<Sc
     length = is_made && is_last ? std::max(length, h) : h;
     if (!is_made) continue;
     if (is_last) t = time;
-    system.restore(state, t);
+    system.project_state(state, t);
     goes_on = record_state(state, end);
     if (goes_on) lost = system.check_ranks(state, t);
   }
@@ -141,17 +142,17 @@ Result<ReferenceEnd> integrate(Scalar tolerance, Scalar time, ReferenceSystem<Sc
 
 }  // namespace
 
-Result<ReferenceRun> reference_run(const CheckedModel& checked, const Program& program,
+Result<ReferenceRun> run_reference(const CheckedModel& checked, const Program& program,
                                    double time) {
-  const Result<CheckedModel> assembled = assemble_model(checked, 0);
+  const Result<CheckedModel> assembled = assemble_start(checked, 0);
   if (!assembled) return assembled.diagnostics;
-  System system(*assembled, program, nullptr);
-  Diagnostics refused = refuse_start(system, system.start(), 0);
+  SimulatedSystem system(*assembled, program, nullptr);
+  Diagnostics refused = check_singular_start(system, system.start_state(), 0);
   if (!refused.empty()) return refused;
-  const Result<ReferenceEnd> rougher =
+  const Result<ReferenceResult> rougher =
       integrate<double>(1e-12, time, ReferenceSystem<double>(system, *assembled, program));
   if (!rougher) return rougher.diagnostics;
-  const Result<ReferenceEnd> finer = integrate<long double>(
+  const Result<ReferenceResult> finer = integrate<long double>(
       1e-15L, time, ReferenceSystem<long double>(system, *assembled, program));
   if (!finer) return finer.diagnostics;
   return ReferenceRun{finer->last, rougher->last, finer->largest};

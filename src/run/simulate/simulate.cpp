@@ -51,15 +51,15 @@ class Instants {
   std::uint64_t passed_ = 0;
 };
 
-class Run {
+class SimulationRun {
  public:
-  Run(System& system, Stepper& stepper, const SimulationOptions& options)
+  SimulationRun(SimulatedSystem& system, Stepper& stepper, const SimulationOptions& options)
       : system_(system),
         stepper_(stepper),
         options_(options),
-        end_(options.from + options.time),
-        rows_(options.from, end_, options.every),
-        holds_(options.from, end_, options.hold),
+        end_(options.from + options.duration),
+        row_instants_(options.from, end_, options.row_interval),
+        hold_instants_(options.from, end_, options.input_hold_time),
         current_(first_sample(system, options)),
         recorder_(system, options, current_),
         ranks_(system, singular_remedy) {
@@ -67,91 +67,93 @@ class Run {
   }
 
   Result<Trajectory> operator()() && {
-    Diagnostics wrong = record(current_);
+    Diagnostics wrong = record_sample(current_);
     if (!wrong.empty()) return wrong;
-    resume();
+    restart_clock();
     while (wrong.empty() && current_.t < end_) wrong = advance();
     if (!wrong.empty()) return wrong;
     Trajectory trajectory;
     trajectory.steps = steps_;
     trajectory.nanoseconds = elapsed_.count() * 1e9 / static_cast<double>(steps_);
-    Diagnostics warnings = std::move(recorder_).finish(trajectory);
+    Diagnostics warnings = std::move(recorder_).move_results(trajectory);
     return {std::move(trajectory), std::move(warnings)};
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  static TrajectorySample first_sample(System& system, const SimulationOptions& options) {
-    TrajectorySample start{options.from, 0, options.every.has_value(), system.start(), {}};
+  static TrajectorySample first_sample(SimulatedSystem& system, const SimulationOptions& options) {
+    TrajectorySample start{
+        options.from, 0, options.row_interval.has_value(), system.start_state(), {}};
     const double* const q = start.state.data();
-    if (options.hold) system.hold(q, system.v_of(start.state), start.t);
-    start.inputs = system.inputs(q, system.v_of(start.state), start.t);
+    if (options.input_hold_time) system.hold_inputs(q, system.v_of(start.state), start.t);
+    start.inputs = system.update_inputs(q, system.v_of(start.state), start.t);
     return start;
   }
 
   /// Steps to the next row or hold. Records all samples before the inputs change.
   Diagnostics advance() {
-    const double row = rows_.next();
-    const double hold = holds_.next();
+    const double row = row_instants_.next();
+    const double hold = hold_instants_.next();
     const double target = std::min(row, hold);
     stepper_.set_interval(current_.t, target);
     while (current_.t < target) {
       const std::optional<double> reached = stepper_.step(current_.state);
       if (!reached) {
-        Diagnostics wrong = flush();
+        Diagnostics wrong = record_block();
         if (!wrong.empty()) return wrong;
-        return {recorder_.end_diagnostic(stepper_.obstacle(), ranks_.weakest_pivot_text(),
-                                         stepper_.remedy())};
+        return {recorder_.run_end_error(stepper_.failure_reason(), ranks_.weakest_pivot_text(),
+                                        stepper_.failure_hint())};
       }
       ++steps_;
-      current_.after = *reached - current_.t;
+      current_.time_since_last = *reached - current_.t;
       current_.t = *reached;
-      current_.is_row = options_.every && current_.t >= row;
+      current_.is_row = options_.row_interval && current_.t >= row;
       block_.push_back(current_);
       if (block_.size() < block_size && current_.t < target) continue;
-      if (Diagnostics wrong = flush(); !wrong.empty()) return wrong;
+      if (Diagnostics wrong = record_block(); !wrong.empty()) return wrong;
       if (options_.on_progress) options_.on_progress(current_.t);
     }
-    if (row <= target) rows_.pass();
+    if (row <= target) row_instants_.pass();
     if (hold <= target) renew_hold();
     return {};
   }
 
   void renew_hold() {
-    holds_.pass();
-    if (!options_.hold) return;
-    system_.hold(current_.state.data(), system_.v_of(current_.state), current_.t);
+    hold_instants_.pass();
+    if (!options_.input_hold_time) return;
+    system_.hold_inputs(current_.state.data(), system_.v_of(current_.state), current_.t);
   }
 
   /// Records the samples of the block. `elapsed_` excludes the time of the recording.
-  Diagnostics flush() {
+  Diagnostics record_block() {
     elapsed_ += Clock::now() - resumed_;
     Diagnostics wrong;
     for (TrajectorySample& sample : block_) {
-      sample.inputs = system_.inputs(sample.state.data(), system_.v_of(sample.state), sample.t);
-      wrong = record(sample);
+      sample.inputs =
+          system_.update_inputs(sample.state.data(), system_.v_of(sample.state), sample.t);
+      wrong = record_sample(sample);
       if (!wrong.empty()) break;
     }
     block_.clear();
-    resume();
+    restart_clock();
     return wrong;
   }
 
-  Diagnostics record(const TrajectorySample& sample) {
-    Diagnostics wrong = recorder_.add(sample);
-    if (!wrong.empty() || options_.through_singular) return wrong;
+  Diagnostics record_sample(const TrajectorySample& sample) {
+    Diagnostics wrong = recorder_.add_sample(sample);
+    if (!wrong.empty() || options_.continues_at_singularity) return wrong;
     return ranks_.check_ranks(sample.state, sample.t);
   }
 
-  void resume() { resumed_ = Clock::now(); }
+  void restart_clock() { resumed_ = Clock::now(); }
 
-  System& system_;
+  SimulatedSystem& system_;
   Stepper& stepper_;
   const SimulationOptions& options_;
   double end_;
-  Instants rows_;
-  Instants holds_;
+  Instants row_instants_;
+  Instants hold_instants_;
   TrajectorySample current_;
   Recorder recorder_;
   RankWatch ranks_;
@@ -162,7 +164,8 @@ class Run {
 };
 
 /// The columns of a run, with x and y of `point` if it is not empty.
-std::vector<TrajectoryColumn> columns_of(const System& system, const std::string& point) {
+std::vector<TrajectoryColumn> trajectory_columns(const SimulatedSystem& system,
+                                                 const std::string& point) {
   const Model& model = system.model();
   std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
   const auto name = [&](Opcode kind, std::size_t i) {
@@ -182,10 +185,10 @@ std::vector<TrajectoryColumn> columns_of(const System& system, const std::string
   }
   for (std::size_t k = 0; k < model.inputs.size(); ++k) {
     const Input& input = model.inputs[k];
-    if (system.laws()[k].value) columns.push_back({input.name, input.unit_text, input.name});
+    if (system.laws()[k].expression) columns.push_back({input.name, input.unit_text, input.name});
   }
   for (std::size_t k = 0; k < model.constraints.size(); ++k) {
-    const EntryPlace place{OutputKind::forward_dynamics, "multipliers", k, 0};
+    const FieldEntry place{OutputKind::forward_dynamics, "multipliers", k, 0};
     const bool is_number = unit_of_entry(model, place) == Unit{};
     columns.push_back({"lambda_" + model.constraints[k].name,
                        is_number ? "" : unit_text_of_entry(model, place), ""});
@@ -201,8 +204,8 @@ std::vector<TrajectoryColumn> columns_of(const System& system, const std::string
 }
 
 /// E201, with a similar known name as suggestion, or the list of known names.
-Diagnostic unknown_name(std::string_view kind, const std::string& name,
-                        const std::vector<std::string>& known) {
+Diagnostic unknown_name_error(std::string_view kind, const std::string& name,
+                              const std::vector<std::string>& known) {
   const std::string all =
       known.empty() ? "there are none" : fmt::format("there are: {}", fmt::join(known, ", "));
   return {Reason::unknown_column,
@@ -215,18 +218,19 @@ Diagnostic unknown_name(std::string_view kind, const std::string& name,
 Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
                           std::vector<TrajectoryColumn>& columns) {
   Diagnostics wrong;
-  for (const std::string& each : options.show) {
-    const std::string name = one_line(each);
+  for (const std::string& each : options.panel_columns) {
+    const std::string name = collapse_blanks(each);
     const auto found = std::ranges::find(columns, name, &TrajectoryColumn::name);
     if (found == columns.end()) {
-      wrong.push_back(unknown_name("column", name, column_words(columns, &TrajectoryColumn::name)));
+      wrong.push_back(
+          unknown_name_error("column", name, column_words(columns, &TrajectoryColumn::name)));
     } else if (found->panel.empty()) {
       found->panel = name;
     }
   }
   const std::vector<std::string> points = column_words(model.points, &Point::name);
   if (!options.path.empty() && std::ranges::count(points, options.path) == 0) {
-    wrong.push_back(unknown_name("point", options.path, points));
+    wrong.push_back(unknown_name_error("point", options.path, points));
   }
   return wrong;
 }
@@ -235,7 +239,7 @@ Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
 /// unknown or 1.
 std::string common_unit(const Model& model, std::string_view field, Extent rows) {
   std::vector<std::optional<Unit>> units;
-  for (std::size_t row = 0; row < extent_of(model, rows); ++row) {
+  for (std::size_t row = 0; row < extent_size(model, rows); ++row) {
     units.push_back(unit_of_entry(model, {OutputKind::constraint_residual, field, row, 0}));
   }
   const auto other = std::ranges::find_if(
@@ -245,34 +249,34 @@ std::string common_unit(const Model& model, std::string_view field, Extent rows)
 }
 
 /// The corrections of q and v that are visible in printed numbers. `columns`: t, q, v, ...
-std::vector<StartCorrection> start_moves(const Model& model, const Model& assembled,
-                                         const std::vector<TrajectoryColumn>& columns) {
+std::vector<StartCorrection> start_corrections(const Model& model, const Model& assembled,
+                                               const std::vector<TrajectoryColumn>& columns) {
   const Numbers from = stated_start(model);
   const Numbers to = stated_start(assembled);
   std::vector<StartCorrection> moves;
   for (std::size_t i = 0; i < from.size(); ++i) {
-    if (!is_visible_move(from[i], to[i])) continue;
+    if (!is_visible_change(from[i], to[i])) continue;
     moves.push_back({columns[i + 1].name, columns[i + 1].unit, to[i] - from[i]});
   }
   return moves;
 }
 
 void add_units(ConstraintAccuracy& kept, const Model& model) {
-  const bool has_positions = extent_of(model, Extent::positions) > 0;
+  const bool has_positions = extent_size(model, Extent::positions) > 0;
   if (has_positions) kept.unit = common_unit(model, "position", Extent::positions);
   kept.rate_unit = common_unit(model, "rate", Extent::constraints);
 }
 
 /// E518 for each constant law beyond the limits of its input. The run applies such a law without
 /// clamping.
-Diagnostics laws_beyond_limits(System& system, double t) {
+Diagnostics check_law_limits(SimulatedSystem& system, double t) {
   Diagnostics found;
   const Model& model = system.model();
-  const Numbers start = system.start();
+  const Numbers start = system.start_state();
   for (std::size_t k = 0; k < model.inputs.size(); ++k) {
     const Input& input = model.inputs[k];
-    const std::optional<ExpressionId>& law = system.laws()[k].value;
-    if (!input.limits || !law || !is_one_number(model, *law)) continue;
+    const std::optional<ExpressionId>& law = system.laws()[k].expression;
+    if (!input.limits || !law || !is_constant_along_run(model, *law)) continue;
     const double value = system.value(*law, start.data(), system.v_of(start), t);
     const auto low = to_double(input.limits->low);
     const auto high = to_double(input.limits->high);
@@ -298,7 +302,7 @@ std::string common_outputs(const Model& model) {
 
 std::string outputs_of_page(const CheckedModel& checked) {
   std::string names = common_outputs(checked.model);
-  for (const auto& [number, shown] : checked.scene.shown) {
+  for (const auto& [number, shown] : checked.scene.page_outputs) {
     names += "," + checked.model.outputs[number].name;
   }
   return names;
@@ -306,14 +310,14 @@ std::string outputs_of_page(const CheckedModel& checked) {
 
 }  // namespace
 
-std::string outputs_of_run(const Model& model) {
+std::string outputs_for_run(const Model& model) {
   std::string names = common_outputs(model) + ",position_gradient";
-  if (!has_whole_lagrangian(model)) names += ",kinetic_energy,total_energy";
+  if (!has_combined_lagrangian(model)) names += ",kinetic_energy,total_energy";
   return names;
 }
 
 /// The products for a run. The pipeline runs twice: the checked model determines the outputs.
-Products derive_for_run(const Inputs& inputs, PipelineOptions options,
+Products derive_for_run(const PipelineSources& inputs, PipelineOptions options,
                         const std::optional<StepSpec>& step) {
   PipelineOptions first = options;
   first.goals = {Goal::check};
@@ -321,7 +325,7 @@ Products derive_for_run(const Inputs& inputs, PipelineOptions options,
   if (!checked.checked) return checked;
   const bool is_page = options.scene.purpose.shows_motion;
   const std::string outputs =
-      is_page ? outputs_of_page(*checked.checked) : outputs_of_run(checked.checked->model);
+      is_page ? outputs_of_page(*checked.checked) : outputs_for_run(checked.checked->model);
   options.scene.outputs = {make_source("outputs of a run", outputs)};
   options.scene.step = step;
   Products products = run_pipeline(inputs, options);
@@ -329,8 +333,8 @@ Products derive_for_run(const Inputs& inputs, PipelineOptions options,
   Scene& scene = products.checked->scene;
   scene.emission = {.language = is_page ? LanguageId::javascript : default_language,
                     .name_space = scene.emission.name_space,
-                    .batch = step && !is_page,
-                    .page = false};
+                    .has_batch_header = step && !is_page,
+                    .has_page = false};
   scene.numerics = {};
   return products;
 }
@@ -348,15 +352,15 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   if (!method) return method.diagnostics;
   const Result<StepRule> rule = step_rule(*method, options);
   if (!rule) return rule.diagnostics;
-  const Result<CheckedModel> assembled = assemble_model(checked, exact_value(options.from));
+  const Result<CheckedModel> assembled = assemble_start(checked, exact_value(options.from));
   if (!assembled) return assembled.diagnostics;
-  System system(*assembled, program, compiled, options.project);
-  std::vector<TrajectoryColumn> columns = columns_of(system, options.path);
+  SimulatedSystem system(*assembled, program, compiled, options.projects);
+  std::vector<TrajectoryColumn> columns = trajectory_columns(system, options.path);
   Diagnostics refused = choose_curves(options, checked.model, columns);
-  if (refused.empty()) refused = refuse_start(system, system.start(), options.from);
+  if (refused.empty()) refused = check_singular_start(system, system.start_state(), options.from);
   if (!refused.empty()) return refused;
-  const std::unique_ptr<Stepper> stepper = method->make(system, *rule);
-  Result<Trajectory> trajectory = Run(system, *stepper, options)();
+  const std::unique_ptr<Stepper> stepper = method->make_stepper(system, *rule);
+  Result<Trajectory> trajectory = SimulationRun(system, *stepper, options)();
   if (!trajectory) return trajectory;
   trajectory->model = checked.scene.base_name;
   trajectory->method = method->name;
@@ -371,10 +375,10 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   trajectory->path = options.path;
   if (trajectory->constraints) {
     trajectory->constraints->start =
-        start_moves(checked.model, assembled->model, trajectory->columns);
+        start_corrections(checked.model, assembled->model, trajectory->columns);
     add_units(*trajectory->constraints, checked.model);
   }
-  const Diagnostics beyond = laws_beyond_limits(system, options.from);
+  const Diagnostics beyond = check_law_limits(system, options.from);
   trajectory.diagnostics.insert(trajectory.diagnostics.end(), beyond.begin(), beyond.end());
   return trajectory;
 }

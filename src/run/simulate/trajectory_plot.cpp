@@ -14,29 +14,29 @@
 namespace elgen {
 namespace {
 
-constexpr double left = 92;
+constexpr double left_margin = 92;
 constexpr double panel_width = 620;
 constexpr double panel_height = 110;
 constexpr double panel_distance = 138;
-constexpr double top = 60;
-constexpr double bottom = 46;
-constexpr double right = 20;
+constexpr double top_margin = 60;
+constexpr double bottom_margin = 46;
+constexpr double right_margin = 20;
 
 /// A curve smaller than this fraction of its scale shows rounding errors, not the motion. The scale
 /// of E is |T| + |V|: each product in E is rounded to 1.1e-16 of |T| + |V|, and a run adds up some
 /// hundred errors. The scale of a coordinate is the largest coordinate of the same unit: a
 /// coordinate that should be 0 is a difference of coordinates of this size.
-constexpr double rounding = 1e-13;
+constexpr double rounding_fraction = 1e-13;
 
 /// Steps are accurate to 1e-9 of each number, so a smaller relative change shows no motion.
 constexpr double smallest_change = 1e-9;
 
-struct LineKind {
+struct LineStyle {
   const char* name;
   const char* dashes;
 };
-constexpr std::array line_kinds{LineKind{"solid", "none"}, LineKind{"dashed", "9 4"},
-                                LineKind{"dotted", "2 3"}, LineKind{"dash-dotted", "9 3 2 3"}};
+constexpr std::array line_styles{LineStyle{"solid", "none"}, LineStyle{"dashed", "9 4"},
+                                 LineStyle{"dotted", "2 3"}, LineStyle{"dash-dotted", "9 3 2 3"}};
 
 /// 1, 2 or 5 times a power of ten; with this distance an axis has three to seven ticks.
 double tick_distance(const ChartAxis& axis) {
@@ -75,12 +75,14 @@ struct PlotSpan {
   double high = -INFINITY;
 
   [[nodiscard]] double width() const { return high - low; }
-  [[nodiscard]] double size() const { return std::max(std::abs(low), std::abs(high)); }
+  [[nodiscard]] double largest_magnitude() const { return std::max(std::abs(low), std::abs(high)); }
   /// The margin beyond both ends. If the numbers change by noise only, the margin is much larger
   /// than the changes, so that the line looks flat.
   [[nodiscard]] double margin(double noise) const {
-    if (size() <= noise) return noise > 0 ? 10 * noise : 1;
-    return width() > std::max(smallest_change * size(), noise) ? width() / 25 : size() / 10;
+    if (largest_magnitude() <= noise) return noise > 0 ? 10 * noise : 1;
+    return width() > std::max(smallest_change * largest_magnitude(), noise)
+               ? width() / 25
+               : largest_magnitude() / 10;
   }
 };
 
@@ -99,10 +101,10 @@ class TrajectoryPlot {
     for (std::size_t i = 1; i < trajectory.columns.size(); ++i) add_column(i);
   }
 
-  [[nodiscard]] std::string text() const {
+  [[nodiscard]] std::string panels_svg() const {
     const double panels = panel_distance * static_cast<double>(panels_.size());
-    std::string svg = start(panels - panel_distance + panel_height);
-    Chart chart{left, top, panel_width, panel_height, time_};
+    std::string svg = svg_heading(panels - panel_distance + panel_height);
+    Chart chart{left_margin, top_margin, panel_width, panel_height, time_};
     for (const PlotPanel& panel : panels_) {
       if (&panel == &panels_.back()) chart.x.title = "t [s]";
       chart.y = axis_of(panel);
@@ -113,7 +115,7 @@ class TrajectoryPlot {
   }
 
   /// The path of the point in x and y. Both axes have the same length and are centred on the path.
-  [[nodiscard]] std::string path_text() const {
+  [[nodiscard]] std::string path_svg() const {
     const std::size_t column = trajectory_.columns.size() - 3;
     const PlotPanel upwards = panel_of(column + 1);
     const PlotSpan x = span_of(panel_of(column));
@@ -124,20 +126,20 @@ class TrajectoryPlot {
       const double middle = span.low + span.width() / 2;
       return axis_between(middle - reach, middle + reach, 0);
     };
-    Chart chart{left, top, panel_width, panel_width, about(x), about(y)};
-    chart.x.title = title(panel_of(column));
+    Chart chart{left_margin, top_margin, panel_width, panel_width, about(x), about(y)};
+    chart.x.title = panel_title(panel_of(column));
     const double start_x = chart.x_of(trajectory_.rows.front()[column]);
     const double start_y = chart.y_of(trajectory_.rows.front()[column + 1]);
-    return start(panel_width) + panel_svg(upwards, chart, column) +
+    return svg_heading(panel_width) + panel_svg(upwards, chart, column) +
            fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\"/>\n", start_x, start_y) +
            svg_label(start_x + 7, start_y - 7, "start", "start") + "</svg>\n";
   }
 
  private:
   /// The title; below it the model, the method and the number of steps.
-  [[nodiscard]] std::string start(double height) const {
+  [[nodiscard]] std::string svg_heading(double height) const {
     const bool has_title = !trajectory_.title.empty();
-    return svg_start(left + panel_width + right, top + height + bottom,
+    return svg_start(left_margin + panel_width + right_margin, top_margin + height + bottom_margin,
                      has_title ? trajectory_.title : trajectory_.model) +
            svg_label(14, 38, "start",
                      fmt::format("{} by {}: {} steps to t = {:.10g} s", trajectory_.model,
@@ -157,8 +159,8 @@ class TrajectoryPlot {
     panels_.back().columns.push_back(i);
   }
 
-  [[nodiscard]] double shown(const std::vector<double>& row, std::size_t column) const {
-    if (!trajectory_.columns[column].from_start) return row[column];
+  [[nodiscard]] double displayed_value(const std::vector<double>& row, std::size_t column) const {
+    if (!trajectory_.columns[column].is_relative_to_start) return row[column];
     const auto at = static_cast<std::size_t>(&row - trajectory_.rows.data());
     const double work = trajectory_.work.empty() ? 0 : trajectory_.work[at];
     return row[column] - trajectory_.rows.front()[column] - work;
@@ -170,69 +172,70 @@ class TrajectoryPlot {
     const double margin = span.margin(noise_of(first));
     // In a panel of differences from the start, only tick labels show the size, so they have one
     // more digit.
-    return axis_between(span.low - margin, span.high + margin, first.from_start ? 1 : 0);
+    return axis_between(span.low - margin, span.high + margin, first.is_relative_to_start ? 1 : 0);
   }
 
   [[nodiscard]] PlotSpan span_of(const PlotPanel& panel) const {
     PlotSpan span;
     for (const auto& row : trajectory_.rows) {
       for (const std::size_t column : panel.columns) {
-        span.low = std::min(span.low, shown(row, column));
-        span.high = std::max(span.high, shown(row, column));
+        span.low = std::min(span.low, displayed_value(row, column));
+        span.high = std::max(span.high, displayed_value(row, column));
       }
     }
     return span;
   }
 
   [[nodiscard]] double noise_of(const TrajectoryColumn& column) const {
-    if (column.from_start) return rounding * trajectory_.energy.scale;
+    if (column.is_relative_to_start) return rounding_fraction * trajectory_.energy.scale;
     double largest = 0;
     for (std::size_t i = 0; i < trajectory_.columns.size(); ++i) {
       const TrajectoryColumn& other = trajectory_.columns[i];
-      const bool has_same_unit = other.unit == column.unit && !other.from_start;
-      if (has_same_unit) largest = std::max(largest, span_of(panel_of(i)).size());
+      const bool has_same_unit = other.unit == column.unit && !other.is_relative_to_start;
+      if (has_same_unit) largest = std::max(largest, span_of(panel_of(i)).largest_magnitude());
     }
-    return rounding * largest;
+    return rounding_fraction * largest;
   }
 
   /// The title of a panel: "theta [rad]", "e: e_w solid, e_x dashed, …".
-  [[nodiscard]] std::string title(const PlotPanel& panel) const {
+  [[nodiscard]] std::string panel_title(const PlotPanel& panel) const {
     std::string text = panel.name + (panel.unit.empty() ? "" : " [" + panel.unit + "]");
     if (panel.columns.size() == 1) return text;
     for (std::size_t k = 0; k < panel.columns.size(); ++k) {
       text += fmt::format("{} {} {}", k == 0 ? ":" : ",",
-                          trajectory_.columns[panel.columns[k]].name, kind_of(k).name);
+                          trajectory_.columns[panel.columns[k]].name, line_style(k).name);
     }
     return text;
   }
 
-  static const LineKind& kind_of(std::size_t k) { return line_kinds[k % line_kinds.size()]; }
+  static const LineStyle& line_style(std::size_t k) { return line_styles[k % line_styles.size()]; }
 
   [[nodiscard]] std::string panel_svg(const PlotPanel& panel, const Chart& chart,
                                       std::size_t x = 0) const {
-    std::string svg = svg_title(left, chart.top - 7, title(panel)) + chart.grid();
+    std::string svg = svg_title(left_margin, chart.top - 7, panel_title(panel)) + chart.grid();
     svg += fmt::format(
         "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#888\"/>\n",
-        left, chart.top, chart.width, chart.height);
+        left_margin, chart.top, chart.width, chart.height);
     for (std::size_t k = 0; k < panel.columns.size(); ++k) {
       svg += fmt::format(
           "<path d=\"{}\" fill=\"none\" stroke=\"black\" stroke-width=\"1.2\" "
           "stroke-dasharray=\"{}\"/>\n",
-          path(panel.columns[k], chart, x), kind_of(k).dashes);
+          curve_path(panel.columns[k], chart, x), line_style(k).dashes);
     }
     return svg;
   }
 
   /// The line of a column. At a jump of more than half a turn, an angle was wrapped, so the line is
   /// interrupted.
-  [[nodiscard]] std::string path(std::size_t column, const Chart& chart, std::size_t x) const {
+  [[nodiscard]] std::string curve_path(std::size_t column, const Chart& chart,
+                                       std::size_t x) const {
     const bool is_angle = trajectory_.columns[column].unit == "rad";
     std::string result;
     double before = trajectory_.rows.front()[column];
     for (const auto& row : trajectory_.rows) {
       const bool jumps = is_angle && std::abs(row[column] - before) > 3.15;
       result += fmt::format("{}{:.1f} {:.1f}", result.empty() || jumps ? "M" : "L",
-                            chart.x_of(row[x]), chart.y_of(shown(row, column)));
+                            chart.x_of(row[x]), chart.y_of(displayed_value(row, column)));
       before = row[column];
     }
     return result;
@@ -247,7 +250,7 @@ class TrajectoryPlot {
 
 std::string to_svg(const Trajectory& trajectory) {
   const TrajectoryPlot plot(trajectory);
-  return trajectory.path.empty() ? plot.text() : plot.path_text();
+  return trajectory.path.empty() ? plot.panels_svg() : plot.path_svg();
 }
 
 }  // namespace elgen

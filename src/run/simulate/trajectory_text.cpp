@@ -23,10 +23,10 @@ Json json_of(const Drift& drift) {
 }
 
 /// The unit after a space, " m"; "" if there is no unit.
-std::string unit_after(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
+std::string unit_suffix(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
 
 std::string conserved_line(const ConservedDrift& quantity) {
-  const std::string unit = unit_after(quantity.unit);
+  const std::string unit = unit_suffix(quantity.unit);
   return fmt::format("  {} = {:.10g}{} at the start, drift {:.3e}{}\n", quantity.text,
                      quantity.start, unit, quantity.drift, unit);
 }
@@ -38,10 +38,10 @@ Json json_of(const ConservedDrift& quantity) {
           {"drift", quantity.drift}};
 }
 
-std::string start_line(const std::vector<StartCorrection>& moves) {
+std::string start_corrections_line(const std::vector<StartCorrection>& moves) {
   std::vector<std::string> parts;
   for (const StartCorrection& move : moves) {
-    parts.push_back(fmt::format("{} by {:+.3e}{}", move.name, move.by, unit_after(move.unit)));
+    parts.push_back(fmt::format("{} by {:+.3e}{}", move.name, move.change, unit_suffix(move.unit)));
   }
   return parts.empty()
              ? ""
@@ -49,10 +49,10 @@ std::string start_line(const std::vector<StartCorrection>& moves) {
 }
 
 std::string constraints_line(const ConstraintAccuracy& kept) {
-  const std::string rate = fmt::format("{:.3e}{}", kept.largest.rate, unit_after(kept.rate_unit));
+  const std::string rate = fmt::format("{:.3e}{}", kept.largest.rate, unit_suffix(kept.rate_unit));
   if (!kept.unit) return fmt::format("  rates of the constraints: residual at most {}\n", rate);
   return fmt::format("  constraints: residual at most {:.3e}{}, of their rates {}\n",
-                     kept.largest.position, unit_after(*kept.unit), rate);
+                     kept.largest.position, unit_suffix(*kept.unit), rate);
 }
 
 Json json_of(const ConstraintAccuracy& kept) {
@@ -78,7 +78,7 @@ std::string to_text(const Trajectory& trajectory) {
   for (std::size_t i = 1; i < trajectory.columns.size(); ++i) {
     const TrajectoryColumn& column = trajectory.columns[i];
     text += fmt::format("  {:<{}} = {:.10g}{}\n", column.name, width, trajectory.last[i],
-                        unit_after(column.unit));
+                        unit_suffix(column.unit));
   }
   text += drift_line(trajectory.energy.name, trajectory.energy);
   for (const Drift& momentum : trajectory.momenta) {
@@ -86,7 +86,7 @@ std::string to_text(const Trajectory& trajectory) {
   }
   for (const ConservedDrift& quantity : trajectory.conserved) text += conserved_line(quantity);
   if (const auto& kept = trajectory.constraints) {
-    text += start_line(kept->start) + constraints_line(*kept);
+    text += start_corrections_line(kept->start) + constraints_line(*kept);
   }
   return text +
          fmt::format("  {:.0f} ns per step {}\n", trajectory.nanoseconds, trajectory.timed_code);

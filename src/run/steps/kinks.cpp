@@ -10,7 +10,7 @@ namespace {
 /// The only velocity in the expressions, if their other leaves are parameters; none otherwise.
 std::optional<std::size_t> only_rate(const Model& model, const std::vector<ExpressionId>& roots) {
   std::optional<std::size_t> rate;
-  for (const ExpressionId id : reachable_from(model, roots)) {
+  for (const ExpressionId id : reachable_expressions(model, roots)) {
     const Expression& node = model.expressions[id];
     if (node.kind == ExpressionKind::time_derivative) return std::nullopt;
     if (node.kind != ExpressionKind::leaf || is_leaf(node, Opcode::parameter)) continue;
@@ -22,21 +22,22 @@ std::optional<std::size_t> only_rate(const Model& model, const std::vector<Expre
 
 }  // namespace
 
-KinkWatch::KinkWatch(System& system) : system_(system) {
+KinkWatch::KinkWatch(SimulatedSystem& system) : system_(system) {
   const Model& model = system.model();
   std::vector<ExpressionId> of_laws;
   for (const InputLaw& law : system.laws()) {
-    if (law.value) of_laws.push_back(*law.value);
+    if (law.expression) of_laws.push_back(*law.expression);
   }
-  for (const ExpressionId id : reachable_from(model, roots_if(model, is_force))) add(id, false);
-  for (const ExpressionId id : reachable_from(model, of_laws)) add(id, true);
+  for (const ExpressionId id : reachable_expressions(model, filter_roots(model, is_force_value)))
+    add(id, false);
+  for (const ExpressionId id : reachable_expressions(model, of_laws)) add(id, true);
 }
 
 void KinkWatch::add(ExpressionId call, bool is_of_law) {
   const Model& model = system_.model();
   const Expression& node = model.expressions[call];
   if (node.kind != ExpressionKind::function || !is_kinked(node.function)) return;
-  if (is_one_number(model, call)) return;
+  if (is_constant_along_run(model, call)) return;
   Kink& kink = kinks_.emplace_back(Kink{call, is_of_law, only_rate(model, node.operands)});
   for (const ExpressionId argument : node.operands) {
     kink.arguments.push_back(system_.state_function(argument));

@@ -14,7 +14,7 @@ namespace elgen {
 class KinkWatch {
  public:
   /// Finds all kinks whose arguments change along a motion.
-  explicit KinkWatch(System& system);
+  explicit KinkWatch(SimulatedSystem& system);
 
   [[nodiscard]] bool empty() const { return kinks_.empty(); }
 
@@ -40,7 +40,7 @@ class KinkWatch {
 
   void add(ExpressionId call, bool is_of_law);
 
-  System& system_;
+  SimulatedSystem& system_;
   std::vector<Kink> kinks_ = {};
 };
 

@@ -15,15 +15,15 @@ namespace {
 
 /// The shortest adapted step, as a fraction of the run: 1e12 steps would take days. The tolerance
 /// requires shorter steps only near a state without an acceleration.
-constexpr double shortest_share = 1e-12;
+constexpr double min_step_fraction = 1e-12;
 
-Diagnostic impossible(std::string message, std::string hint = {}) {
+Diagnostic option_error(std::string message, std::string hint = {}) {
   return {Code::E621, {}, std::move(message), std::move(hint)};
 }
 
 /// The row of a method that runs the output `step`.
-constexpr MethodRow row_by_program(StepMethod method) {
-  const StepMethodRow& row = step_row(method);
+constexpr MethodRow step_program_row(StepMethod method) {
+  const StepMethodRow& row = step_method_row(method);
   return {row.name, row.order, StepKind::fixed, method, &make_step_program};
 }
 
@@ -31,9 +31,9 @@ constexpr MethodRow row_by_program(StepMethod method) {
 
 std::span<const MethodRow> method_table() {
   static constexpr std::array table{MethodRow{"rk4", 4, StepKind::fixed, {}, &make_rk4},
-                                    MethodRow{"dopri5", 5, StepKind::adapted, {}, &make_dopri5},
-                                    row_by_program(StepMethod::verlet),
-                                    row_by_program(StepMethod::midpoint)};
+                                    MethodRow{"dopri5", 5, StepKind::adaptive, {}, &make_dopri5},
+                                    step_program_row(StepMethod::verlet),
+                                    step_program_row(StepMethod::midpoint)};
   return table;
 }
 
@@ -64,35 +64,35 @@ Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& opt
     std::optional<double> value;
   };
   for (const auto& [option, value] :
-       std::array{Given{"time", options.time}, Given{"step", options.step},
-                  Given{"tolerance", options.tolerance}, Given{"every", options.every},
-                  Given{"hold", options.hold}}) {
+       std::array{Given{"time", options.duration}, Given{"step", options.step},
+                  Given{"tolerance", options.tolerance}, Given{"every", options.row_interval},
+                  Given{"hold", options.input_hold_time}}) {
     if (value && !(*value > 0 && std::isfinite(*value))) {
-      return impossible(fmt::format("`--{} {}` is not a positive number", option, *value));
+      return option_error(fmt::format("`--{} {}` is not a positive number", option, *value));
     }
   }
   if (!std::isfinite(options.from)) {
-    return impossible(fmt::format("`--from {}` is not a number", options.from));
+    return option_error(fmt::format("`--from {}` is not a number", options.from));
   }
   if (options.step && options.tolerance) {
-    return impossible("give `--step` or `--tolerance`, not both");
+    return option_error("give `--step` or `--tolerance`, not both");
   }
-  if (options.every && *options.every > options.time) {
-    return impossible(fmt::format("`--every {}` is longer than the whole run, `--time {}`",
-                                  *options.every, options.time));
+  if (options.row_interval && *options.row_interval > options.duration) {
+    return option_error(fmt::format("`--every {}` is longer than the whole run, `--time {}`",
+                                    *options.row_interval, options.duration));
   }
-  if (method.step == StepKind::fixed && options.tolerance) {
-    return impossible(fmt::format("`{}` does not choose its steps by a tolerance", method.name),
-                      "give `--step`, or use `dopri5`");
+  if (method.step_kind == StepKind::fixed && options.tolerance) {
+    return option_error(fmt::format("`{}` does not choose its steps by a tolerance", method.name),
+                        "give `--step`, or use `dopri5`");
   }
-  if (method.step == StepKind::fixed && !options.step) {
-    return impossible(fmt::format("`{}` needs a step", method.name), "give it `--step`");
+  if (method.step_kind == StepKind::fixed && !options.step) {
+    return option_error(fmt::format("`{}` needs a step", method.name), "give it `--step`");
   }
-  if (options.through_singular && !options.step) {
-    return impossible("`--through singular` needs fixed steps", "give it `--step`");
+  if (options.continues_at_singularity && !options.step) {
+    return option_error("`--through singular` needs fixed steps", "give it `--step`");
   }
   return StepRule{options.step, options.tolerance.value_or(default_tolerance),
-                  shortest_share * options.time};
+                  min_step_fraction * options.duration};
 }
 
 Diagnostics check_run_options(const SimulationOptions& options) {
@@ -100,11 +100,11 @@ Diagnostics check_run_options(const SimulationOptions& options) {
   return method ? step_rule(*method, options).diagnostics : method.diagnostics;
 }
 
-std::optional<StepSpec> step_of_run(const SimulationOptions& options) {
+std::optional<StepSpec> step_for_run(const SimulationOptions& options) {
   const Result<MethodRow> method = find_method(options);
-  if (!method || !method->program) return std::nullopt;
+  if (!method || !method->step_method) return std::nullopt;
   const std::uint32_t order = options.order.value_or(method->order);
-  return default_step(*method->program, order == method->order ? 0 : order);
+  return default_step(*method->step_method, order == method->order ? 0 : order);
 }
 
 }  // namespace elgen

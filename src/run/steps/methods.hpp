@@ -15,7 +15,7 @@
 
 namespace elgen {
 
-inline constexpr std::string_view usual_remedy =
+inline constexpr std::string_view default_hint =
     "check with a shorter step, or with a smaller tolerance";
 
 /// Steps from the beginning of an interval to its end.
@@ -34,17 +34,17 @@ class Stepper {
   [[nodiscard]] virtual std::optional<double> step(Numbers& state) = 0;
 
   /// Why step() returned none.
-  [[nodiscard]] virtual std::string_view obstacle() const = 0;
+  [[nodiscard]] virtual std::string_view failure_reason() const = 0;
 
   /// The hint of the error that reports obstacle().
-  [[nodiscard]] virtual std::string_view remedy() const { return usual_remedy; }
+  [[nodiscard]] virtual std::string_view failure_hint() const { return default_hint; }
 };
 
 /// Steps of equal length. Method: constructed from System&, with restart() and step(state, t, h).
 template <class Method>
-class FixedSteps final : public Stepper {
+class FixedStepper final : public Stepper {
  public:
-  FixedSteps(System& system, double longest) : method_(system), longest_(longest) {}
+  FixedStepper(SimulatedSystem& system, double longest) : method_(system), longest_(longest) {}
 
   void set_interval(double begin, double end) override {
     // A quotient that exceeds an integer only by rounding counts as the integer.
@@ -65,7 +65,7 @@ class FixedSteps final : public Stepper {
     return done_ == count_ ? end_ : begin_ + static_cast<double>(done_) * length_;
   }
 
-  [[nodiscard]] std::string_view obstacle() const override {
+  [[nodiscard]] std::string_view failure_reason() const override {
     return "the equations of the step are not solved";
   }
 
@@ -86,27 +86,28 @@ inline constexpr double default_tolerance = 1e-9;
 struct StepRule {
   std::optional<double> step = {};
   double tolerance = 0;
-  double shortest = 0;  ///< the shortest adapted step, in s
+  double shortest_step = 0;  ///< the shortest adapted step, in s
 };
 
 /// fixed: all steps have the length in the options. adapted: the tolerance determines each length,
 /// unless the options have a length.
-enum class StepKind : std::uint8_t { fixed, adapted };
+enum class StepKind : std::uint8_t { fixed, adaptive };
 
 struct MethodRow {
   std::string_view name;
   std::uint32_t order;  ///< of the method itself, without composition of steps
-  StepKind step;
-  std::optional<StepMethod> program;  ///< the `step` of the method; none if it integrates dv/dt
-  std::unique_ptr<Stepper> (*make)(System& system, const StepRule& rule);
+  StepKind step_kind;
+  std::optional<StepMethod> step_method;  ///< the `step` of the method; none if it integrates dv/dt
+  std::unique_ptr<Stepper> (*make_stepper)(SimulatedSystem& system, const StepRule& rule);
 };
 
 /// The methods that `--method` accepts.
 [[nodiscard]] std::span<const MethodRow> method_table();
 
-[[nodiscard]] std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule);
-[[nodiscard]] std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule);
-[[nodiscard]] std::unique_ptr<Stepper> make_step_program(System& system, const StepRule& rule);
+[[nodiscard]] std::unique_ptr<Stepper> make_rk4(SimulatedSystem& system, const StepRule& rule);
+[[nodiscard]] std::unique_ptr<Stepper> make_dopri5(SimulatedSystem& system, const StepRule& rule);
+[[nodiscard]] std::unique_ptr<Stepper> make_step_program(SimulatedSystem& system,
+                                                         const StepRule& rule);
 
 /// The row of options.method. E620 for an unknown method, with a suggestion; E647 for an unknown
 /// order.

@@ -20,10 +20,10 @@
 
 namespace elgen {
 
-class Pieces {
+class PiecewiseMotion {
  public:
   /// `tolerance`: the permitted error of a step.
-  Pieces(System& system, double tolerance)
+  PiecewiseMotion(SimulatedSystem& system, double tolerance)
       : system_(system), kinks_(system), tolerance_(tolerance) {}
 
   [[nodiscard]] bool has_kinks() const { return !kinks_.empty(); }
@@ -32,9 +32,9 @@ class Pieces {
   void find_rates(const Numbers& state, Numbers& rates, double t);
 
   /// True if find_rates() was called at a state beyond the end of the piece since the last
-  /// reset_left().
+  /// reset_left_piece().
   [[nodiscard]] bool has_left_piece() const { return has_left_piece_; }
-  void reset_left() { has_left_piece_ = false; }
+  void reset_left_piece() { has_left_piece_ = false; }
 
   /// Begins the next piece at `state`, a short step after `before`. Rates at a kink are held, or
   /// set slightly off the kink, on the side to which they accelerate.
@@ -53,28 +53,28 @@ class Pieces {
   };
   /// d(q, v, W)/dt with all held rates above their kinks, and its change if one of these rates is
   /// below instead.
-  struct Response {
-    Numbers above = {};
-    std::vector<Numbers> changes = {};
+  struct RateResponse {
+    Numbers rates_above = {};
+    std::vector<Numbers> rate_changes = {};
     Numbers accelerations = {};         ///< a_i(all above), by held rate
     Numbers acceleration_changes = {};  ///< n x n, row-major: a_i(k below) - a_i(all above)
   };
 
-  [[nodiscard]] Response response(const Numbers& state, double t,
-                                  const std::vector<HeldRate>& held) const;
+  [[nodiscard]] RateResponse rate_response(const Numbers& state, double t,
+                                           const std::vector<HeldRate>& held) const;
   /// A distance from the kink: large enough that rounding does not change the side, and so small
   /// that forces hardly change.
-  [[nodiscard]] double side_distance(double value) const;
+  [[nodiscard]] double kink_distance(double value) const;
   [[nodiscard]] bool is_held(std::size_t kink) const;
-  [[nodiscard]] double kink_rate(std::size_t kink, Numbers from, const Numbers& to, double t);
-  [[nodiscard]] bool can_hold(const HeldRate& held, Numbers state, double t) const;
-  void hold(const std::vector<HeldRate>& candidates, Numbers& state, double t);
+  [[nodiscard]] double find_kink_rate(std::size_t kink, Numbers from, const Numbers& to, double t);
+  [[nodiscard]] bool can_hold_rate(const HeldRate& held, Numbers state, double t) const;
+  void hold_rates(const std::vector<HeldRate>& candidates, Numbers& state, double t);
 
-  System& system_;
+  SimulatedSystem& system_;
   KinkWatch kinks_;
   double tolerance_;
   std::vector<int> sides_ = {};
-  std::vector<HeldRate> held_ = {};
+  std::vector<HeldRate> held_rates_ = {};
   bool has_left_piece_ = false;
   std::string last_kink_ = {};
 };

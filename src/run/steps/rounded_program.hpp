@@ -18,8 +18,8 @@ class RoundedProgram {
   }
 
   /// The entries of a function of the program.
-  [[nodiscard]] std::vector<Scalar> values_of(const Function& function,
-                                              const Arguments<Scalar>& arguments) const {
+  [[nodiscard]] std::vector<Scalar> evaluate(const Function& function,
+                                             const Arguments<Scalar>& arguments) const {
     const Rules rules{{arguments}, program_.constants.data(), constants_};
     return entries_of(function, fold<Scalar>(rules, program_, function));
   }

@@ -20,7 +20,7 @@ namespace odeint = boost::numeric::odeint;
 
 /// find_rates() of a System or of Pieces, as a function for odeint.
 template <class Source>
-auto rates_of(Source& source) {
+auto rate_function(Source& source) {
   return [&source](const Numbers& state, Numbers& rates, double t) {
     source.find_rates(state, rates, t);
   };
@@ -35,39 +35,39 @@ void discard_rates(Steps& steps) {
 /// Call at the end of a step. Restores the state; then the rates at the end of the step are invalid
 /// and are discarded.
 template <class Steps>
-void restore_state(System& system, Steps& steps, Numbers& state, double t) {
-  if (!system.needs_restore()) return;
-  system.restore(state, t);
+void project_state(SimulatedSystem& system, Steps& steps, Numbers& state, double t) {
+  if (!system.needs_projection()) return;
+  system.project_state(state, t);
   discard_rates(steps);
 }
 
 template <class Steps>
 class RungeKutta {
  public:
-  explicit RungeKutta(System& system) : system_(system) {}
+  explicit RungeKutta(SimulatedSystem& system) : system_(system) {}
 
   void restart() { discard_rates(steps_); }
 
   bool step(Numbers& state, double t, double h) {
-    steps_.do_step(rates_of(system_), state, t, h);
-    restore_state(system_, steps_, state, t + h);
+    steps_.do_step(rate_function(system_), state, t, h);
+    project_state(system_, steps_, state, t + h);
     return true;
   }
 
  private:
-  System& system_;
+  SimulatedSystem& system_;
   Steps steps_ = {};
 };
 
 /// Steps as long as their error estimate permits. No step crosses a kink.
 template <class Steps>
-class AdaptedSteps final : public Stepper {
+class AdaptiveStepper final : public Stepper {
  public:
-  AdaptedSteps(System& system, const StepRule& rule)
+  AdaptiveStepper(SimulatedSystem& system, const StepRule& rule)
       : system_(system),
         pieces_(system, rule.tolerance),
         steps_(odeint::make_controlled(rule.tolerance, rule.tolerance, Steps())),
-        shortest_(rule.shortest) {}
+        shortest_(rule.shortest_step) {}
 
   void set_interval(double begin, double end) override {
     t_ = begin;
@@ -82,7 +82,7 @@ class AdaptedSteps final : public Stepper {
     has_begun_ = true;
     if (is_first) pieces_.begin_piece(state, state, t_);
     if (!advance(state)) return std::nullopt;
-    const bool is_tiny = t_ - begin < tiny();
+    const bool is_tiny = t_ - begin < tiny_step_limit();
     const bool is_at_kink = tiny_steps_ > 0 || has_crossed_;
     has_crossed_ = false;
     tiny_steps_ = is_tiny && is_at_kink ? tiny_steps_ + 1 : 0;
@@ -91,10 +91,10 @@ class AdaptedSteps final : public Stepper {
     return std::nullopt;
   }
 
-  [[nodiscard]] std::string_view obstacle() const override { return obstacle_; }
+  [[nodiscard]] std::string_view failure_reason() const override { return obstacle_; }
 
-  [[nodiscard]] std::string_view remedy() const override {
-    if (tiny_steps_ < most_tiny_steps) return Stepper::remedy();
+  [[nodiscard]] std::string_view failure_hint() const override {
+    if (tiny_steps_ < most_tiny_steps) return Stepper::failure_hint();
     return "a smooth approximation is tanh(x/width); `--method rk4 --step` continues over the kink";
   }
 
@@ -104,35 +104,37 @@ class AdaptedSteps final : public Stepper {
   static constexpr int most_tiny_steps = 1000;
 
   /// The shortest step: 1e-12 of the run, but at least 4 times the spacing of doubles near t.
-  [[nodiscard]] double shortest() const {
+  [[nodiscard]] double shortest_step() const {
     const double spacing =
         std::numeric_limits<double>::epsilon() * std::max(std::abs(t_), std::abs(end_));
     return std::max(shortest_, 4 * spacing);
   }
 
   /// Steps below this length are tiny: 1e-9 of the run, but at least 4 times the shortest step.
-  [[nodiscard]] double tiny() const { return std::max(1e3 * shortest_, 4 * shortest()); }
+  [[nodiscard]] double tiny_step_limit() const {
+    return std::max(1e3 * shortest_, 4 * shortest_step());
+  }
 
   /// Makes one step and sets `t_`; false if the tolerance needs a shorter step than shortest().
   bool advance(Numbers& state) {
     while (true) {
-      // The piece ends somewhere before `edge_`, so each step goes half of the distance.
-      const double half = (edge_ - t_) / 2;
-      if (half < shortest()) return cross_kink(state);
+      // The piece ends somewhere before `piece_end_bound_`, so each step goes half of the distance.
+      const double half = (piece_end_bound_ - t_) / 2;
+      if (half < shortest_step()) return cross_kink(state);
       const double wanted = std::min(length_, half);
       const bool is_last = wanted >= end_ - t_;
       double h = is_last ? end_ - t_ : wanted;
-      if (h < shortest() && !is_last) return false;
+      if (h < shortest_step() && !is_last) return false;
       const bool is_cut = h < length_;
       const double begin = t_;
       const double tried = h;
       before_ = state;
-      pieces_.reset_left();
-      const auto result = steps_.try_step(rates_of(pieces_), state, t_, h);
+      pieces_.reset_left_piece();
+      const auto result = steps_.try_step(rate_function(pieces_), state, t_, h);
       if (pieces_.has_left_piece()) {
         state = before_;
         t_ = begin;
-        edge_ = begin + tried;
+        piece_end_bound_ = begin + tried;
         discard_rates(steps_);
         continue;
       }
@@ -143,7 +145,7 @@ class AdaptedSteps final : public Stepper {
       // A step that was shortened for the end or for a kink does not limit the next step.
       length_ = is_cut ? std::max(length_, h) : h;
       if (is_last) t_ = end_;
-      restore_state(system_, steps_, state, t_);
+      project_state(system_, steps_, state, t_);
       pieces_.reset_held_rates(state);
       return true;
     }
@@ -156,9 +158,9 @@ class AdaptedSteps final : public Stepper {
     Numbers unused(state.size());
     pieces_.find_rates(before_, slope, t_);
     double h = 0;
-    pieces_.reset_left();
-    for (double next = shortest(); !pieces_.has_left_piece() && h < tiny() && t_ + h < end_;
-         next *= 2) {
+    pieces_.reset_left_piece();
+    for (double next = shortest_step();
+         !pieces_.has_left_piece() && h < tiny_step_limit() && t_ + h < end_; next *= 2) {
       h = std::min(next, end_ - t_);
       for (std::size_t i = 0; i < state.size(); ++i) state[i] = before_[i] + h * slope[i];
       pieces_.find_rates(state, unused, t_ + h);
@@ -166,22 +168,23 @@ class AdaptedSteps final : public Stepper {
     t_ = t_ + h < end_ ? t_ + h : end_;
     if (pieces_.has_left_piece()) pieces_.begin_piece(before_, state, t_);
     has_crossed_ = pieces_.has_left_piece();
-    edge_ = std::numeric_limits<double>::infinity();
-    length_ = 2 * tiny();
-    restore_state(system_, steps_, state, t_);
+    piece_end_bound_ = std::numeric_limits<double>::infinity();
+    length_ = 2 * tiny_step_limit();
+    project_state(system_, steps_, state, t_);
     pieces_.reset_held_rates(state);
     discard_rates(steps_);
     return true;
   }
 
-  System& system_;
-  Pieces pieces_;
+  SimulatedSystem& system_;
+  PiecewiseMotion pieces_;
   typename odeint::result_of::make_controlled<Steps>::type steps_;
   double shortest_;
   double t_ = 0;
   double end_ = 0;
-  double length_ = 0;                                      ///< of the next step; 0 before the first
-  double edge_ = std::numeric_limits<double>::infinity();  ///< a time after the piece's end
+  double length_ = 0;  ///< of the next step; 0 before the first
+  double piece_end_bound_ =
+      std::numeric_limits<double>::infinity();  ///< a time after the piece's end
   bool has_begun_ = false;
   bool has_crossed_ = false;
   int tiny_steps_ = 0;  ///< tiny steps in succession since a kink was crossed
@@ -190,20 +193,20 @@ class AdaptedSteps final : public Stepper {
 };
 
 template <class Steps>
-std::unique_ptr<Stepper> fixed_steps(System& system, double step) {
-  return std::make_unique<FixedSteps<RungeKutta<Steps>>>(system, step);
+std::unique_ptr<Stepper> make_fixed_stepper(SimulatedSystem& system, double step) {
+  return std::make_unique<FixedStepper<RungeKutta<Steps>>>(system, step);
 }
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_rk4(System& system, const StepRule& rule) {
-  return fixed_steps<odeint::runge_kutta4<Numbers>>(system, *rule.step);
+std::unique_ptr<Stepper> make_rk4(SimulatedSystem& system, const StepRule& rule) {
+  return make_fixed_stepper<odeint::runge_kutta4<Numbers>>(system, *rule.step);
 }
 
-std::unique_ptr<Stepper> make_dopri5(System& system, const StepRule& rule) {
+std::unique_ptr<Stepper> make_dopri5(SimulatedSystem& system, const StepRule& rule) {
   using Steps = odeint::runge_kutta_dopri5<Numbers>;
-  if (rule.step) return fixed_steps<Steps>(system, *rule.step);
-  return std::make_unique<AdaptedSteps<Steps>>(system, rule);
+  if (rule.step) return make_fixed_stepper<Steps>(system, *rule.step);
+  return std::make_unique<AdaptiveStepper<Steps>>(system, rule);
 }
 
 }  // namespace elgen

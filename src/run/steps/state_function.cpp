@@ -17,7 +17,7 @@ bool is_number(const Expression& node) { return node.kind == ExpressionKind::num
 StateFunction::StateFunction(const Model& model, ExpressionId root, const Arguments<double>& others)
     : model_(model),
       others_(others),
-      order_(reachable_from(model, {root})),
+      order_(reachable_expressions(model, {root})),
       known_(model.expressions.size()) {
   for (const ExpressionId id : order_) {
     const Expression& node = model.expressions[id];
@@ -31,11 +31,12 @@ double StateFunction::operator()(const double* q, const double* v, double t) {
   q_ = q;
   v_ = v;
   t_ = t;
-  for (const ExpressionId id : order_) known_[id] = value_of(model_.expressions[id], id);
+  for (const ExpressionId id : order_) known_[id] = node_value(model_.expressions[id], id);
   return known_[result_].value;
 }
 
-StateFunction::Rated StateFunction::value_of(const Expression& node, ExpressionId id) const {
+StateFunction::ValueWithRate StateFunction::node_value(const Expression& node,
+                                                       ExpressionId id) const {
   const auto operand = [&](std::size_t i) { return known_[node.operands[i]]; };
   switch (node.kind) {
     case ExpressionKind::named:
@@ -43,12 +44,12 @@ StateFunction::Rated StateFunction::value_of(const Expression& node, ExpressionI
     case ExpressionKind::negate:
       return -operand(0);
     case ExpressionKind::add: {
-      Rated sum;
+      ValueWithRate sum;
       for (const ExpressionId each : node.operands) sum = sum + known_[each];
       return sum;
     }
     case ExpressionKind::multiply: {
-      Rated product{1, 0};
+      ValueWithRate product{1, 0};
       for (const ExpressionId each : node.operands) product = product * known_[each];
       return product;
     }
@@ -62,23 +63,23 @@ StateFunction::Rated StateFunction::value_of(const Expression& node, ExpressionI
     case ExpressionKind::time_derivative:
       return {operand(0).slope, std::numeric_limits<double>::quiet_NaN()};
     default:
-      return leaf(node);
+      return leaf_value(node);
   }
 }
 
-StateFunction::Rated StateFunction::leaf(const Expression& node) const {
+StateFunction::ValueWithRate StateFunction::leaf_value(const Expression& node) const {
   if (node.kind == ExpressionKind::pi) return {std::numbers::pi, 0};
   if (node.leaf == Opcode::time) return {t_, 1};
-  if (node.leaf == Opcode::coordinate) return coordinate(node.index);
+  if (node.leaf == Opcode::coordinate) return coordinate_value(node.index);
   if (node.leaf == Opcode::velocity) return {v_[node.index], others_.a[node.index]};
-  const bool is_constant = leaf_row(node.leaf).of == LeafOwner::parameters;
+  const bool is_constant = leaf_row(node.leaf).owner == LeafOwner::parameters;
   return {leaf_of(others_, node.leaf, node.index),
           is_constant ? 0 : std::numeric_limits<double>::quiet_NaN()};
 }
 
 /// e' = 1/2 e w, w the angular velocity as a pure quaternion; other coordinates have their velocity
 /// as rate.
-StateFunction::Rated StateFunction::coordinate(std::uint32_t index) const {
+StateFunction::ValueWithRate StateFunction::coordinate_value(std::uint32_t index) const {
   const Coordinate& coordinate = model_.coordinates[index];
   if (!coordinate.rotation) return {q_[index], v_[coordinate.velocity]};
   const Rotation& rotation = model_.rotations[*coordinate.rotation];
@@ -90,7 +91,8 @@ StateFunction::Rated StateFunction::coordinate(std::uint32_t index) const {
   return {q_[index], rates[index - rotation.first_coordinate] / 2};
 }
 
-StateFunction::Rated StateFunction::power(const Rated& base, double exponent) const {
+StateFunction::ValueWithRate StateFunction::power(const ValueWithRate& base,
+                                                  double exponent) const {
   const double slope = exponent * std::pow(base.value, exponent - 1);
   return {std::pow(base.value, exponent), base.slope == 0 ? 0 : slope * base.slope};
 }

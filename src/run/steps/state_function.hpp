@@ -21,17 +21,17 @@ class StateFunction {
  private:
   /// A value and its time derivative along the motion; the derivatives of a, u, p and E are unknown
   /// (NaN).
-  using Rated = Dual<double>;
+  using ValueWithRate = Dual<double>;
 
-  [[nodiscard]] Rated value_of(const Expression& node, ExpressionId id) const;
-  [[nodiscard]] Rated leaf(const Expression& node) const;
-  [[nodiscard]] Rated coordinate(std::uint32_t index) const;
-  [[nodiscard]] Rated power(const Rated& base, double exponent) const;
+  [[nodiscard]] ValueWithRate node_value(const Expression& node, ExpressionId id) const;
+  [[nodiscard]] ValueWithRate leaf_value(const Expression& node) const;
+  [[nodiscard]] ValueWithRate coordinate_value(std::uint32_t index) const;
+  [[nodiscard]] ValueWithRate power(const ValueWithRate& base, double exponent) const;
 
   const Model& model_;
   const Arguments<double>& others_;
-  std::vector<ExpressionId> order_;  ///< expressions to evaluate, operands first
-  std::vector<Rated> known_;         ///< values, indexed by expression
+  std::vector<ExpressionId> order_;   ///< expressions to evaluate, operands first
+  std::vector<ValueWithRate> known_;  ///< values, indexed by expression
   ExpressionId result_ = 0;
   const double* q_ = nullptr;
   const double* v_ = nullptr;

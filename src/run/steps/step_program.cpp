@@ -11,13 +11,13 @@ namespace {
 /// An implicit step is solved if sum |residual| is at most this fraction of sum |p| at both ends.
 constexpr double largest_residual = 1e-3;
 
-class StepProgram {
+class StepProgramMethod {
  public:
-  explicit StepProgram(System& system)
+  explicit StepProgramMethod(SimulatedSystem& system)
       : system_(system),
-        middle_(system.positions()),
-        rates_(system.velocities()),
-        momentum_(system.velocities()) {}
+        middle_(system.position_count()),
+        rates_(system.velocity_count()),
+        momentum_(system.velocity_count()) {}
 
   void restart() {}
 
@@ -29,7 +29,7 @@ class StepProgram {
       rates_[i] = (next[i] - state[i]) / h;
       middle_[i] = state[i] + h / 2 * rates_[i];
     }
-    System::work_of(state) +=
+    SimulatedSystem::work_of(state) +=
         h * system_.power_at_last_inputs(middle_.data(), rates_.data(), t + h / 2);
     std::copy_n(next.begin(), state.size() - 1, state.begin());
     return true;
@@ -40,17 +40,18 @@ class StepProgram {
     const std::size_t residual = state.size() - 1;
     double left = 0;
     for (std::size_t i = residual; i < next.size(); ++i) left += std::abs(next[i]);
-    return left == 0 || left <= largest_residual * (size_of_p(state, t) + size_of_p(next, t + h));
+    return left == 0 || left <= largest_residual * (momentum_magnitude(state, t) +
+                                                    momentum_magnitude(next, t + h));
   }
 
-  double size_of_p(const Numbers& state, double t) {
-    system_.momentum(state.data(), system_.v_of(state), t, momentum_.data());
+  double momentum_magnitude(const Numbers& state, double t) {
+    system_.find_momentum(state.data(), system_.v_of(state), t, momentum_.data());
     double sum = 0;
     for (const double p : momentum_) sum += std::abs(p);
     return sum;
   }
 
-  System& system_;
+  SimulatedSystem& system_;
   Numbers middle_;
   Numbers rates_;
   Numbers momentum_;
@@ -58,8 +59,8 @@ class StepProgram {
 
 }  // namespace
 
-std::unique_ptr<Stepper> make_step_program(System& system, const StepRule& rule) {
-  return std::make_unique<FixedSteps<StepProgram>>(system, *rule.step);
+std::unique_ptr<Stepper> make_step_program(SimulatedSystem& system, const StepRule& rule) {
+  return std::make_unique<FixedStepper<StepProgramMethod>>(system, *rule.step);
 }
 
 }  // namespace elgen

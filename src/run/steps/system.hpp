@@ -45,7 +45,7 @@ template <class Scalar = double>
 
 /// True if a law is constant along a run: it contains neither q, v nor t. Such a law is not clamped
 /// to limits.
-[[nodiscard]] bool is_one_number(const Model& model, ExpressionId law);
+[[nodiscard]] bool is_constant_along_run(const Model& model, ExpressionId law);
 
 /// True if constraints may do work: some f depends on t, or some phi does not vanish at v = 0.
 [[nodiscard]] bool has_moving_constraints(const Model& model);
@@ -60,46 +60,46 @@ struct EnergyParts {
 
 /// The law of an input, and the limits to which its values are clamped.
 struct InputLaw {
-  std::optional<ExpressionId> value = {};      ///< none: the input is 0
-  std::optional<StateFunction> function = {};  ///< evaluates `value`
+  std::optional<ExpressionId> expression = {};  ///< none: the input is 0
+  std::optional<StateFunction> function = {};   ///< evaluates `value`
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
 
-class System {
+class SimulatedSystem {
  public:
   /// Calls the functions of `compiled`; evaluates the program if `compiled` is null or lacks a
-  /// function. If `projects`, restore() also projects states onto the constraints.
-  System(const CheckedModel& checked, const Program& program, const CompiledModel* compiled,
-         bool projects = true);
-  System(const System&) = delete;
-  System& operator=(const System&) = delete;
+  /// function. If `projects`, project_state() also projects states onto the constraints.
+  SimulatedSystem(const CheckedModel& checked, const Program& program,
+                  const CompiledModel* compiled, bool projects = true);
+  SimulatedSystem(const SimulatedSystem&) = delete;
+  SimulatedSystem& operator=(const SimulatedSystem&) = delete;
 
   [[nodiscard]] const Model& model() const { return model_; }
   /// One element per input, including inputs without a law.
   [[nodiscard]] const std::vector<InputLaw>& laws() const { return laws_; }
   [[nodiscard]] const LeafNames& leaves() const { return program_.leaves; }
-  [[nodiscard]] std::size_t positions() const { return model_.coordinates.size(); }
-  [[nodiscard]] std::size_t velocities() const { return model_.velocities.size(); }
+  [[nodiscard]] std::size_t position_count() const { return model_.coordinates.size(); }
+  [[nodiscard]] std::size_t velocity_count() const { return model_.velocities.size(); }
 
   /// The first element of v in a state.
-  [[nodiscard]] double* v_of(Numbers& state) const { return state.data() + positions(); }
+  [[nodiscard]] double* v_of(Numbers& state) const { return state.data() + position_count(); }
   [[nodiscard]] const double* v_of(const Numbers& state) const {
-    return state.data() + positions();
+    return state.data() + position_count();
   }
   [[nodiscard]] static double& work_of(Numbers& state) { return state.back(); }
   /// The first 8 numbers of q and v: "theta = 1, dot(theta) = 2".
   [[nodiscard]] std::string state_text(const Numbers& state) const;
 
   /// The start of the model with normalised quaternions, and work 0.
-  [[nodiscard]] Numbers start();
+  [[nodiscard]] Numbers start_state();
 
   /// Sets the inputs to the laws at this state, and keeps these values until the next hold().
-  void hold(const double* q, const double* v, double t);
-  [[nodiscard]] bool holds_inputs() const { return is_held_; }
+  void hold_inputs(const double* q, const double* v, double t);
+  [[nodiscard]] bool holds_inputs() const { return holds_inputs_; }
   /// The held inputs, or else the laws at wrapped angles, clamped to `limits`; 0 without a law.
-  [[nodiscard]] const Numbers& inputs(const double* q, const double* v, double t);
-  /// q as rows show it: angles with `wrap` in (-pi, pi].
+  [[nodiscard]] const Numbers& update_inputs(const double* q, const double* v, double t);
+  /// q as rows show it: angles with `wraps` in (-pi, pi].
   [[nodiscard]] const Numbers& displayed_position(const double* q);
 
   /// The value of an expression of the model in q, v and t.
@@ -108,27 +108,27 @@ class System {
     return state_function(expression)(q, v, t);
   }
   [[nodiscard]] StateFunction state_function(ExpressionId expression) const {
-    return {model_, expression, at_};
+    return {model_, expression, arguments_};
   }
 
   /// The result of the program's `step` of length h: q, v, and the residual of an implicit method.
   /// The inputs have their values at `state`.
   [[nodiscard]] const Numbers& step_result(const Numbers& state, double t, double h);
 
-  void acceleration(const double* q, const double* v, double t, double* a);
+  void find_acceleration(const double* q, const double* v, double t, double* a);
   /// D_i / M_ii of M = L D L^T, then the relative pivots of A M^-1 A^T, all from the last
   /// evaluation of forward dynamics.
   [[nodiscard]] std::span<const double> relative_pivots() const {
-    return {solution_.data() + first_pivot_, velocities() + model_.constraints.size()};
+    return {solution_.data() + first_pivot_, velocity_count() + model_.constraints.size()};
   }
   /// lambda, by constraint, for `inputs`.
   [[nodiscard]] std::span<const double> multipliers(const double* q, const double* v, double t,
                                                     const Numbers& inputs);
-  void coordinate_rates(const double* q, const double* v, double* rates);
+  void find_coordinate_rates(const double* q, const double* v, double* rates);
   /// d(q, v, W)/dt.
   void find_rates(const Numbers& state, Numbers& rates, double t);
   /// B u + Q - dD/dv.
-  [[nodiscard]] const Numbers& applied_force(const double* q, const double* v, double t);
+  [[nodiscard]] const Numbers& generalized_force(const double* q, const double* v, double t);
   /// dW/dt = v.F - dL/dt.
   [[nodiscard]] double power(const double* q, const double* v, double t);
   /// power(), but with the inputs of the last inputs().
@@ -137,32 +137,36 @@ class System {
   [[nodiscard]] const Numbers& mass_matrix(const double* q, const double* v, double t);
   /// A, m x n, row-major.
   [[nodiscard]] const Numbers& constraint_jacobian(const double* q, const double* v, double t);
-  void momentum(const double* q, const double* v, double t, double* result);
+  void find_momentum(const double* q, const double* v, double t, double* result);
   /// sum_j |M_ij v_j| by i: the scale of p_i, without terms of L linear in v.
   [[nodiscard]] const Numbers& momentum_scales(const double* q, const double* v, double t);
   [[nodiscard]] double energy(const double* q, const double* v, double t);
-  /// The entries of the model's `conserved`.
-  [[nodiscard]] const std::vector<ConservedDrift>& conserved() const { return conserved_; }
+  /// The entries of the model's `conserved_quantities`.
+  [[nodiscard]] const std::vector<ConservedDrift>& conserved_quantities() const {
+    return conserved_;
+  }
   [[nodiscard]] const Numbers& conserved_values(const double* q, const double* v, double t);
   /// True if T and V are known separately.
-  [[nodiscard]] bool has_energies() const {
+  [[nodiscard]] bool has_separate_energies() const {
     return function(OutputKind::kinetic_energy) != nullptr;
   }
   [[nodiscard]] EnergyParts energy_parts(const double* q, const double* v, double t);
   /// The largest violations of the constraints and of their rates.
-  [[nodiscard]] ConstraintOffset offset(const double* q, const double* v, double t);
+  [[nodiscard]] ConstraintViolation constraint_offset(const double* q, const double* v, double t);
   /// True if steps may violate constraints, or change the norm of quaternions.
-  [[nodiscard]] bool needs_restore() const { return function(restoring_output_) != nullptr; }
+  [[nodiscard]] bool needs_projection() const { return function(projection_output_) != nullptr; }
   /// Normalises quaternions; if the constructor's `projects` is set, also projects onto the
   /// constraints by one Newton step.
-  void restore(Numbers& state, double t);
+  void project_state(Numbers& state, double t);
 
   /// True if E may change: forces, constraints or explicit time dependence do work.
   [[nodiscard]] bool does_work() const {
     return conservation_.is_forced || conservation_.has_time || has_moving_constraints_;
   }
   /// The velocities with conserved momentum.
-  [[nodiscard]] const std::vector<std::uint32_t>& cyclic() const { return conservation_.momenta; }
+  [[nodiscard]] const std::vector<std::uint32_t>& cyclic_velocities() const {
+    return conservation_.momenta;
+  }
 
  private:
   /// `function` is null if the program lacks the output; `code` is null if it is not compiled.
@@ -176,7 +180,7 @@ class System {
   [[nodiscard]] const Function* function(OutputKind kind) const {
     return callees_[static_cast<std::size_t>(kind)].function;
   }
-  void call(OutputKind kind, const double* q, const double* v, double t, double* result);
+  void call_output(OutputKind kind, const double* q, const double* v, double t, double* result);
   /// Sets `force_` to Q - dD/dv.
   void find_passive_force(const double* q, const double* v, double t);
   void add_input_force(const double* q, const double* v, double t);
@@ -186,14 +190,14 @@ class System {
   const Model& model_;
   const Program& program_;
   const CompiledModel* compiled_;
-  const Sines<double> sines_;
+  const SineEvaluator<double> sines_;
   /// The arguments of all calls. u has the last inputs; a, p and E are set only by
   /// conserved_values().
-  Arguments<double> at_;
+  Arguments<double> arguments_;
   std::vector<InputLaw> laws_;
-  std::vector<Callee> callees_;  ///< indexed by OutputKind
-  OutputKind restoring_output_;  ///< `projected` or `normalized`, which restore() calls
-  bool is_held_ = false;
+  std::vector<Callee> callees_;   ///< indexed by OutputKind
+  OutputKind projection_output_;  ///< `projected` or `normalized`, which project_state() calls
+  bool holds_inputs_ = false;
   bool is_driven_ = false;
   bool has_moving_constraints_ = false;
   Conservation conservation_ = {};

@@ -26,7 +26,7 @@ std::string default_output(const Scene& scene) {
 constexpr std::size_t sample_count = 3;
 constexpr std::size_t states_of_sample = 336;
 
-std::string first_line(const Diagnostics& diagnostics) {
+std::string first_error_line(const Diagnostics& diagnostics) {
   const Diagnostic& error = *find_error(diagnostics);
   std::string message = error.message.substr(0, error.message.find('\n'));
   if (message.ends_with(':')) message.pop_back();
@@ -42,24 +42,25 @@ struct DesignLibrary {
 };
 
 /// Runs the pipeline and the compiler on designs of one output.
-class DesignRuns {
+class DesignCompiler {
  public:
-  DesignRuns(const DesignRequest& request, const OutputBase& base, const BenchProcess& process)
+  DesignCompiler(const DesignRequest& request, const SingleOutputModel& base,
+                 const BenchOptions& process)
       : request_(request), base_(base), process_(process) {}
 
   /// The scene of `design` as a text, used as a key. Two designs with the same derivation have the
   /// same key_of(derivation_key(design)).
-  [[nodiscard]] std::string key_of(const Design& design) const {
-    return scene_text(base_.base(), design, request_.inputs.model->path);
+  [[nodiscard]] std::string design_key(const Design& design) const {
+    return scene_text(base_.design_source(), design, request_.inputs.model->path);
   }
 
   /// The pipeline's products for the design's derivation, memoised.
   const Products& derive_design(const Design& design) {
     const Design derivation = derivation_key(design);
-    const auto [at, is_new] = derived_.try_emplace(key_of(derivation));
+    const auto [at, is_new] = derived_.try_emplace(design_key(derivation));
     if (is_new) {
       process_.on_stage("derive");
-      at->second = run(derivation, Goal::choose);
+      at->second = run_design_pipeline(derivation, Goal::choose);
     }
     return at->second;
   }
@@ -74,7 +75,7 @@ class DesignRuns {
       const Design& design = row->design;
       timing.variants.push_back({design.scalar, design.in_packs});
       if (design.in_packs) scene.numerics = numerics_of(design, std::move(scene.numerics.scalars));
-      scene.emission.batch = scene.emission.batch || design.in_packs;
+      scene.emission.has_batch_header = scene.emission.has_batch_header || design.in_packs;
     }
     for (const TradeoffRow* const row : piece.rows) {
       if (row->design.in_packs) timing.variants.push_back({row->design.scalar, true, true});
@@ -86,13 +87,13 @@ class DesignRuns {
     const Model& model = products.checked->model;
     const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
     if (!files) return files.diagnostics;
-    return compile_timed(*files, model, scene, *products.program, timing);
+    return compile_timed_functions(*files, model, scene, *products.program, timing);
   }
 
  private:
-  Products run(const Design& design, Goal goal) {
+  Products run_design_pipeline(const Design& design, Goal goal) {
     process_.renew_time_limit();
-    const SourcePointer scene = make_permanent_source("design.scene.toml", key_of(design));
+    const SourcePointer scene = make_permanent_source("design.scene.toml", design_key(design));
     Products products =
         run_pipeline({request_.inputs.model, scene}, {.limits = process_.limits, .goals = {goal}});
     if (products.checked) keep_outputs({base_.checked.scene.outputs.front().name}, products);
@@ -101,19 +102,19 @@ class DesignRuns {
 
   /// The numerics of the design's scene, for `scalars` followed by the design's scalar.
   Numerics numerics_of(const Design& design, std::vector<ScalarKind> scalars) {
-    Numerics numerics = run(design, Goal::check).checked->scene.numerics;
+    Numerics numerics = run_design_pipeline(design, Goal::check).checked->scene.numerics;
     scalars.push_back(design.scalar);
     numerics.scalars = std::move(scalars);
     return numerics;
   }
 
   const DesignRequest& request_;
-  const OutputBase& base_;
-  const BenchProcess& process_;
+  const SingleOutputModel& base_;
+  const BenchOptions& process_;
   std::map<std::string, Products> derived_ = {};
 };
 
-TradeoffTable table_of(const Scene& scene, const Machine& machine) {
+TradeoffTable make_design_table(const Scene& scene, const Machine& machine) {
   return {.model = scene.base_name,
           .subject = scene.outputs.front().name,
           .cost = "ns per state",
@@ -129,38 +130,38 @@ TradeoffTable table_of(const Scene& scene, const Machine& machine) {
 
 class DesignBench {
  public:
-  DesignBench(const DesignRequest& request, const OutputBase& base, const BenchProcess& process,
-              const Machine& machine)
+  DesignBench(const DesignRequest& request, const SingleOutputModel& base,
+              const BenchOptions& process, const Machine& machine)
       : choices_(request.choices),
         process_(process),
         runs_(request, base, process),
-        table_(table_of(base.checked.scene, machine)) {}
+        table_(make_design_table(base.checked.scene, machine)) {}
 
   Result<MeasuredTable> measure() {
     const Products& exact = runs_.derive_design(exact_design);
     if (!exact.program) return exact.diagnostics;
-    if (!is_returned(exact.program->functions.front())) {
+    if (!is_returned_by_value(exact.program->functions.front())) {
       return Diagnostic{Reason::too_many_entries,
                         {},
                         fmt::format("{} has more than {} entries, so it is not measured",
-                                    in_backticks(table_.subject), largest_returned)};
+                                    quote_text(table_.subject), max_returned_entries)};
     }
-    if (Diagnostics wrong = prepare(exact); !wrong.empty()) return wrong;
-    for (auto& [key, workpiece] : workpieces()) make(std::move(workpiece));
-    search_all(exact);
-    time_all();
-    return MeasuredTable{std::move(table_), std::move(not_compiled_)};
+    if (Diagnostics wrong = prepare_measurement(exact); !wrong.empty()) return wrong;
+    for (auto& [key, workpiece] : group_by_library()) build_library(std::move(workpiece));
+    search_errors(exact);
+    time_designs();
+    return MeasuredTable{std::move(table_), std::move(compile_errors_)};
   }
 
  private:
   /// Plans the designs, draws the states, and computes the exact values at the states.
-  Diagnostics prepare(const Products& exact) {
-    Result<TradeoffPlan> planned = plan(*exact.checked, *exact.program, choices_);
+  Diagnostics prepare_measurement(const Products& exact) {
+    Result<TradeoffPlan> planned = plan_designs(*exact.checked, *exact.program, choices_);
     if (!planned) return planned.diagnostics;
     process_.on_stage("states");
     for (std::uint64_t seed = 1; seed <= sample_count; ++seed) {
       Result<TradeoffStates> sample =
-          tradeoff_states(*exact.checked, *exact.program, {states_of_sample, seed});
+          sample_tradeoff_states(*exact.checked, *exact.program, {states_of_sample, seed});
       if (!sample) return sample.diagnostics;
       states_.insert(states_.end(), sample->states.begin(), sample->states.end());
       samples_.push_back(std::move(*sample));
@@ -178,39 +179,40 @@ class DesignBench {
   }
 
   /// The designs, grouped by library. Libraries with the same derivation follow each other.
-  [[nodiscard]] std::map<std::string, DesignLibrary> workpieces() {
+  [[nodiscard]] std::map<std::string, DesignLibrary> group_by_library() {
     std::map<std::string, DesignLibrary> pieces;
     for (TradeoffRow& row : table_.rows) {
       const Design& design = row.design;
-      std::string key = runs_.key_of(derivation_key(design)) + design.trigonometry;
-      if (design.inner != InnerScalar::same) key += inner_row(design.inner).name;
+      std::string key = runs_.design_key(derivation_key(design)) + design.trigonometry;
+      if (design.inner != InnerScalar::same) key += inner_scalar_row(design.inner).name;
       pieces[key].rows.push_back(&row);
     }
     return pieces;
   }
 
-  void make(DesignLibrary piece) {
+  void build_library(DesignLibrary piece) {
     const TradeoffRow& first = *piece.rows.front();
     const Products& products = runs_.derive_design(first.design);
-    if (!products.program) return fail(piece, first_line(products.diagnostics));
+    if (!products.program) return mark_failed(piece, first_error_line(products.diagnostics));
     process_.on_stage(fmt::format("compile {}", name_of(first)));
     Result<TimedFunctions> made = runs_.compile_library(piece, products, states_);
     if (!made) {
-      fail(piece, first_line(made.diagnostics));
-      not_compiled_.insert(not_compiled_.end(), made.diagnostics.begin(), made.diagnostics.end());
+      mark_failed(piece, first_error_line(made.diagnostics));
+      compile_errors_.insert(compile_errors_.end(), made.diagnostics.begin(),
+                             made.diagnostics.end());
       return;
     }
     piece.functions = std::move(*made);
     libraries_.push_back(std::move(piece));
   }
 
-  static void fail(const DesignLibrary& piece, const std::string& why) {
+  static void mark_failed(const DesignLibrary& piece, const std::string& why) {
     for (TradeoffRow* const row : piece.rows) row->failure = why;
   }
 
   /// Searches the errors of all designs, separately from the timing, because errors do not depend
   /// on it.
-  void search_all(const Products& exact) {
+  void search_errors(const Products& exact) {
     for (const auto& [rows, functions] : libraries_) {
       for (std::size_t k = 0; k < rows.size(); ++k) {
         process_.on_stage(fmt::format("search {}", name_of(*rows[k])));
@@ -222,15 +224,15 @@ class DesignBench {
 
   [[nodiscard]] DesignErrors errors_in_samples(const Products& exact,
                                                const TimedFunction& function) const {
-    const auto values_at = [&function](const auto& states) { return function.at(states); };
+    const auto values_at = [&function](const auto& states) { return function.values_at(states); };
     std::vector<FoundErrors> found;
     for (const TradeoffStates& sample : samples_) {
       found.push_back(find_errors(*exact.checked, *exact.program, sample, values_at));
     }
-    return errors_of(std::move(found));
+    return combine_errors(std::move(found));
   }
 
-  void time_all() {
+  void time_designs() {
     process_.on_stage("time");
     process_.renew_time_limit();
     std::vector<TimedWork> works;
@@ -244,20 +246,20 @@ class DesignBench {
         if (rows[k]->design.in_packs) add(*functions[calls++], rows[k]->call_cost);
       }
     }
-    find_costs(works);
+    measure_costs(works);
     for (TradeoffRow& row : table_.rows) {
       if (!row.design.in_packs) row.call_cost = row.cost;
     }
   }
 
   const DesignChoices& choices_;
-  const BenchProcess& process_;
-  DesignRuns runs_;
+  const BenchOptions& process_;
+  DesignCompiler runs_;
   TradeoffTable table_;
   std::vector<TradeoffStates> samples_ = {};
   std::vector<Arguments<double>> states_ = {};  ///< of all samples
   std::vector<DesignLibrary> libraries_ = {};
-  Diagnostics not_compiled_ = {};
+  Diagnostics compile_errors_ = {};
 };
 
 }  // namespace
@@ -273,9 +275,10 @@ void keep_outputs(const std::vector<std::string>& outputs, Products& products) {
   std::erase_if(program.readable, is_other);
 }
 
-Result<OutputBase> read_output_base(const Inputs& inputs, const std::string& output,
-                                    const std::vector<SourcePointer>& ranges,
-                                    const Limits& limits) {
+Result<SingleOutputModel> read_single_output_model(const PipelineSources& inputs,
+                                                   const std::string& output,
+                                                   const std::vector<SourcePointer>& ranges,
+                                                   const Limits& limits) {
   PipelineOptions options{.limits = limits, .goals = {Goal::check}};
   Diagnostics found;
   std::string name = output;
@@ -291,27 +294,27 @@ Result<OutputBase> read_output_base(const Inputs& inputs, const std::string& out
   if (!one.checked) return one.diagnostics;
   keep_outputs({name}, one);
   if (one.checked->scene.outputs.empty()) {
-    return Diagnostic{Code::E601, {}, in_backticks(name) + " is not one output"};
+    return Diagnostic{Code::E601, {}, quote_text(name) + " is not one output"};
   }
   const std::vector<OpenFunction>& functions = one.checked->model.functions;
   if (!functions.empty()) {
     return Diagnostic{
         Code::E633, functions.front().span,
-        in_backticks(functions.front().name) + " is left open, and designs need its values",
+        quote_text(functions.front().name) + " is left open, and designs need its values",
         "give it an expression in `[functions]` of a scene"};
   }
-  OutputBase base{std::move(*one.checked), {}, ranges};
+  SingleOutputModel base{std::move(*one.checked), {}, ranges};
   if (inputs.scene != nullptr) base.scene = parse_scene(inputs.scene, limits).value;
   return {std::move(base), std::move(found)};
 }
 
-Result<MeasuredTable> measure_designs(const DesignRequest& request, const BenchProcess& process) {
+Result<MeasuredTable> measure_designs(const DesignRequest& request, const BenchOptions& process) {
   const Result<Machine> machine = this_machine(process.limits);
   if (!machine) return machine.diagnostics;
-  const Result<OutputBase> base =
-      read_output_base(request.inputs, request.output, request.ranges, process.limits);
+  const Result<SingleOutputModel> base =
+      read_single_output_model(request.inputs, request.output, request.ranges, process.limits);
   if (!base) return base.diagnostics;
-  Diagnostics wrong = scene_conflicts(base->base(), request.choices.pinned);
+  Diagnostics wrong = scene_conflicts(base->design_source(), request.choices.pinned);
   if (!wrong.empty()) return wrong;
   Result<MeasuredTable> measured = DesignBench(request, *base, process, *machine).measure();
   if (measured) measured.diagnostics = base.diagnostics;

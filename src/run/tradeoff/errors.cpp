@@ -11,7 +11,7 @@ FieldScales::FieldScales(const TradeoffStates& states) {
   std::size_t first = 0;
   for (const std::size_t entries : states.field_sizes) {
     Scale& field = fields_.emplace_back(Scale{entries});
-    for (const std::vector<ExactNumber>& exact : states.exact) {
+    for (const std::vector<TwoDoubleNumber>& exact : states.exact) {
       for (std::size_t k = first; k < first + entries; ++k) {
         field.largest = std::max(field.largest, magnitude(exact[k]));
       }
@@ -30,7 +30,7 @@ std::vector<double> state_errors(const std::vector<double>& results, const Trade
   return errors;
 }
 
-DesignErrors errors_of(std::vector<FoundErrors> samples) {
+DesignErrors combine_errors(std::vector<FoundErrors> samples) {
   std::ranges::sort(samples, {}, &FoundErrors::median);
   DesignErrors errors{.median = samples[samples.size() / 2].median};
   std::ranges::sort(samples, {}, &FoundErrors::worst);

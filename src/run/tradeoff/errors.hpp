@@ -13,13 +13,13 @@
 namespace elgen {
 
 /// distance(): |value - exact|; magnitude(): |exact|.
-[[nodiscard]] inline double distance(double value, const ExactNumber& exact) {
+[[nodiscard]] inline double distance(double value, const TwoDoubleNumber& exact) {
   return std::abs(value - exact.high - exact.low);
 }
 [[nodiscard]] inline double distance(double value, long double exact) {
   return static_cast<double>(std::abs(value - exact));
 }
-[[nodiscard]] inline double magnitude(const ExactNumber& exact) { return std::abs(exact.high); }
+[[nodiscard]] inline double magnitude(const TwoDoubleNumber& exact) { return std::abs(exact.high); }
 [[nodiscard]] inline double magnitude(long double exact) {
   return std::abs(static_cast<double>(exact));
 }
@@ -61,8 +61,7 @@ class FieldScales {
 
 /// The entries of the program's first function in 60 digits, with exact values of the parameters.
 /// None if an entry is undefined at the state.
-[[nodiscard]] std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checked,
-                                                                    const Program& program,
-                                                                    const Arguments<double>& state);
+[[nodiscard]] std::optional<std::vector<TwoDoubleNumber>> exact_entries(
+    const CheckedModel& checked, const Program& program, const Arguments<double>& state);
 
 }  // namespace elgen

@@ -43,10 +43,10 @@ constexpr std::array dimension_rows{
 
 /// A value of a dimension. `is_compatible`: true if the value does not contradict a scene that sets
 /// the key.
-struct ValueRow {
+struct DimensionValueRow {
   std::string_view dimension;
   std::string_view value;
-  void (*choose)(Design&);
+  void (*apply)(Design&);
   bool (*is_compatible)(const CheckedModel&);
   bool is_optional = false;  ///< tried only if the command pins it or names its dimension
 };
@@ -60,75 +60,81 @@ bool has_order(const CheckedModel& base, std::uint32_t order) {
 }
 
 template <InnerScalar inner>
-constexpr ValueRow inner_value_row() {
-  return {"inner", inner_row(inner).name, [](Design& d) { d.inner = inner; },
+constexpr DimensionValueRow inner_value_row() {
+  return {"inner", inner_scalar_row(inner).name, [](Design& d) { d.inner = inner; },
           [](const CheckedModel& base) { return base.scene.numerics.inner == inner; }};
 }
 
 constexpr std::array value_rows{
-    ValueRow{
+    DimensionValueRow{
         "scalar", "double", [](Design& d) { d.scalar = ScalarKind::double_precision; },
         [](const CheckedModel& base) { return has_scalar(base, ScalarKind::double_precision); }},
-    ValueRow{
+    DimensionValueRow{
         "scalar", "float", [](Design& d) { d.scalar = ScalarKind::single_precision; },
         [](const CheckedModel& base) { return has_scalar(base, ScalarKind::single_precision); }},
-    ValueRow{"batch", "one", [](Design& d) { d.in_packs = false; },
-             [](const CheckedModel& base) { return !base.scene.emission.batch; }},
-    ValueRow{"batch", "packs", [](Design& d) { d.in_packs = true; },
-             [](const CheckedModel& base) { return base.scene.emission.batch; }},
-    ValueRow{"trigonometry", "full", [](Design& d) { d.trigonometry = ""; },
-             [](const CheckedModel& base) {
-               const Numerics& numerics = base.scene.numerics;
-               return !numerics.trigonometry_error && !numerics.has_library_sines;
-             }},
-    ValueRow{"trigonometry", "1e-7", [](Design& d) { d.trigonometry = "1e-7"; },
-             [](const CheckedModel& base) {
-               return trigonometry_error(base.scene.numerics, ScalarKind::double_precision) ==
-                      cln::cl_RA(1) / 10'000'000;
-             }},
-    ValueRow{"trigonometry", library_sines, [](Design& d) { d.trigonometry = library_sines; },
-             [](const CheckedModel& base) { return base.scene.numerics.has_library_sines; }, true},
-    ValueRow{"parameters", "arguments", [](Design& d) { d.is_fixed = false; },
-             [](const CheckedModel& base) {
-               return base.scene.specialisation.fixed.size() < base.model.parameters.size();
-             }},
-    ValueRow{"parameters", "fixed", [](Design& d) { d.is_fixed = true; },
-             [](const CheckedModel&) { return true; }},
+    DimensionValueRow{
+        "batch", "one", [](Design& d) { d.in_packs = false; },
+        [](const CheckedModel& base) { return !base.scene.emission.has_batch_header; }},
+    DimensionValueRow{
+        "batch", "packs", [](Design& d) { d.in_packs = true; },
+        [](const CheckedModel& base) { return base.scene.emission.has_batch_header; }},
+    DimensionValueRow{"trigonometry", "full", [](Design& d) { d.trigonometry = ""; },
+                      [](const CheckedModel& base) {
+                        const Numerics& numerics = base.scene.numerics;
+                        return !numerics.trigonometry_error && !numerics.has_library_sines;
+                      }},
+    DimensionValueRow{"trigonometry", "1e-7", [](Design& d) { d.trigonometry = "1e-7"; },
+                      [](const CheckedModel& base) {
+                        return trigonometry_error(base.scene.numerics,
+                                                  ScalarKind::double_precision) ==
+                               cln::cl_RA(1) / 10'000'000;
+                      }},
+    DimensionValueRow{
+        "trigonometry", library_sines, [](Design& d) { d.trigonometry = library_sines; },
+        [](const CheckedModel& base) { return base.scene.numerics.has_library_sines; }, true},
+    DimensionValueRow{"parameters", "arguments", [](Design& d) { d.is_fixed = false; },
+                      [](const CheckedModel& base) {
+                        return base.scene.specialisation.fixed.size() <
+                               base.model.parameters.size();
+                      }},
+    DimensionValueRow{"parameters", "fixed", [](Design& d) { d.is_fixed = true; },
+                      [](const CheckedModel&) { return true; }},
     inner_value_row<InnerScalar::same>(),
     inner_value_row<InnerScalar::long_double>(),
     inner_value_row<InnerScalar::double_double>(),
-    ValueRow{"order", "exact", [](Design& d) { d.order = "exact"; },
-             [](const CheckedModel& base) { return !base.model.approximation; }},
-    ValueRow{"order", "3", [](Design& d) { d.order = "3"; },
-             [](const CheckedModel& base) { return has_order(base, 3); }},
-    ValueRow{"order", "1", [](Design& d) { d.order = "1"; },
-             [](const CheckedModel& base) { return has_order(base, 1); }},
+    DimensionValueRow{"order", "exact", [](Design& d) { d.order = "exact"; },
+                      [](const CheckedModel& base) { return !base.model.approximation; }},
+    DimensionValueRow{"order", "3", [](Design& d) { d.order = "3"; },
+                      [](const CheckedModel& base) { return has_order(base, 3); }},
+    DimensionValueRow{"order", "1", [](Design& d) { d.order = "1"; },
+                      [](const CheckedModel& base) { return has_order(base, 1); }},
 };
 
 /// E631 for each unknown name. A command may also name dimensions that are used by default.
-Diagnostics unknown_dimensions(const std::vector<std::string>& more) {
+Diagnostics check_dimension_names(const std::vector<std::string>& more) {
   const std::vector<std::string> known = column_words(dimension_rows, &DimensionRow::name);
   Diagnostics found;
   for (const std::string& word : more) {
     if (std::ranges::find(known, word) != known.end()) continue;
     found.push_back({Code::E631,
                      {},
-                     fmt::format("unknown dimension {}", in_backticks(word)),
+                     fmt::format("unknown dimension {}", quote_text(word)),
                      suggestion(word, known, fmt::format("one of {}", fmt::join(known, ", ")))});
   }
   return found;
 }
 
 /// Decides which combinations exist for a model and a program.
-class ExistingDesigns {
+class DesignFilter {
  public:
-  ExistingDesigns(const CheckedModel& checked, const Program& program)
+  DesignFilter(const CheckedModel& checked, const Program& program)
       : has_parameters_(emitted_parameter_count(checked.model, program) > 0),
-        has_sines_(calls(program, FunctionId::sin) || calls(program, FunctionId::cos)),
-        fits_float_(fits(checked.model, program, ScalarKind::single_precision)) {}
+        has_sines_(calls_function(program, FunctionId::sin) ||
+                   calls_function(program, FunctionId::cos)),
+        fits_float_(literals_fit(checked.model, program, ScalarKind::single_precision)) {}
 
   /// Why the design does not exist; "" if it exists.
-  [[nodiscard]] const char* why_missing(const Design& design) const {
+  [[nodiscard]] const char* missing_reason(const Design& design) const {
     const bool is_float = design.scalar == ScalarKind::single_precision;
     if (is_float && !fits_float_) return "a number of the output does not fit float";
     if (design.is_fixed && !has_parameters_)
@@ -159,23 +165,24 @@ const PinnedDimension* find_pin(const std::vector<PinnedDimension>& pinned,
 }
 
 /// The option that pins the value: "`--scalar float`".
-std::string option_of(const PinnedDimension& pin) {
+std::string option_text(const PinnedDimension& pin) {
   return fmt::format("`--{} {}`", pin.name, pin.value);
 }
 
 /// E645: no design has all pinned values.
-Diagnostics no_design_left(const std::vector<PinnedDimension>& pinned, const char* why) {
-  const std::vector<std::string> options = column_words(pinned, option_of);
+Diagnostics no_design_error(const std::vector<PinnedDimension>& pinned, const char* why) {
+  const std::vector<std::string> options = column_words(pinned, option_text);
   return {{Code::E645, {}, fmt::format("no design fits {}", fmt::join(options, ", ")), why}};
 }
 
 /// The pinned value if there is one; otherwise all values if the dimension is named, or else the
 /// default values.
-std::vector<ValueRow> tried_values(const DimensionRow& dimension, const DesignChoices& choices) {
+std::vector<DimensionValueRow> values_to_try(const DimensionRow& dimension,
+                                             const DesignChoices& choices) {
   const PinnedDimension* const pin = find_pin(choices.pinned, dimension.name);
   const bool is_named = std::ranges::find(choices.more, dimension.name) != choices.more.end();
-  std::vector<ValueRow> values;
-  for (const ValueRow& row : value_rows) {
+  std::vector<DimensionValueRow> values;
+  for (const DimensionValueRow& row : value_rows) {
     const bool is_tried = is_named || !(dimension.is_optional || row.is_optional);
     const bool is_chosen = pin == nullptr ? is_tried : row.value == pin->value;
     if (row.dimension == dimension.name && is_chosen) values.push_back(row);
@@ -184,14 +191,14 @@ std::vector<ValueRow> tried_values(const DimensionRow& dimension, const DesignCh
 }
 
 /// Each design, combined with each value of another dimension.
-std::vector<PlannedDesign> combine(const std::vector<PlannedDesign>& designs,
-                                   const std::vector<ValueRow>& values) {
+std::vector<PlannedDesign> combine_designs(const std::vector<PlannedDesign>& designs,
+                                           const std::vector<DimensionValueRow>& values) {
   std::vector<PlannedDesign> result;
   for (const PlannedDesign& planned : designs) {
-    for (const ValueRow& row : values) {
+    for (const DimensionValueRow& row : values) {
       PlannedDesign more = planned;
       more.values.emplace_back(row.value);
-      row.choose(more.design);
+      row.apply(more.design);
       result.push_back(std::move(more));
     }
   }
@@ -199,7 +206,7 @@ std::vector<PlannedDesign> combine(const std::vector<PlannedDesign>& designs,
 }
 
 /// Removes each dimension in which all designs have the same value, unless it is pinned.
-void leave_out_constant_dimensions(TradeoffPlan& plan, const std::vector<PinnedDimension>& pinned) {
+void remove_constant_dimensions(TradeoffPlan& plan, const std::vector<PinnedDimension>& pinned) {
   for (std::size_t i = plan.dimensions.size(); i-- > 0;) {
     const auto is_first = [&](const PlannedDesign& design) {
       return design.values[i] == plan.designs.front().values[i];
@@ -219,48 +226,48 @@ std::vector<DesignDimension> design_dimensions() {
   for (const DimensionRow& row : dimension_rows) {
     DesignDimension& dimension =
         dimensions.emplace_back(DesignDimension{std::string(row.name), std::string(row.doc)});
-    for (const ValueRow& value : value_rows) {
+    for (const DimensionValueRow& value : value_rows) {
       if (value.dimension == row.name) dimension.values.emplace_back(value.value);
     }
   }
   return dimensions;
 }
 
-Diagnostics scene_conflicts(const DesignBase& base, const std::vector<PinnedDimension>& pinned) {
+Diagnostics scene_conflicts(const DesignSource& base, const std::vector<PinnedDimension>& pinned) {
   Diagnostics found;
   for (const DimensionRow& dimension : dimension_rows) {
     const PinnedDimension* const pin = find_pin(pinned, dimension.name);
     const KeySyntax* const key = find_key(base.scene, dimension.entry, dimension.key);
     if (pin == nullptr || key == nullptr) continue;
-    for (const ValueRow& row : value_rows) {
+    for (const DimensionValueRow& row : value_rows) {
       const bool is_pinned = row.dimension == dimension.name && row.value == pin->value;
       if (!is_pinned || row.is_compatible(base.checked)) continue;
       found.push_back({Code::E644, key->value.span,
-                       fmt::format("{} contradicts the scene", option_of(*pin)),
+                       fmt::format("{} contradicts the scene", option_text(*pin)),
                        "remove one of the two"});
     }
   }
   return found;
 }
 
-Result<TradeoffPlan> plan(const CheckedModel& checked, const Program& program,
-                          const DesignChoices& choices) {
-  const Diagnostics unknown = unknown_dimensions(choices.more);
+Result<TradeoffPlan> plan_designs(const CheckedModel& checked, const Program& program,
+                                  const DesignChoices& choices) {
+  const Diagnostics unknown = check_dimension_names(choices.more);
   if (!unknown.empty()) return unknown;
   TradeoffPlan plan{{}, {PlannedDesign{}}};
   for (const DimensionRow& dimension : dimension_rows) {
-    const std::vector<ValueRow> values = tried_values(dimension, choices);
+    const std::vector<DimensionValueRow> values = values_to_try(dimension, choices);
     if (values.empty()) continue;
     plan.dimensions.emplace_back(dimension.name);
-    plan.designs = combine(plan.designs, values);
+    plan.designs = combine_designs(plan.designs, values);
   }
-  const ExistingDesigns existing(checked, program);
-  const char* const why = existing.why_missing(plan.designs.front().design);
+  const DesignFilter existing(checked, program);
+  const char* const why = existing.missing_reason(plan.designs.front().design);
   std::erase_if(plan.designs, [&](const PlannedDesign& planned) {
-    return !std::string_view(existing.why_missing(planned.design)).empty();
+    return !std::string_view(existing.missing_reason(planned.design)).empty();
   });
-  if (plan.designs.empty()) return no_design_left(choices.pinned, why);
-  leave_out_constant_dimensions(plan, choices.pinned);
+  if (plan.designs.empty()) return no_design_error(choices.pinned, why);
+  remove_constant_dimensions(plan, choices.pinned);
   return plan;
 }
 

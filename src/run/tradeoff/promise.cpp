@@ -14,7 +14,7 @@ namespace elgen {
 namespace {
 
 /// Compiled code whose errors must not exceed `max_error`.
-struct PromisedCode {
+struct ErrorLimitedCode {
   std::string types;  ///< "batch", "as users compile"; "" for the plain header
   const CompiledModel* functions;
 };
@@ -22,15 +22,15 @@ struct PromisedCode {
 /// The compiled headers to check: as written, and as users compile them, because contraction
 /// changes results. Headers in other argument types are skipped, because their results are the
 /// same. If the scene has a wider inner scalar, only headers in this scalar are checked.
-std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
+std::vector<ErrorLimitedCode> codes_to_check(const CompiledHeaders& compiled) {
   const bool has_wide = std::ranges::any_of(compiled, &CompiledHeader::is_wide);
-  std::vector<PromisedCode> codes;
+  std::vector<ErrorLimitedCode> codes;
   for (const CompiledHeader& header : compiled) {
     if (!header.functions || header.is_wide != has_wide) continue;
-    const bool is_own = header.types.empty() || header.in_packs || header.is_wide;
-    const bool is_written = header.build == Build::as_written;
+    const bool is_own = header.types.empty() || header.is_in_packs || header.is_wide;
+    const bool is_written = header.build == BuildFlags::as_written;
     if (is_own && is_written) codes.push_back({header.types, header.functions.get()});
-    const bool is_users = header.build == Build::user_flags && !header.in_packs;
+    const bool is_users = header.build == BuildFlags::user_flags && !header.is_in_packs;
     if (is_users) codes.push_back({"as users compile", header.functions.get()});
   }
   return codes;
@@ -39,13 +39,13 @@ std::vector<PromisedCode> codes_of(const CompiledHeaders& compiled) {
 /// Entry k at state i is at [k * states.size() + i]; NaN if the function throws an exception. Empty
 /// if `code` lacks the function, or if the function throws at all states.
 template <class Scalar>
-std::vector<double> values_of(const CompiledModel& code, const Function& function,
-                              const std::vector<Arguments<double>>& states) {
+std::vector<double> code_values(const CompiledModel& code, const Function& function,
+                                const std::vector<Arguments<double>>& states) {
   std::vector<Arguments<Scalar>> rounded;
   for (const Arguments<double>& state : states) {
     rounded.push_back(map_leaves([](double x) { return static_cast<Scalar>(x); }, state));
   }
-  const auto all = code.call_all({function.name}, rounded);
+  const auto all = code.call_at_states({function.name}, rounded);
   const auto is_empty = [](const std::vector<Scalar>& entries) { return entries.empty(); };
   if (!all || std::ranges::all_of(all->front(), is_empty)) return {};
   std::vector<double> values(entry_count(function) * states.size(),
@@ -59,28 +59,29 @@ std::vector<double> values_of(const CompiledModel& code, const Function& functio
   return values;
 }
 
-DesignValues promised_values(const CompiledModel& code, const Function& function,
-                             ScalarKind scalar) {
+DesignEvaluator make_design_values(const CompiledModel& code, const Function& function,
+                                   ScalarKind scalar) {
   const auto values =
-      scalar == ScalarKind::single_precision ? &values_of<float> : &values_of<double>;
+      scalar == ScalarKind::single_precision ? &code_values<float> : &code_values<double>;
   return [values, &code, &function](const std::vector<Arguments<double>>& states) {
     return values(code, function, states);
   };
 }
 
-class PromiseRows {
+class MaxErrorRows {
  public:
-  PromiseRows(const CheckedModel& exact, const std::vector<PromisedCode>& codes, std::uint64_t seed)
+  MaxErrorRows(const CheckedModel& exact, const std::vector<ErrorLimitedCode>& codes,
+               std::uint64_t seed)
       : exact_(exact), codes_(codes), seed_(seed) {}
 
   /// Adds rows for the program's only function.
-  void add(const Program& program) {
+  void add_function_rows(const Program& program) {
     const Function& function = program.functions.front();
-    const Result<TradeoffStates> states = tradeoff_states(exact_, program, {.seed = seed_});
+    const Result<TradeoffStates> states = sample_tradeoff_states(exact_, program, {.seed = seed_});
     if (!states) return rows_.push_back(skipped_row(function));
-    for (const PromisedCode& code : codes_) {
+    for (const ErrorLimitedCode& code : codes_) {
       for (const ScalarKind scalar : exact_.scene.numerics.scalars) {
-        const DesignValues design = promised_values(*code.functions, function, scalar);
+        const DesignEvaluator design = make_design_values(*code.functions, function, scalar);
         if (!code.functions->has(scalar) || design({states->states.front()}).empty()) continue;
         const FoundErrors found = find_errors(exact_, program, *states, design);
         rows_.push_back(row_of(program, found));
@@ -91,7 +92,7 @@ class PromiseRows {
     }
   }
 
-  std::vector<CertificateRow> rows() { return std::move(rows_); }
+  std::vector<CertificateRow> take_rows() { return std::move(rows_); }
 
  private:
   [[nodiscard]] CertificateRow plain_row(const Function& function) const {
@@ -108,22 +109,22 @@ class PromiseRows {
   [[nodiscard]] CertificateRow skipped_row(const Function& function) const {
     CertificateRow row = plain_row(function);
     row.verdict = Verdict::skipped;
-    row.skipped = {{Obstacle::undefined, TradeoffSampling().count}};
+    row.skipped = {{SkipReason::undefined, TradeoffSampling().count}};
     return row;
   }
 
   [[nodiscard]] CertificateRow row_of(const Program& program, const FoundErrors& found) const {
-    const Subject subject{exact_.model, exact_.scene, program};
+    const SystemUnderTest subject{exact_.model, exact_.scene, program};
     CertificateRow row = plain_row(program.functions.front());
-    row.worst = fmt::format("{:.2e} of the largest value", found.worst);
-    row.where = describe(subject, exact_state(subject, found.where));
+    row.worst_value = fmt::format("{:.2e} of the largest value", found.worst);
+    row.worst_state = describe_state(subject, exact_state(subject, found.worst_state));
     const bool is_kept = found.worst <= *exact_.scene.numerics.max_error;
     row.verdict = is_kept ? Verdict::holds : Verdict::fails;
     return row;
   }
 
   const CheckedModel& exact_;
-  const std::vector<PromisedCode>& codes_;
+  const std::vector<ErrorLimitedCode>& codes_;
   std::uint64_t seed_;
   std::vector<CertificateRow> rows_ = {};
 };
@@ -133,15 +134,15 @@ class PromiseRows {
 std::vector<CertificateRow> check_max_error(const CheckedModel& exact, const Program& program,
                                             const CompiledHeaders& compiled,
                                             const VerifyOptions& options) {
-  const std::vector<PromisedCode> codes = codes_of(compiled);
+  const std::vector<ErrorLimitedCode> codes = codes_to_check(compiled);
   if (!exact.scene.numerics.max_error || codes.empty()) return {};
-  PromiseRows rows(exact, codes, options.seed);
+  MaxErrorRows rows(exact, codes, options.seed);
   for (const Function& function : program.functions) {
     Program alone = program;
     alone.functions = {function};
-    rows.add(alone);
+    rows.add_function_rows(alone);
   }
-  return rows.rows();
+  return rows.take_rows();
 }
 
 }  // namespace elgen

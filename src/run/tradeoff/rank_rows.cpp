@@ -16,7 +16,7 @@ bool is_more_expensive(const Quartiles& cost, const Quartiles& than) {
 }
 
 /// Ranks the rows that have not failed, by cost.
-void number_ranks(std::vector<TradeoffRow>& rows) {
+void assign_ranks(std::vector<TradeoffRow>& rows) {
   std::vector<TradeoffRow*> by_cost;
   for (TradeoffRow& row : rows) {
     if (row.failure.empty()) by_cost.push_back(&row);
@@ -33,7 +33,7 @@ void number_ranks(std::vector<TradeoffRow>& rows) {
 }  // namespace
 
 TradeoffTable rank_rows(TradeoffTable table) {
-  number_ranks(table.rows);
+  assign_ranks(table.rows);
   std::ranges::stable_sort(table.rows, {}, [](const TradeoffRow& row) {
     return std::tuple(!row.failure.empty(), row.rank, row.error.worst);
   });
@@ -56,7 +56,7 @@ std::string name_of(const TradeoffRow& row) {
   return fmt::format("{}", fmt::join(row.values, ", "));
 }
 
-const TradeoffRow* cheapest_within(const TradeoffTable& table, double max_error) {
+const TradeoffRow* cheapest_accurate_row(const TradeoffTable& table, double max_error) {
   const auto found = std::ranges::find_if(table.rows, [max_error](const TradeoffRow& row) {
     return row.failure.empty() && row.error.worst <= max_error;
   });
@@ -64,10 +64,10 @@ const TradeoffRow* cheapest_within(const TradeoffTable& table, double max_error)
 }
 
 const TradeoffRow* picked_row(const TradeoffTable& table) {
-  return table.max_error ? cheapest_within(table, *table.max_error) : nullptr;
+  return table.max_error ? cheapest_accurate_row(table, *table.max_error) : nullptr;
 }
 
-const TradeoffRow* most_accurate(const TradeoffTable& table) {
+const TradeoffRow* most_accurate_row(const TradeoffTable& table) {
   const TradeoffRow* best = nullptr;
   for (const TradeoffRow& row : table.rows) {
     const bool is_best = best == nullptr || row.error.worst < best->error.worst;

@@ -16,38 +16,38 @@ namespace elgen {
 namespace {
 
 /// In instructions. Compilers take minutes for longer functions.
-constexpr std::size_t longest_compiled = 20'000;
+constexpr std::size_t max_compiled_instructions = 20'000;
 
 /// The step in words: "`midpoint` of order 8".
 std::string name_of_step(const StepSpec& step) {
-  return fmt::format("`{}` of order {}", step_row(step.method).name, step_order(step));
+  return fmt::format("`{}` of order {}", step_method_row(step.method).name, step_order(step));
 }
 
 /// A compiled step, or why it is not compiled.
 struct StepCode {
   StepLoops loops = {};
   std::string failure = {};
-  bool has_rows = true;  ///< false: the step is not measured; a sentence in `refusals_` says why
-  Quartiles one = {};    ///< ns per step
-  Quartiles in_packs = {};
+  bool is_measured = true;  ///< false: the step is not measured; a sentence in `refusals_` says why
+  Quartiles single_cost = {};  ///< ns per step
+  Quartiles pack_cost = {};
 };
 
 /// The sentences below the table. `bar`: the distance between both reference runs.
-std::vector<std::string> sentences(const std::map<StepSpec, StepCode>& codes, double bar) {
+std::vector<std::string> table_sentences(const std::map<StepSpec, StepCode>& codes, double bar) {
   std::vector<std::string> all{fmt::format(
       "reference: Fehlberg's method of order 8 with tolerance 1e-15 in long double; a run with "
       "1e-12 in double differs by {:.1e}",
       bar)};
   for (const auto& [step, code] : codes) {
-    if (code.loops.one == nullptr) continue;
+    if (code.loops.one_state_loop == nullptr) continue;
     all.push_back(fmt::format("one step by {} takes {:.4g} ns, in packs {:.4g} ns",
-                              name_of_step(step), code.one.median, code.in_packs.median));
+                              name_of_step(step), code.single_cost.median, code.pack_cost.median));
   }
   return all;
 }
 
 /// E621 with this message.
-Diagnostics impossible_run(std::string message) { return {{Code::E621, {}, std::move(message)}}; }
+Diagnostics run_option_error(std::string message) { return {{Code::E621, {}, std::move(message)}}; }
 
 /// True if steps of this length divide the run into 1 to 1e8 steps.
 bool divides_run(double length, double time) {
@@ -57,24 +57,24 @@ bool divides_run(double length, double time) {
          std::abs(count - std::round(count)) <= 1e-9 * count;  // the length is a rounded decimal
 }
 
-Result<StepLoops> compiled(const Products& products, const Limits& limits) {
+Result<StepLoops> compile_step_loops(const Products& products, const Limits& limits) {
   const auto& [model, scene] = *products.checked;
   const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
   if (!files) return files.diagnostics;
-  return compile_steps(*files, model, scene, *products.program, limits);
+  return compile_step_loops(*files, model, scene, *products.program, limits);
 }
 
 class RunBench {
  public:
-  RunBench(const RunRequest& request, const BenchProcess& process)
-      : request_(request), time_(request.time), process_(process) {}
+  RunBench(const RunRequest& request, const BenchOptions& process)
+      : request_(request), time_(request.duration), process_(process) {}
 
   Result<MeasuredTable> measure() {
     const Result<Machine> machine = this_machine(process_.limits);
     if (!machine) return machine.diagnostics;
-    exact_ = derived({});
+    exact_ = derive_run({});
     if (!exact_.program) return exact_.diagnostics;
-    const Result<CheckedModel> assembled = assemble_model(*exact_.checked, 0);
+    const Result<CheckedModel> assembled = assemble_start(*exact_.checked, 0);
     if (!assembled) return assembled.diagnostics;
     exact_.checked = *assembled;
     if (Diagnostics wrong = compute_reference(); !wrong.empty()) return wrong;
@@ -84,15 +84,15 @@ class RunBench {
               .error = "errors at the end relative to the largest value of the run",
               .dimensions = {"method", "order", "step", "batch"},
               .machine = *machine};
-    const std::vector<PlannedRun> plan = plan_runs(time_, request_.lengths);
+    const std::vector<PlannedRun> plan = plan_runs(time_, request_.step_lengths);
     for (const PlannedRun& planned : plan) prepare_step(*planned.design.step);
     process_.on_stage("run");
     process_.renew_time_limit();
-    for (const PlannedRun& planned : plan) add(planned);
+    for (const PlannedRun& planned : plan) add_row(planned);
     process_.on_stage("time");
     process_.renew_time_limit();
-    time_all();
-    table_.sentences = sentences(codes_, uncertainty_);
+    time_steps();
+    table_.sentences = table_sentences(codes_, uncertainty_);
     if (!exact_.checked->model.constraints.empty()) {
       table_.sentences.emplace_back("the cost includes a call of `projected` after every step");
     }
@@ -101,7 +101,7 @@ class RunBench {
   }
 
  private:
-  Products derived(const std::optional<StepSpec>& step) {
+  Products derive_run(const std::optional<StepSpec>& step) {
     process_.renew_time_limit();
     PipelineOptions options{
         .limits = process_.limits, .goals = {Goal::choose}, .on_stage = process_.on_stage};
@@ -112,11 +112,11 @@ class RunBench {
   /// Computes the reference run and its uncertainty.
   Diagnostics compute_reference() {
     process_.on_stage("reference");
-    Result<ReferenceRun> reference = reference_run(*exact_.checked, *exact_.program, time_);
+    Result<ReferenceRun> reference = run_reference(*exact_.checked, *exact_.program, time_);
     if (!reference) return reference.diagnostics;
     reference_ = std::move(*reference);
     const double distance =
-        errors_of(reference_.rough_last, reference_, exact_.checked->model).worst;
+        run_errors(reference_.rough_last, reference_, exact_.checked->model).worst;
     uncertainty_ = std::max(distance, std::numeric_limits<double>::epsilon() / 2);
     return {};
   }
@@ -130,7 +130,7 @@ class RunBench {
   /// The compiled step. If the method does not suit the system, or if the function is too long, the
   /// result has no rows, and `refusals_` gets a sentence.
   StepCode compile_step(const StepSpec& step) {
-    Products products = derived(step);
+    Products products = derive_run(step);
     if (!products.program) {
       const Diagnostic& error = *find_error(products.diagnostics);
       const bool is_for_others = error.code == Code::E622 || error.code == Code::E539;
@@ -142,24 +142,24 @@ class RunBench {
     const Function& function =
         *std::ranges::find(products.program->functions, OutputKind::step, &Function::kind);
     const std::size_t length = function.instructions.size();
-    if (length > longest_compiled || !is_returned(function)) {
+    if (length > max_compiled_instructions || !is_returned_by_value(function)) {
       return refuse_step(
           fmt::format("{} has {} instructions and is not compiled", name_of_step(step), length));
     }
     process_.on_stage(fmt::format("compile {}", name_of_step(step)));
-    Result<StepLoops> loops = compiled(products, process_.limits);
+    Result<StepLoops> loops = compile_step_loops(products, process_.limits);
     if (!loops) return {.failure = find_error(loops.diagnostics)->message};
     return {.loops = std::move(*loops)};
   }
 
   StepCode refuse_step(const std::string& sentence) {
     if (std::ranges::find(refusals_, sentence) == refusals_.end()) refusals_.push_back(sentence);
-    return {.has_rows = false};
+    return {.is_measured = false};
   }
 
-  void add(const PlannedRun& planned) {
+  void add_row(const PlannedRun& planned) {
     const StepCode& code = codes_.at(*planned.design.step);
-    if (!code.has_rows) return;
+    if (!code.is_measured) return;
     TradeoffRow row{.values = planned.values, .design = planned.design};
     row.failure = code.failure.substr(0, code.failure.find('\n'));
     if (row.failure.empty()) measure_error(planned, code.loops, row);
@@ -169,12 +169,12 @@ class RunBench {
 
   void measure_error(const PlannedRun& planned, const StepLoops& loops, TradeoffRow& row) const {
     const CheckedModel& checked = *exact_.checked;
-    const std::vector<double> last = end_of_run(checked, *exact_.program, loops, planned, time_);
+    const std::vector<double> last = run_to_end(checked, *exact_.program, loops, planned, time_);
     if (!std::ranges::all_of(last, [](double x) { return std::isfinite(x); })) {
       row.failure = "the numbers are no longer finite";
       return;
     }
-    row.error = errors_of(last, reference_, checked.model);
+    row.error = run_errors(last, reference_, checked.model);
     // The smallest possible error, for the Pareto front. An error is uncertain by `uncertainty_`,
     // and so is the error to which it is compared; hence the factor 2.
     row.error.least = std::max(row.error.worst - 2 * uncertainty_, 0.0);
@@ -182,21 +182,21 @@ class RunBench {
     if (row.is_below_reference) row.error = {uncertainty_, uncertainty_, uncertainty_};
   }
 
-  void time_all() {
+  void time_steps() {
     std::vector<TimedWork> works;
     for (auto& [step, code] : codes_) {
-      if (code.loops.one == nullptr) continue;
+      if (code.loops.one_state_loop == nullptr) continue;
       for (const bool in_packs : {false, true}) {
         works.push_back(
-            timed_steps(*exact_.checked, *exact_.program, code.loops, in_packs, time_ / 1000));
-        works.back().cost = in_packs ? &code.in_packs : &code.one;
+            make_step_work(*exact_.checked, *exact_.program, code.loops, in_packs, time_ / 1000));
+        works.back().cost = in_packs ? &code.pack_cost : &code.single_cost;
       }
     }
-    find_costs(works);
+    measure_costs(works);
     for (std::size_t i = 0; i < table_.rows.size(); ++i) {
       const Design& design = table_.rows[i].design;
       const StepCode& code = codes_.at(*design.step);
-      const auto& [median, low, high] = design.in_packs ? code.in_packs : code.one;
+      const auto& [median, low, high] = design.in_packs ? code.pack_cost : code.single_cost;
       const auto steps = static_cast<double>(steps_[i]);
       table_.rows[i].cost = {median * steps, low * steps, high * steps};
     }
@@ -204,7 +204,7 @@ class RunBench {
 
   const RunRequest& request_;
   double time_;
-  const BenchProcess& process_;
+  const BenchOptions& process_;
   Products exact_ = {};  ///< derived without a step; the model has the assembled start
   ReferenceRun reference_ = {};
   double uncertainty_ = 0;  ///< relative error of the reference; at least u = 2^-53
@@ -216,14 +216,14 @@ class RunBench {
 
 }  // namespace
 
-Result<MeasuredTable> measure_runs(const RunRequest& request, const BenchProcess& process) {
-  const double time = request.time;
+Result<MeasuredTable> measure_runs(const RunRequest& request, const BenchOptions& process) {
+  const double time = request.duration;
   if (!(time > 0 && std::isfinite(time))) {
-    return impossible_run(fmt::format("`--trajectory {}` is not a positive number", time));
+    return run_option_error(fmt::format("`--trajectory {}` is not a positive number", time));
   }
-  for (const double length : request.lengths) {
+  for (const double length : request.step_lengths) {
     if (divides_run(length, time)) continue;
-    return impossible_run(
+    return run_option_error(
         fmt::format("`--steps {}` does not divide {} s into whole steps", length, time));
   }
   return RunBench(request, process).measure();

@@ -13,18 +13,18 @@
 namespace elgen {
 namespace {
 
-constexpr std::array<double, 3> steps_of_a_run{100, 1000, 10'000};
-constexpr double turn = 6.283185307179586;
+constexpr std::array<double, 3> default_step_counts{100, 1000, 10'000};
+constexpr double full_turn = 6.283185307179586;
 
 /// A single state makes so many steps that the cost of the call is negligible. For small models,
 /// the states in packs and their results fit the fastest cache.
-constexpr std::size_t steps_of_one = 200;
+constexpr std::size_t steps_of_single_state = 200;
 constexpr std::size_t states_in_packs = 256;
 constexpr std::size_t steps_in_packs = 8;
 
 /// |x - y|; for an angle that wraps, modulo a full turn.
-double distance(double x, double y, bool wraps) {
-  return wraps ? std::abs(std::remainder(x - y, turn)) : std::abs(x - y);
+double state_distance(double x, double y, bool wraps) {
+  return wraps ? std::abs(std::remainder(x - y, full_turn)) : std::abs(x - y);
 }
 
 /// Repeats every number `count` times.
@@ -49,7 +49,7 @@ PlannedRun plan_run(const StepMethodRow& method, std::uint32_t order, double h) 
 std::vector<PlannedRun> plan_runs(double time, const std::vector<double>& lengths) {
   std::vector<double> counts;
   for (const double length : lengths) counts.push_back(std::round(time / length));
-  if (lengths.empty()) counts.assign(steps_of_a_run.begin(), steps_of_a_run.end());
+  if (lengths.empty()) counts.assign(default_step_counts.begin(), default_step_counts.end());
   std::vector<PlannedRun> runs;
   for (const StepMethodRow& method : step_methods) {
     for (const std::uint32_t order : step_orders(method.order)) {
@@ -66,37 +66,37 @@ std::vector<PlannedRun> plan_runs(double time, const std::vector<double>& length
   return runs;
 }
 
-std::vector<double> end_of_run(const CheckedModel& checked, const Program& program,
+std::vector<double> run_to_end(const CheckedModel& checked, const Program& program,
                                const StepLoops& loops, const PlannedRun& run, double time) {
-  System system(checked, program, nullptr);
-  const std::size_t size = system.positions() + system.velocities();
-  Numbers state = system.start();
+  SimulatedSystem system(checked, program, nullptr);
+  const std::size_t size = system.position_count() + system.velocity_count();
+  Numbers state = system.start_state();
   state.resize(size);
   state.resize(loops.entries);
   Numbers spare(loops.entries);
-  const StepLoop loop = run.design.in_packs ? loops.in_packs : loops.one;
+  const StepLoop loop = run.design.in_packs ? loops.pack_loop : loops.one_state_loop;
   const double h = time / static_cast<double>(run.steps);
   const std::size_t stride = !checked.scene.laws.empty() ? 1 : run.steps;
   for (std::size_t i = 0; i < run.steps; i += stride) {
     const double t = static_cast<double>(i) * h;
-    const Numbers& u = system.inputs(state.data(), system.v_of(state), t);
+    const Numbers& u = system.update_inputs(state.data(), system.v_of(state), t);
     loop(1, stride, t, h, u.data(), state.data(), spare.data());
   }
   state.resize(size);
   return state;
 }
 
-TimedWork timed_steps(const CheckedModel& checked, const Program& program, const StepLoops& loops,
-                      bool in_packs, double length) {
-  System system(checked, program, nullptr);
-  Numbers start = system.start();
+TimedWork make_step_work(const CheckedModel& checked, const Program& program,
+                         const StepLoops& loops, bool in_packs, double length) {
+  SimulatedSystem system(checked, program, nullptr);
+  Numbers start = system.start_state();
   const std::size_t count = in_packs ? states_in_packs : 1;
-  const std::size_t steps = in_packs ? steps_in_packs : steps_of_one;
-  const Numbers inputs = repeat(system.inputs(start.data(), system.v_of(start), 0), count);
-  start.resize(system.positions() + system.velocities());
+  const std::size_t steps = in_packs ? steps_in_packs : steps_of_single_state;
+  const Numbers inputs = repeat(system.update_inputs(start.data(), system.v_of(start), 0), count);
+  start.resize(system.position_count() + system.velocity_count());
   start.resize(loops.entries);
   const Numbers first = repeat(start, count);
-  const StepLoop loop = in_packs ? loops.in_packs : loops.one;
+  const StepLoop loop = in_packs ? loops.pack_loop : loops.one_state_loop;
   const auto work = [=, state = first, spare = first]() mutable {
     std::ranges::copy(first, state.begin());
     loop(count, steps, 0, length, inputs.data(), state.data(), spare.data());
@@ -104,13 +104,13 @@ TimedWork timed_steps(const CheckedModel& checked, const Program& program, const
   return {work, count * steps, nullptr};
 }
 
-DesignErrors errors_of(const std::vector<double>& last, const ReferenceRun& reference,
-                       const Model& model) {
+DesignErrors run_errors(const std::vector<double>& last, const ReferenceRun& reference,
+                        const Model& model) {
   const std::size_t coordinates = model.coordinates.size();
   std::vector<double> errors;
   for (std::size_t i = 0; i < last.size(); ++i) {
-    const bool wraps = i < coordinates && model.coordinates[i].wrap;
-    const double error = distance(last[i], reference.last[i], wraps);
+    const bool wraps = i < coordinates && model.coordinates[i].wraps;
+    const double error = state_distance(last[i], reference.last[i], wraps);
     errors.push_back(error == 0 ? 0 : error / reference.largest[i]);
   }
   std::sort(errors.begin(), errors.end());

@@ -21,7 +21,7 @@ namespace elgen {
 namespace {
 
 constexpr std::size_t states_of_a_climb = 100;  ///< one climb per 100 states, from the worst states
-constexpr std::size_t searched_per_state = 20;
+constexpr std::size_t searches_per_state = 20;
 constexpr std::size_t fewest_sweeps = 8;
 constexpr std::size_t most_sweeps = 400;
 constexpr double longest_step = 0.5;  ///< steps are fractions of a range
@@ -36,7 +36,7 @@ struct SearchedLeaf {
   double high;
 };
 
-void set(Arguments<double>& state, const SearchedLeaf& moving, double value) {
+void set_leaf(Arguments<double>& state, const SearchedLeaf& moving, double value) {
   const auto visit = [&](Opcode kind, std::uint32_t number, double& x) {
     if (kind == moving.kind && number == moving.number) x = value;
   };
@@ -65,23 +65,23 @@ struct Climb {
 class ErrorSearch {
  public:
   ErrorSearch(const CheckedModel& exact, const Program& program, const TradeoffStates& states,
-              const DesignValues& design)
+              const DesignEvaluator& design)
       : exact_(exact),
         program_(program),
         reference_(program),
         parameters_(arguments_at<long double>(nominal_state(exact.model, exact.scene)).parameters),
         scales_(states),
-        moving_(searched_leaves(program.functions.front(), states)),
+        searched_leaves_(searched_leaves(program.functions.front(), states)),
         design_(design),
-        states_searched_(searched_per_state * states.states.size()),
-        draw_(states.seed) {}
+        states_searched_(searches_per_state * states.states.size()),
+        sampler_(states.seed) {}
 
   /// Runs all climbs, and returns their final states.
   std::vector<Arguments<double>> search(std::vector<Climb> climbs) {
-    const std::size_t states_of_sweep = climbs.size() * (2 * moving_.size() + 1);
+    const std::size_t states_of_sweep = climbs.size() * (2 * searched_leaves_.size() + 1);
     const std::size_t sweeps =
         std::clamp(states_searched_ / states_of_sweep, fewest_sweeps, most_sweeps);
-    for (std::size_t i = 0; i < sweeps && !moving_.empty(); ++i) sweep(climbs);
+    for (std::size_t i = 0; i < sweeps && !searched_leaves_.empty(); ++i) sweep(climbs);
     std::vector<Arguments<double>> ends;
     for (Climb& climb : climbs) ends.push_back(std::move(climb.state));
     return ends;
@@ -111,11 +111,12 @@ class ErrorSearch {
 
   /// The errors relative to the program in long double. On some machines, long double is 2048 times
   /// as precise as double.
-  [[nodiscard]] std::vector<double> errors_at(const std::vector<Arguments<double>>& states) const {
+  [[nodiscard]] std::vector<double> approximate_errors(
+      const std::vector<Arguments<double>>& states) const {
     return errors(states, [this](const Arguments<double>& state) {
       auto arguments = map_leaves([](double x) { return static_cast<long double>(x); }, state);
       arguments.parameters = parameters_;
-      std::optional entries = reference_.values_of(program_.functions.front(), arguments);
+      std::optional entries = reference_.evaluate(program_.functions.front(), arguments);
       const bool is_defined =
           std::ranges::all_of(*entries, [](long double x) { return std::isfinite(x); });
       if (!is_defined) entries.reset();
@@ -128,8 +129,8 @@ class ErrorSearch {
     Arguments<double> state = climb.state;
     const double from = leaf_of(state, number.kind, number.number);
     const double to = from + share * climb.step * (number.high - number.low);
-    set(state, number, std::clamp(to, number.low, number.high));
-    scale_quaternions(exact_.model, state);
+    set_leaf(state, number, std::clamp(to, number.low, number.high));
+    normalize_quaternions(exact_.model, state);
     return state;
   }
 
@@ -137,8 +138,8 @@ class ErrorSearch {
   [[nodiscard]] std::vector<Arguments<double>> neighbours(const std::vector<Climb>& climbs) {
     std::vector<Arguments<double>> states;
     for (const Climb& climb : climbs) {
-      for (const SearchedLeaf& number : moving_) {
-        const double share = draw_.share();
+      for (const SearchedLeaf& number : searched_leaves_) {
+        const double share = sampler_.random_fraction();
         states.push_back(neighbour_state(climb, number, share));
         states.push_back(neighbour_state(climb, number, -share));
       }
@@ -147,28 +148,28 @@ class ErrorSearch {
   }
 
   /// The state of `climb`, each leaf moved in the direction in which it alone increased the error.
-  [[nodiscard]] Arguments<double> joint_state(const Climb& climb, const Arguments<double>* near,
-                                              const double* errors) const {
+  [[nodiscard]] Arguments<double> combined_state(const Climb& climb, const Arguments<double>* near,
+                                                 const double* errors) const {
     Arguments<double> state = climb.state;
-    for (std::size_t k = 0; k < moving_.size(); ++k) {
+    for (std::size_t k = 0; k < searched_leaves_.size(); ++k) {
       const std::size_t worse = errors[2 * k] >= errors[2 * k + 1] ? 2 * k : 2 * k + 1;
-      const SearchedLeaf& number = moving_[k];
+      const SearchedLeaf& number = searched_leaves_[k];
       if (errors[worse] <= climb.error) continue;
-      set(state, number, leaf_of(near[worse], number.kind, number.number));
+      set_leaf(state, number, leaf_of(near[worse], number.kind, number.number));
     }
-    scale_quaternions(exact_.model, state);
+    normalize_quaternions(exact_.model, state);
     return state;
   }
 
   void sweep(std::vector<Climb>& climbs) {
-    const std::size_t each = 2 * moving_.size();
+    const std::size_t each = 2 * searched_leaves_.size();
     const std::vector<Arguments<double>> near = neighbours(climbs);
-    const std::vector<double> errors = errors_at(near);
+    const std::vector<double> errors = approximate_errors(near);
     std::vector<Arguments<double>> joint;
     for (std::size_t c = 0; c < climbs.size(); ++c) {
-      joint.push_back(joint_state(climbs[c], &near[c * each], &errors[c * each]));
+      joint.push_back(combined_state(climbs[c], &near[c * each], &errors[c * each]));
     }
-    const std::vector<double> of_joint = errors_at(joint);
+    const std::vector<double> of_joint = approximate_errors(joint);
     for (std::size_t c = 0; c < climbs.size(); ++c) {
       Climb& climb = climbs[c];
       const double before = climb.error;
@@ -189,16 +190,16 @@ class ErrorSearch {
   RoundedProgram<long double> reference_;
   std::vector<long double> parameters_;  ///< the exact parameters, rounded to long double
   FieldScales scales_;
-  std::vector<SearchedLeaf> moving_;
-  const DesignValues& design_;
+  std::vector<SearchedLeaf> searched_leaves_;
+  const DesignEvaluator& design_;
   std::size_t states_searched_;
-  Sampler draw_;
+  Sampler sampler_;
 };
 
 }  // namespace
 
 FoundErrors find_errors(const CheckedModel& exact, const Program& program,
-                        const TradeoffStates& states, const DesignValues& design) {
+                        const TradeoffStates& states, const DesignEvaluator& design) {
   const std::vector<double> errors = state_errors(design(states.states), states);
   std::vector<std::size_t> order(errors.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -215,7 +216,7 @@ FoundErrors find_errors(const CheckedModel& exact, const Program& program,
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (confirmed[i] <= found.worst) continue;
     found.worst = confirmed[i];
-    found.where = ends[i];
+    found.worst_state = ends[i];
   }
   return found;
 }

@@ -1,5 +1,5 @@
-// tradeoff_states: draws random states inside the ranges, and computes the exact values at these
-// states.
+// sample_tradeoff_states: draws random states inside the ranges, and computes the exact values at
+// these states.
 #include "sample/states.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace elgen {
 namespace {
 
 /// Sets the range of the leaf that has the name of `narrowed`.
-void narrow(const Model& model, const NamedRange& narrowed, LeafValues<Range>& ranges) {
+void narrow_range(const Model& model, const NamedRange& narrowed, LeafValues<Range>& ranges) {
   const auto visit = [&](Opcode kind, std::uint32_t i, Range& range) {
     const bool is_named = is_in_state(kind) && leaf_text(model, kind, i) == narrowed.name;
     if (is_named) range = {narrowed.low, narrowed.high};
@@ -23,22 +23,22 @@ void narrow(const Model& model, const NamedRange& narrowed, LeafValues<Range>& r
   for_each_leaf(visit, ranges);
 }
 
-ExactNumber exact_number(const cln::cl_R& value) {
+TwoDoubleNumber exact_number(const cln::cl_R& value) {
   const double high = to_double(value);
   return {high, to_double(value - exact_value(high))};
 }
 
 }  // namespace
 
-std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checked,
-                                                      const Program& program,
-                                                      const Arguments<double>& state) {
+std::optional<std::vector<TwoDoubleNumber>> exact_entries(const CheckedModel& checked,
+                                                          const Program& program,
+                                                          const Arguments<double>& state) {
   Arguments<Real> arguments = map_leaves([](double x) { return Real(exact_value(x)); }, state);
   const State nominal = nominal_state(checked.model, checked.scene);
   for (std::size_t i = 0; i < arguments.parameters.size(); ++i) {
     arguments.parameters[i] = Real(nominal.parameters[i]);
   }
-  std::vector<ExactNumber> entries;
+  std::vector<TwoDoubleNumber> entries;
   for (const Real& value : evaluate(program, program.functions.front(), arguments)) {
     if (!value.is_defined()) return std::nullopt;
     entries.push_back(exact_number(value.value()));
@@ -46,12 +46,12 @@ std::optional<std::vector<ExactNumber>> exact_entries(const CheckedModel& checke
   return entries;
 }
 
-Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program& program,
-                                       const TradeoffSampling& sampling) {
-  const Subject subject{exact.model, exact.scene, program};
+Result<TradeoffStates> sample_tradeoff_states(const CheckedModel& exact, const Program& program,
+                                              const TradeoffSampling& sampling) {
+  const SystemUnderTest subject{exact.model, exact.scene, program};
   LeafValues<Range> within = ranges_of(subject);
   for (const NamedRange& range : exact.scene.numerics.ranges) {
-    narrow(exact.model, range, within);
+    narrow_range(exact.model, range, within);
   }
   Sampler draw(sampling.seed);
   TradeoffStates result;
@@ -60,7 +60,7 @@ Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program&
   result.high = map_leaves([](const Range& range) { return range.high; }, within);
   const std::size_t count = sampling.count;
   for (std::size_t tried = 0; result.states.size() < count && tried < 2 * count; ++tried) {
-    const Arguments<double> state = drawn_within(subject, within, draw);
+    const Arguments<double> state = draw_in_ranges(subject, within, draw);
     auto entries = exact_entries(exact, program, state);
     if (!entries) continue;
     result.states.push_back(state);
@@ -70,7 +70,7 @@ Result<TradeoffStates> tradeoff_states(const CheckedModel& exact, const Program&
     return Diagnostic{Code::E521,
                       {},
                       fmt::format("{} has no value at most states inside the ranges",
-                                  in_backticks(program.functions.front().name)),
+                                  quote_text(program.functions.front().name)),
                       "`--range NAME=LOW..HIGH` narrows them"};
   }
   for (const Field& field : program.functions.front().fields) {

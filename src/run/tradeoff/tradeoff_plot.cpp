@@ -35,7 +35,7 @@ constexpr std::array outlines{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0 -5 0Z",
 
 /// An axis of log10 between the powers of ten around all numbers, without ticks. Numbers without a
 /// logarithm (0, infinity) are drawn at its ends.
-ChartAxis decades_around(const std::vector<double>& numbers) {
+ChartAxis log_axis_around(const std::vector<double>& numbers) {
   double low = INFINITY;
   double high = -INFINITY;
   for (const double number : numbers) {
@@ -49,7 +49,7 @@ ChartAxis decades_around(const std::vector<double>& numbers) {
 }
 
 ChartAxis axis_of_costs(const std::vector<double>& costs) {
-  ChartAxis axis = decades_around(costs);
+  ChartAxis axis = log_axis_around(costs);
   const bool is_narrow = axis.high - axis.low <= 2;
   for (double k = axis.low; k <= axis.high; ++k) {
     for (const int factor : {1, 2, 5}) {
@@ -62,7 +62,7 @@ ChartAxis axis_of_costs(const std::vector<double>& costs) {
 }
 
 ChartAxis axis_of_errors(const std::vector<double>& errors) {
-  ChartAxis axis = decades_around(errors);
+  ChartAxis axis = log_axis_around(errors);
   const double distance = 1 + std::floor((axis.high - axis.low) / 12);
   for (double k = axis.low; k <= axis.high; k += distance) {
     axis.ticks.push_back({k, fmt::format("1e{:g}", k)});
@@ -87,18 +87,18 @@ class TradeoffPlot {
     chart_.x.title = fmt::format("cost [{}]", table.cost);
   }
 
-  [[nodiscard]] std::string text() const {
+  [[nodiscard]] std::string to_svg_text() const {
     std::string svg =
         svg_start(legend_left + legend_width,
                   std::max(top_margin + plot_height + bottom_margin, legend_y(rows_.size() + 5)),
                   fmt::format("{}, {}: {}", table_.model, table_.subject, table_.error));
     svg += chart_.grid() + svg_label(14, top_margin - 14, "start", "worst error, relative") +
-           pareto_front() + legend();
+           pareto_front_svg() + legend_svg();
     // In reverse order, because rows on the front come first among equal costs: drawn last, they
     // are not covered.
     for (std::size_t i = rows_.size(); i-- > 0;) {
       const TradeoffRow& row = *rows_[i];
-      svg += symbol(row, x_of(row), y_of(row)) + number(i);
+      svg += mark_svg(row, x_of(row), y_of(row)) + mark_number_svg(i);
     }
     return svg + "</svg>\n";
   }
@@ -114,7 +114,7 @@ class TradeoffPlot {
 
   /// A staircase: costs increase and errors decrease along the front. Between two costs, the line
   /// has the error of the cheaper design.
-  [[nodiscard]] std::string pareto_front() const {
+  [[nodiscard]] std::string pareto_front_svg() const {
     std::string path;
     for (const TradeoffRow* row : rows_) {
       if (!row->is_on_pareto_front) continue;
@@ -124,7 +124,7 @@ class TradeoffPlot {
     return fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"#888\"/>\n", path);
   }
 
-  [[nodiscard]] std::string symbol(const TradeoffRow& row, double x, double y) const {
+  [[nodiscard]] std::string mark_svg(const TradeoffRow& row, double x, double y) const {
     const char* const fill = row.is_on_pareto_front   ? "black"
                              : row.is_below_reference ? "#bbb"
                                                       : "white";
@@ -143,7 +143,7 @@ class TradeoffPlot {
 
   /// The number of mark i, at the upper left or the lower right in turn, because marks with similar
   /// costs are often close. The line of the Pareto front touches neither place.
-  [[nodiscard]] std::string number(std::size_t i) const {
+  [[nodiscard]] std::string mark_number_svg(std::size_t i) const {
     const bool is_left = i % 2 == 0;
     return svg_label(x_of(*rows_[i]) + (is_left ? -radius : radius),
                      y_of(*rows_[i]) + (is_left ? -radius : radius + 9), is_left ? "end" : "start",
@@ -155,7 +155,7 @@ class TradeoffPlot {
   }
 
   /// Lists dimensions and designs, and explains the marks and the line.
-  [[nodiscard]] std::string legend() const {
+  [[nodiscard]] std::string legend_svg() const {
     std::string svg = svg_title(legend_left + 14, legend_y(0) + 4,
                                 fmt::format("{}", fmt::join(table_.dimensions, ", ")));
     std::size_t line = 1;
@@ -176,7 +176,7 @@ class TradeoffPlot {
     std::vector<std::string> values = row.values;
     std::replace(values.begin(), values.end(), std::string("one"),
                  std::string("one state at a time"));
-    return symbol(row, legend_left, legend_y(line)) +
+    return mark_svg(row, legend_left, legend_y(line)) +
            svg_label(legend_left + 14, legend_y(line) + 4, "start",
                      fmt::format("{}  {}", line, fmt::join(values, ", ")));
   }
@@ -188,6 +188,6 @@ class TradeoffPlot {
 
 }  // namespace
 
-std::string to_svg(const TradeoffTable& table) { return TradeoffPlot(table).text(); }
+std::string to_svg(const TradeoffTable& table) { return TradeoffPlot(table).to_svg_text(); }
 
 }  // namespace elgen

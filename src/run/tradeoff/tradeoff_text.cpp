@@ -13,7 +13,7 @@ namespace elgen {
 namespace {
 
 using Cells = std::vector<std::string>;
-Cells titles_of(const TradeoffTable& table) {
+Cells column_titles(const TradeoffTable& table) {
   Cells titles{"rank"};
   titles.insert(titles.end(), table.dimensions.begin(), table.dimensions.end());
   titles.push_back(table.cost);
@@ -60,7 +60,7 @@ Json json_of(const Quartiles& spread) {
 }
 
 /// null for infinity and NaN, which JSON lacks.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json json_of(const TradeoffTable& table, const TradeoffRow& row) {
   Json values = Json::object();
@@ -73,9 +73,9 @@ Json json_of(const TradeoffTable& table, const TradeoffRow& row) {
   json["rank"] = row.rank;
   json["cost"] = json_of(row.cost);
   if (!table.call_cost.empty()) json["call_cost"] = json_of(row.call_cost);
-  json["error"] = {{"worst", number(row.error.worst)},
-                   {"median", number(row.error.median)},
-                   {"least", number(row.error.least)}};
+  json["error"] = {{"worst", json_number(row.error.worst)},
+                   {"median", json_number(row.error.median)},
+                   {"least", json_number(row.error.least)}};
   if (row.is_below_reference) json["error"]["below_reference"] = true;
   json["front"] = row.is_on_pareto_front;
   return json;
@@ -92,7 +92,7 @@ std::string csv_cell(const std::string& text) {
 }  // namespace
 
 std::string to_text(const TradeoffTable& table) {
-  std::vector<Cells> rows{titles_of(table)};
+  std::vector<Cells> rows{column_titles(table)};
   for (const TradeoffRow& row : table.rows) rows.push_back(cells_of(table, row));
   std::string text = fmt::format("{}, {}: {}\n\n", table.model, table.subject, table.error);
   std::vector<std::string> lines = table_lines(rows, {{}});

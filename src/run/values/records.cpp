@@ -17,11 +17,11 @@ namespace {
 
 std::vector<std::string> labels_of(const Model& model, Extent extent, std::uint32_t user) {
   std::vector<std::string> labels;
-  for (const Line& line : lines_along(model, extent, user)) labels.push_back(line.text());
+  for (const FieldLine& line : extent_lines(model, extent, user)) labels.push_back(line.text());
   return labels;
 }
 
-ValueField field_of(const Model& model, const OutputRequest& output, const FieldRow& row) {
+ValueField make_value_field(const Model& model, const OutputRequest& output, const FieldRow& row) {
   ValueField field{std::string(row.name), labels_of(model, row.rows, output.user),
                    labels_of(model, row.columns, output.user)};
   for (std::size_t r = 0; r < field.rows.size(); ++r) {
@@ -32,16 +32,16 @@ ValueField field_of(const Model& model, const OutputRequest& output, const Field
   return field;
 }
 
-ValueFunction function_of(const Model& model, const OutputRequest& output) {
+ValueFunction make_value_function(const Model& model, const OutputRequest& output) {
   ValueFunction function{output,
                          arguments_of(model, Function{.kind = output.kind, .user = output.user})};
   // Emitted functions have an argument u even if the model has no inputs.
   std::erase_if(function.takes,
                 [&](Opcode kind) { return kind != Opcode::input && leaf_count(model, kind) == 0; });
   for (const FieldRow& row : output_row(output.kind).fields) {
-    const bool is_left_out = row.rows == Extent::pivots && output.without_pivots;
+    const bool is_left_out = row.rows == Extent::pivots && output.omits_pivots;
     if (!is_left_out && has_field(output, row))
-      function.fields.push_back(field_of(model, output, row));
+      function.fields.push_back(make_value_field(model, output, row));
   }
   std::erase_if(function.fields, [](const ValueField& field) { return field.units.empty(); });
   return function;
@@ -49,34 +49,34 @@ ValueFunction function_of(const Model& model, const OutputRequest& output) {
 
 }  // namespace
 
-ValueTable table_of(const CheckedModel& checked, int digits) {
+ValueTable make_value_table(const CheckedModel& checked, int digits) {
   ValueTable table{checked.model, checked.scene.base_name, digits};
   for (const OutputRequest& output : checked.scene.outputs) {
     if (output_row(output.kind).is_summary) continue;
-    table.functions.push_back(function_of(checked.model, output));
+    table.functions.push_back(make_value_function(checked.model, output));
   }
   return table;
 }
 
-Diagnostic no_value(std::string_view name, const Span& span, const StableValues& settled) {
+Diagnostic no_value_error(std::string_view name, const Span& span, const StableValues& settled) {
   const std::string text = settled.is_decided
                                ? "has no value at this state"
                                : fmt::format(
                                      "is undecided at this state: {} digits do not distinguish its "
                                      "values from 0, or a number in them is too large",
                                      max_stable_digits);
-  return {Code::E521, span, in_backticks(name) + " " + text};
+  return {Code::E521, span, quote_text(name) + " " + text};
 }
 
-Result<ValueRecord> record_at(const ValueTable& table, std::size_t function, std::string place,
-                              const State& state) {
+Result<ValueRecord> make_value_record(const ValueTable& table, std::size_t function,
+                                      std::string place, const State& state) {
   const OutputRequest& output = table.functions[function].output;
   StableValues settled = stable_values(table.model, output, state);
   OracleValues& values = settled.values;
-  if (!values) return no_value(output.name, output.span, settled);
-  if (output.without_pivots) {
-    const auto pivots = values->begin() + extent_of(table.model, Extent::velocities);
-    values->erase(pivots, pivots + extent_of(table.model, Extent::pivots));
+  if (!values) return no_value_error(output.name, output.span, settled);
+  if (output.omits_pivots) {
+    const auto pivots = values->begin() + extent_size(table.model, Extent::velocities);
+    values->erase(pivots, pivots + extent_size(table.model, Extent::pivots));
   }
   return ValueRecord{function, std::move(place), state, std::move(*values)};
 }

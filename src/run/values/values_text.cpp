@@ -21,7 +21,7 @@ std::vector<std::string> leaf_texts(const Model& model, Opcode kind) {
   return texts;
 }
 
-LeafSet set_of(const std::vector<Opcode>& kinds) {
+LeafSet leaf_set(const std::vector<Opcode>& kinds) {
   LeafSet set;
   for (const Opcode kind : kinds) set |= kind;
   return set;
@@ -30,7 +30,7 @@ LeafSet set_of(const std::vector<Opcode>& kinds) {
 /// The kinds of leaves that at least one function takes.
 LeafSet argument_kinds(const ValueTable& table) {
   LeafSet kinds;
-  for (const ValueFunction& function : table.functions) kinds |= set_of(function.takes);
+  for (const ValueFunction& function : table.functions) kinds |= leaf_set(function.takes);
   return kinds;
 }
 
@@ -48,7 +48,7 @@ std::string field_text(const std::string& title, const ValueField& field,
     const auto first = texts.begin() + static_cast<std::ptrdiff_t>(i * width);
     rows.back().insert(rows.back().end(), first, first + static_cast<std::ptrdiff_t>(width));
   }
-  std::vector<std::string> lines = table_lines(rows, {{}, {.is_right = true}});
+  std::vector<std::string> lines = table_lines(rows, {{}, {.is_right_aligned = true}});
   if (!has_columns) lines.erase(lines.begin());
   return fmt::format("{}\n{}\n", title, fmt::join(lines, "\n"));
 }
@@ -60,7 +60,7 @@ std::string state_text(const ValueTable& table, const State& state) {
   const auto add = [&](Opcode kind, std::uint32_t number, const cln::cl_R& value) {
     if (kind == Opcode::parameter || !kinds.has_any(kind)) return;
     parts.push_back(fmt::format("{} = {}", leaf_text(table.model, kind, number),
-                                decimal_text(value, table.digits)));
+                                rounded_decimal_text(value, table.digits)));
   };
   for_each_leaf(add, state);
   return fmt::format("{}", fmt::join(parts, ", "));
@@ -80,10 +80,10 @@ std::string function_json(const ValueTable& table, const ValueFunction& function
 
 std::string record_json(const ValueTable& table, const ValueRecord& record) {
   const ValueFunction& function = table.functions[record.function];
-  std::string text =
-      fmt::format(R"({{"function": "{}", "state": "{}", {}, "value": [{}])", function.output.name,
-                  record.place, state_json(table.model, record.state, function.takes, table.digits),
-                  decimal_texts(record.values, table.digits));
+  std::string text = fmt::format(
+      R"({{"function": "{}", "state": "{}", {}, "value": [{}])", function.output.name,
+      record.state_name, state_json(table.model, record.state, function.takes, table.digits),
+      rounded_decimal_texts(record.values, table.digits));
   if (!record.digits.empty())
     text += fmt::format(R"(, "digits": [{}])", fmt::join(record.digits, ", "));
   return text + "}";
@@ -113,14 +113,15 @@ std::string struct_text(const ValueTable& table, const ValueFunction& function) 
 std::string initializer(const ValueTable& table, const ValueRecord& record) {
   std::string text;
   for (const Opcode kind : table.functions[record.function].takes) {
-    const auto* const list = list_of(record.state, kind);
+    const auto* const list = leaf_list(record.state, kind);
     if (list != nullptr && list->empty()) continue;
-    text += list == nullptr ? decimal_text(leaf_of(record.state, kind, 0), table.digits) + ", "
-                            : fmt::format("{{{}}}, ", decimal_texts(*list, table.digits));
+    text += list == nullptr
+                ? rounded_decimal_text(leaf_of(record.state, kind, 0), table.digits) + ", "
+                : fmt::format("{{{}}}, ", rounded_decimal_texts(*list, table.digits));
   }
   return fmt::format("  {{{}{{{}}}, {{{}}}}}, /* {} */\n", text,
-                     decimal_texts(record.values, table.digits), fmt::join(record.digits, ", "),
-                     record.place);
+                     rounded_decimal_texts(record.values, table.digits),
+                     fmt::join(record.digits, ", "), record.state_name);
 }
 
 }  // namespace
@@ -135,7 +136,8 @@ std::string to_text(const ValueTable& table) {
       std::vector<std::string> texts;
       for (const std::string& unit : field.units) {
         const bool has_unit = !unit.empty() && unit != "1";
-        texts.push_back(decimal_text(*value++, table.digits) + (has_unit ? " " + unit : ""));
+        texts.push_back(rounded_decimal_text(*value++, table.digits) +
+                        (has_unit ? " " + unit : ""));
       }
       const std::string part = field.name.empty() ? "" : "." + field.name;
       text += field_text(function.output.name + part, field, std::move(texts));
@@ -166,12 +168,12 @@ std::string to_csv(const ValueTable& table) {
   text += "\n";
   for (const ValueRecord& record : table.records) {
     const ValueFunction& function = table.functions[record.function];
-    const LeafSet own_kinds = set_of(function.takes);
-    std::string cells = record.place;
+    const LeafSet own_kinds = leaf_set(function.takes);
+    std::string cells = record.state_name;
     for_each_leaf(
         [&](Opcode kind, std::uint32_t, const cln::cl_R& value) {
           if (!kinds.has_any(kind)) return;
-          cells += "," + (own_kinds.has_any(kind) ? decimal_text(value, table.digits) : "");
+          cells += "," + (own_kinds.has_any(kind) ? rounded_decimal_text(value, table.digits) : "");
         },
         record.state);
     std::size_t entry = 0;
@@ -181,7 +183,7 @@ std::string to_csv(const ValueTable& table) {
         text +=
             fmt::format("{},{},{},{},{},{},{},{}\n", function.output.name, field.name,
                         field.rows[i / width], field.columns[i % width], field.units[i],
-                        decimal_text(record.values[entry], table.digits),
+                        rounded_decimal_text(record.values[entry], table.digits),
                         record.digits.empty() ? "" : std::to_string(record.digits[entry]), cells);
       }
     }
@@ -199,7 +201,7 @@ std::string to_header(const ValueTable& table) {
       "/* Test vectors of {0}: arguments of its functions and their values, row-major, one field\n"
       "   after the other. digits: the significant digits of a value that a double keeps.{2} */\n"
       "#ifndef {1}_VECTORS_H\n#define {1}_VECTORS_H\n",
-      table.name, capitals(table.name), unmet);
+      table.name, upper_case(table.name), unmet);
   for (std::size_t i = 0; i < table.functions.size(); ++i) {
     const ValueFunction& function = table.functions[i];
     std::string rows;

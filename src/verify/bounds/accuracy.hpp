@@ -12,9 +12,9 @@
 
 namespace elgen {
 
-/// The options of visit_all() and check_accuracy().
+/// The options of check_states() and check_accuracy().
 struct AccuracyOptions {
-  VisitOptions visit = {};
+  StateCheckOptions check_options = {};
   /// Called at each step with a text such as "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
   std::size_t jobs = 1;  ///< processes
@@ -32,8 +32,8 @@ using FindingsHandler = std::function<void(std::size_t at, const Findings& findi
 /// process visits all states by itself. If a process exceeds its processor time, this process
 /// raises SIGXCPU. Scalar: double or float.
 template <class Scalar>
-void visit_all(const Subject& subject, const std::vector<SampledState<Scalar>>& states,
-               const AccuracyOptions& options, const FindingsHandler& take);
+void check_states(const SystemUnderTest& subject, const std::vector<SampledState<Scalar>>& states,
+                  const AccuracyOptions& options, const FindingsHandler& take);
 
 /// One row per field of each output; one row for code as users compile it, and one for code in a
 /// wider scalar, if `options.visit` has such code; one row per output for its lost digits, if they
@@ -41,10 +41,10 @@ void visit_all(const Subject& subject, const std::vector<SampledState<Scalar>>& 
 ///     the exact value differs from the oracle's by more than agrees_with_oracle() permits
 ///     the state is nominal, and the exact value is undefined although the oracle has a value
 ///     the rounded value is not finite
-///     the error of compiled code exceeds most_of_users or most_of_wide
+///     the error of compiled code exceeds max_user_code_error or max_wide_code_error
 template <class Scalar>
 [[nodiscard]] std::vector<CertificateRow> check_accuracy(
-    const Subject& subject, const std::vector<SampledState<Scalar>>& states,
+    const SystemUnderTest& subject, const std::vector<SampledState<Scalar>>& states,
     const AccuracyOptions& options = {});
 
 }  // namespace elgen

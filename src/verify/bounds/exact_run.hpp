@@ -19,25 +19,25 @@ enum class Regime : std::uint8_t {
 };
 
 /// The worse of both; from the worst: undefined, overflow, ill_conditioned, unsettled, regular.
-[[nodiscard]] Regime worse(Regime x, Regime y);
+[[nodiscard]] Regime worse_regime(Regime x, Regime y);
 
 struct ExactRun {
   Regime regime = Regime::regular;
-  std::vector<Running<Real>> values = {};   ///< of all instructions
-  std::vector<Running<Real>> entries = {};  ///< of all fields
+  std::vector<RunningValue<Real>> values = {};   ///< of all instructions
+  std::vector<RunningValue<Real>> entries = {};  ///< of all fields
 };
 
-[[nodiscard]] ExactRun exact_run(const Program& program, const Function& function,
-                                 const State& state, const Rounding<Real>& rounding);
+[[nodiscard]] ExactRun run_exactly(const Program& program, const Function& function,
+                                   const State& state, const RoundingConstants<Real>& rounding);
 
 /// max(0, |x - exact| - operations eta), eta the smallest denormal: each operation that underflows
 /// may have an error of eta. Undefined if x is not finite.
 [[nodiscard]] Real excess_error(double x, const Real& exact, std::size_t operations,
-                                const Rounding<Real>& rounding);
+                                const RoundingConstants<Real>& rounding);
 
 /// excess/(u scale), u the unit roundoff. 0 if the excess is 0; infinite if the excess is undefined
 /// or the scale is 0.
-[[nodiscard]] double in_roundoffs(const Real& excess, const Real& scale,
-                                  const Rounding<Real>& rounding);
+[[nodiscard]] double error_in_roundoffs(const Real& excess, const Real& scale,
+                                        const RoundingConstants<Real>& rounding);
 
 }  // namespace elgen

@@ -9,7 +9,8 @@ namespace elgen {
 namespace {
 
 /// The request whose oracle values belong to the field.
-OutputRequest request_of(const Subject& subject, const Function& function, const Field& field) {
+OutputRequest oracle_request(const SystemUnderTest& subject, const Function& function,
+                             const Field& field) {
   const bool repeats = output_row(function.kind).is_summary;
   const OutputRequest* const asked =
       find_request(subject.scene, repeats ? field.name : function.name);
@@ -21,15 +22,15 @@ OutputRequest request_of(const Subject& subject, const Function& function, const
 }
 
 /// The index of a field in the output table; 0 if the output has no field of this name.
-std::size_t number_of_field(OutputKind kind, std::string_view name) {
+std::size_t field_index(OutputKind kind, std::string_view name) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   const auto found = std::ranges::find(fields, name, &FieldRow::name);
   return found == fields.end() ? 0 : static_cast<std::size_t>(found - fields.begin());
 }
 
 /// The closed form of one field of functions[index], whose entries start at `first`.
-ClosedForm form_of(const Program& program, std::size_t index, const Field& field,
-                   std::size_t first) {
+ClosedForm closed_form_of(const Program& program, std::size_t index, const Field& field,
+                          std::size_t first) {
   const Function& function = program.functions[index];
   if (function.form != Form::closed) return {};
   if (!output_row(function.kind).is_summary) {
@@ -46,23 +47,23 @@ ClosedForm form_of(const Program& program, std::size_t index, const Field& field
 
 }  // namespace
 
-std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index) {
+std::vector<ComparedField> compared_fields(const SystemUnderTest& subject, std::size_t index) {
   const Function& function = subject.program.functions[index];
   const bool holds_others = output_row(function.kind).is_summary;
-  std::vector<FieldPlace> places;
+  std::vector<ComparedField> places;
   std::size_t first = 0;
   for (std::size_t i = 0; i < function.fields.size(); ++i) {
     const Field& field = function.fields[i];
-    FieldPlace place;
+    ComparedField place;
     place.function = &function;
-    place.index = i;
-    place.first = first;
-    place.form = form_of(subject.program, index, field, first);
-    place.request = request_of(subject, function, field);
-    place.request_field = number_of_field(place.request.kind, field.name);
+    place.field_index = i;
+    place.first_entry = first;
+    place.closed_form = closed_form_of(subject.program, index, field, first);
+    place.request = oracle_request(subject, function, field);
+    place.request_field_index = field_index(place.request.kind, field.name);
     if (!holds_others) {
-      place.first_oracle = first_entry_of(
-          subject.model, {.kind = function.kind, .user = function.user}, place.request_field);
+      place.first_oracle_entry = first_entry_index(
+          subject.model, {.kind = function.kind, .user = function.user}, place.request_field_index);
     }
     first += field.entries.size();
     places.push_back(std::move(place));
@@ -70,10 +71,10 @@ std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index) 
   return places;
 }
 
-std::vector<FieldPlace> field_places(const Subject& subject) {
-  std::vector<FieldPlace> places;
+std::vector<ComparedField> field_places(const SystemUnderTest& subject) {
+  std::vector<ComparedField> places;
   for (std::size_t index = 0; index < subject.program.functions.size(); ++index) {
-    for (FieldPlace& place : field_places(subject, index)) places.push_back(std::move(place));
+    for (ComparedField& place : compared_fields(subject, index)) places.push_back(std::move(place));
   }
   return places;
 }

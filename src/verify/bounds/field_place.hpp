@@ -1,5 +1,5 @@
-// FieldPlace: one field of a function of the program, with the oracle's request and the closed form
-// to which it is compared.
+// ComparedField: one field of a function of the program, with the oracle's request and the closed
+// form to which it is compared.
 #pragma once
 
 #include <vector>
@@ -11,30 +11,31 @@ namespace elgen {
 /// The closed form of an emitted function, as pages print it.
 struct ClosedForm {
   const Function* function = nullptr;  ///< null if there is none
-  std::size_t first = 0;               ///< index of the field's first entry in the form
+  std::size_t first_entry = 0;         ///< index of the field's first entry in the form
 };
 
-struct FieldPlace {
+struct ComparedField {
   const Function* function = nullptr;
-  std::size_t index = 0;  ///< index of the field in the function
-  std::size_t first = 0;  ///< index of its first entry in the function
-  ClosedForm form = {};
-  OutputRequest request = {};     ///< whose oracle values belong to this field
-  std::size_t request_field = 0;  ///< index of the field in the output table
-  std::size_t first_oracle = 0;   ///< index of its first entry among the oracle's values
+  std::size_t field_index = 0;  ///< index of the field in the function
+  std::size_t first_entry = 0;  ///< index of its first entry in the function
+  ClosedForm closed_form = {};
+  OutputRequest request = {};           ///< whose oracle values belong to this field
+  std::size_t request_field_index = 0;  ///< index of the field in the output table
+  std::size_t first_oracle_entry = 0;   ///< index of its first entry among the oracle's values
 
-  [[nodiscard]] const Field& field() const { return function->fields[index]; }
+  [[nodiscard]] const Field& field() const { return function->fields[field_index]; }
   [[nodiscard]] const FieldRow& row() const { return field_row(request.kind, field().name); }
   /// True for a remainder of an iteration: its terms cancel up to rounding errors, so no
   /// loss of digits is measured.
-  [[nodiscard]] bool is_remainder() const { return row().is_remainder; }
+  [[nodiscard]] bool is_remainder() const { return row().is_residual; }
 };
 
 /// The fields of functions[index], in order. `dynamics` has one field per output, named after this
 /// output; every other function is one output.
-[[nodiscard]] std::vector<FieldPlace> field_places(const Subject& subject, std::size_t index);
+[[nodiscard]] std::vector<ComparedField> compared_fields(const SystemUnderTest& subject,
+                                                         std::size_t index);
 
 /// The fields of all functions, in order.
-[[nodiscard]] std::vector<FieldPlace> field_places(const Subject& subject);
+[[nodiscard]] std::vector<ComparedField> field_places(const SystemUnderTest& subject);
 
 }  // namespace elgen

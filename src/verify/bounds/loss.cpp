@@ -12,7 +12,7 @@ namespace elgen {
 namespace {
 
 /// The entries of D^1/2, D the diagonal of M; empty if an entry of D is not positive.
-std::vector<Real> roots_of_diagonal(OracleCache& oracle) {
+std::vector<Real> sqrt_of_mass_diagonal(OracleCache& oracle) {
   std::vector<Real> roots;
   for (const cln::cl_R& entry : oracle.diagonal_of_mass()) {
     if (!cln::plusp(entry)) return {};
@@ -22,7 +22,7 @@ std::vector<Real> roots_of_diagonal(OracleCache& oracle) {
 }
 
 /// The lengths of the rows of A D^-1/2; empty if A is undefined. `roots`: D^1/2.
-std::vector<Real> lengths_of_rows(const std::vector<Real>& roots, OracleCache& oracle) {
+std::vector<Real> jacobian_row_norms(const std::vector<Real>& roots, OracleCache& oracle) {
   const OracleValues& jacobian = oracle.values({.kind = OutputKind::constraint_jacobian});
   if (!jacobian) return {};
   const std::size_t n = roots.size();
@@ -44,12 +44,12 @@ constexpr std::size_t most_sweeps = 16;
 /// Marks the constants of the program that may depend on parameters which the scene fixes: their
 /// rounding counts in K. Not marked: literals of the model, powers of two, and irrational constants
 /// if no fixed parameter has an irrational value.
-std::vector<bool> constants_of_fixed(const Model& model, const Scene& scene,
-                                     const Program& program) {
+std::vector<bool> mark_fixed_constants(const Model& model, const Scene& scene,
+                                       const Program& program) {
   const FixedParameters& fixed = scene.specialisation.fixed;
   if (fixed.empty()) return {};
-  const bool has_irrational =
-      std::ranges::any_of(fixed, [](const auto& x) { return x.second.form.has_value(); });
+  const bool has_irrational = std::ranges::any_of(
+      fixed, [](const auto& x) { return x.second.exact_expression.has_value(); });
   std::set<cln::cl_R> literals;
   for (const Expression& x : model.expressions) {
     if (x.kind == ExpressionKind::number) literals.insert(cln::abs(x.number));
@@ -65,14 +65,14 @@ std::vector<bool> constants_of_fixed(const Model& model, const Scene& scene,
 
 }  // namespace
 
-std::vector<SolvedColumn> solved_columns(const FieldPlace& place, OracleCache& oracle) {
+std::vector<SolvedColumn> solved_columns(const ComparedField& place, OracleCache& oracle) {
   const OutputRow& output = output_row(place.request.kind);
   const Field& field = place.field();
   const bool is_multiplier = field.name == "multipliers";
   const bool is_acceleration = place.row().name == "acceleration" || output.differentiates;
-  if (!output.solves || !(is_multiplier || is_acceleration)) return {};
-  std::vector<Real> weights = roots_of_diagonal(oracle);
-  if (is_multiplier && !weights.empty()) weights = lengths_of_rows(weights, oracle);
+  if (!output.solves_mass_matrix || !(is_multiplier || is_acceleration)) return {};
+  std::vector<Real> weights = sqrt_of_mass_diagonal(oracle);
+  if (is_multiplier && !weights.empty()) weights = jacobian_row_norms(weights, oracle);
   if (weights.empty()) return {};
   // The first rows of a linearisation are the rates of positions, which no solution contains.
   const std::size_t above = field.rows - weights.size();
@@ -86,7 +86,7 @@ std::vector<SolvedColumn> solved_columns(const FieldPlace& place, OracleCache& o
   return columns;
 }
 
-Real norm(const SolvedColumn& column, const std::vector<Real>& values) {
+Real weighted_norm(const SolvedColumn& column, const std::vector<Real>& values) {
   Real square;
   for (std::size_t i = 0; i < column.entries.size(); ++i) {
     const Real weighted = values[column.entries[i]] * column.weights[i];
@@ -95,25 +95,25 @@ Real norm(const SolvedColumn& column, const std::vector<Real>& values) {
   return sqrt(square);
 }
 
-Losses::Losses(const Subject& subject, OracleCache& oracle, const Rounding<Real>& rounding,
-               double least)
+LossMeter::LossMeter(const SystemUnderTest& subject, OracleCache& oracle,
+                     const RoundingConstants<Real>& rounding, double least)
     : subject_(subject),
       oracle_(oracle),
       rounding_(rounding),
-      least_(least),
-      fixed_(constants_of_fixed(subject.model, subject.scene, subject.program)) {}
+      min_loss_(least),
+      depends_on_fixed_(mark_fixed_constants(subject.model, subject.scene, subject.program)) {}
 
 /// K of one entry of the field.
-Real Losses::conditioning(const FieldPlace& place, const ExactRun& run, std::size_t entry) {
+Real LossMeter::conditioning(const ComparedField& place, const ExactRun& run, std::size_t entry) {
   std::unique_ptr<Conditioning>& known = conditioning_[place.function];
   if (known == nullptr) {
     known = std::make_unique<Conditioning>(subject_.program, *place.function, values_of(run.values),
-                                           fixed_);
+                                           depends_on_fixed_);
   }
-  return known->of(place.field().entries[entry]);
+  return known->absolute_condition(place.field().entries[entry]);
 }
 
-bool Losses::knows_angles() const {
+bool LossMeter::has_accurate_angles() const {
   static const Real known(cln::cl_RA(1) / 1000);
   const State& state = oracle_.state();
   for (std::size_t i = 0; i < state.q.size(); ++i) {
@@ -124,11 +124,11 @@ bool Losses::knows_angles() const {
 }
 
 /// The groups of a field: single entries, and solved columns if a loss may exceed negligible_loss.
-auto Losses::groups(const FieldPlace& place, const std::vector<Real>& errors,
-                    const std::vector<Real>& exact) -> std::vector<Group> {
+auto LossMeter::group_entries(const ComparedField& place, const std::vector<Real>& errors,
+                              const std::vector<Real>& exact) -> std::vector<LossGroup> {
   std::vector<double> most;
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    most.push_back(in_roundoffs(errors[i], abs(exact[i]), rounding_));
+    most.push_back(error_in_roundoffs(errors[i], abs(exact[i]), rounding_));
   }
   std::vector<SolvedColumn> columns;
   if (std::ranges::any_of(most, [](double figure) { return figure > negligible_loss; })) {
@@ -141,7 +141,7 @@ auto Losses::groups(const FieldPlace& place, const std::vector<Real>& errors,
   for (std::size_t i = 0; i < errors.size(); ++i) {
     if (!is_solved[i]) columns.push_back({{i}, {Real(1)}});
   }
-  std::vector<Group> result;
+  std::vector<LossGroup> result;
   for (SolvedColumn& column : columns) {
     const std::size_t entry = *std::ranges::max_element(column.entries, std::less(),
                                                         [&most](std::size_t i) { return most[i]; });
@@ -152,49 +152,50 @@ auto Losses::groups(const FieldPlace& place, const std::vector<Real>& errors,
 
 /// The loss of a group in u R, or group.most if this bound is negligible; 0 if R is undefined. None
 /// if R is at most 1e-45 of E, because such an R may be a rounding error of the exact values.
-std::optional<double> Losses::figure_of(const FieldPlace& place, const ExactRun& run,
-                                        const Group& group, const std::vector<Real>& errors,
-                                        const std::vector<Real>& exact) {
+std::optional<double> LossMeter::group_loss(const ComparedField& place, const ExactRun& run,
+                                            const LossGroup& group, const std::vector<Real>& errors,
+                                            const std::vector<Real>& exact) {
   static const Real negligible(power_of_ten(-45));
-  if (group.most <= negligible_loss) return group.most;
+  if (group.max_loss <= negligible_loss) return group.max_loss;
   std::vector<Real> references(errors.size());
   std::vector<Real> roundings(errors.size());
   for (const std::size_t entry : group.column.entries) {
     references[entry] = abs(exact[entry]) + conditioning(place, run, entry);
-    roundings[entry] = run.entries[place.first + entry].error;
+    roundings[entry] = run.entries[place.first_entry + entry].error;
   }
-  const Real reference = norm(group.column, references);
+  const Real reference = weighted_norm(group.column, references);
   if (!reference.is_defined()) return 0;
-  if (reference <= norm(group.column, roundings) * negligible) return std::nullopt;
-  return in_roundoffs(norm(group.column, errors), reference, rounding_);
+  if (reference <= weighted_norm(group.column, roundings) * negligible) return std::nullopt;
+  return error_in_roundoffs(weighted_norm(group.column, errors), reference, rounding_);
 }
 
-LostEntry Losses::of_largest(const std::vector<Real>& errors,
-                             const std::vector<Real>& exact) const {
+LostEntry LossMeter::loss_of_largest_entry(const std::vector<Real>& errors,
+                                           const std::vector<Real>& exact) const {
   const auto largest = std::ranges::max_element(errors, std::less());
   Real value;
   for (const Real& x : exact) value = max(value, abs(x));
   if (largest == errors.end() || !(value > Real())) return {};
-  return {in_roundoffs(*largest, value, rounding_),
+  return {error_in_roundoffs(*largest, value, rounding_),
           static_cast<std::size_t>(largest - errors.begin())};
 }
 
-Loss Losses::of_field(const FieldPlace& place, const ExactRun& run, const std::vector<Real>& errors,
-                      const std::vector<Real>& exact) {
-  Loss loss{{}, of_largest(errors, exact), 0};
-  std::vector<Group> all = groups(place, errors, exact);
-  std::ranges::sort(all, std::ranges::greater(), &Group::most);
+Loss LossMeter::field_loss(const ComparedField& place, const ExactRun& run,
+                           const std::vector<Real>& errors, const std::vector<Real>& exact) {
+  Loss loss{{}, loss_of_largest_entry(errors, exact), 0};
+  std::vector<LossGroup> all = group_entries(place, errors, exact);
+  std::ranges::sort(all, std::ranges::greater(), &LossGroup::max_loss);
   std::size_t sweeps = 0;
-  for (const Group& group : all) {
-    if (group.most <= std::max(loss.of_entry.figure, least_)) break;
+  for (const LossGroup& group : all) {
+    if (group.max_loss <= std::max(loss.relative_to_entry.loss, min_loss_)) break;
     // Without K, R is |x*|, so the figure is an upper bound of the loss.
-    if (std::isfinite(group.most) && sweeps++ >= most_sweeps) {
-      loss.of_entry = {group.most, group.entry};
+    if (std::isfinite(group.max_loss) && sweeps++ >= most_sweeps) {
+      loss.relative_to_entry = {group.max_loss, group.entry};
       break;
     }
-    const std::optional<double> figure = figure_of(place, run, group, errors, exact);
-    if (!figure) ++loss.without_reference;
-    if (figure.value_or(0) > loss.of_entry.figure) loss.of_entry = {*figure, group.entry};
+    const std::optional<double> figure = group_loss(place, run, group, errors, exact);
+    if (!figure) ++loss.entries_without_reference;
+    if (figure.value_or(0) > loss.relative_to_entry.loss)
+      loss.relative_to_entry = {*figure, group.entry};
   }
   return loss;
 }

@@ -33,62 +33,65 @@ struct SolvedColumn {
 
 /// The columns of a field; empty if the field is not a solution, or if an entry of the diagonal of
 /// M is not positive. Cost: n contractions of M.
-[[nodiscard]] std::vector<SolvedColumn> solved_columns(const FieldPlace& place,
+[[nodiscard]] std::vector<SolvedColumn> solved_columns(const ComparedField& place,
                                                        OracleCache& oracle);
 
 /// sqrt(sum (w_i x_i)^2) of a column.
-[[nodiscard]] Real norm(const SolvedColumn& column, const std::vector<Real>& values);
+[[nodiscard]] Real weighted_norm(const SolvedColumn& column, const std::vector<Real>& values);
 
 struct LostEntry {
-  double figure = 0;
+  double loss = 0;
   std::size_t entry = 0;  ///< index in the field
 };
 
 /// The largest losses of a field.
 struct Loss {
-  LostEntry of_entry = {};            ///< relative to u R of the entry
-  LostEntry of_field = {};            ///< relative to u times the largest entry of the field
-  std::size_t without_reference = 0;  ///< number of entries that have an error, but R = 0
+  LostEntry relative_to_entry = {};  ///< relative to u R of the entry
+  LostEntry relative_to_field = {};  ///< relative to u times the largest entry of the field
+  std::size_t entries_without_reference = 0;  ///< number of entries that have an error, but R = 0
 };
 
-class Losses {
+class LossMeter {
  public:
   /// The arguments must outlive this object. Losses smaller than `least` are not computed.
-  Losses(const Subject& subject, OracleCache& oracle, const Rounding<Real>& rounding,
-         double least = 0);
+  LossMeter(const SystemUnderTest& subject, OracleCache& oracle,
+            const RoundingConstants<Real>& rounding, double least = 0);
 
   /// True if rounding changes no angle by more than 1/1000 rad. Otherwise K, a first-order
   /// estimate, is invalid.
-  [[nodiscard]] bool knows_angles() const;
+  [[nodiscard]] bool has_accurate_angles() const;
 
   /// The losses of a field in `run`, an exact run of place.function. `exact`: the exact entries;
   /// `errors`: their differences from the rounded entries, without N eta. The loss is 0 if K is
   /// undefined.
-  [[nodiscard]] Loss of_field(const FieldPlace& place, const ExactRun& run,
-                              const std::vector<Real>& errors, const std::vector<Real>& exact);
+  [[nodiscard]] Loss field_loss(const ComparedField& place, const ExactRun& run,
+                                const std::vector<Real>& errors, const std::vector<Real>& exact);
 
  private:
   /// Entries that share one loss: a single entry, or a solved column.
-  struct Group {
+  struct LossGroup {
     SolvedColumn column = {};
-    double most = 0;        ///< upper bound of the loss, because R >= |x*|
-    std::size_t entry = 0;  ///< index of the entry whose bound is `most`
+    double max_loss = 0;    ///< upper bound of the loss, because R >= |x*|
+    std::size_t entry = 0;  ///< index of the entry whose bound is `max_loss`
   };
 
-  [[nodiscard]] std::vector<Group> groups(const FieldPlace& place, const std::vector<Real>& errors,
-                                          const std::vector<Real>& exact);
-  [[nodiscard]] std::optional<double> figure_of(const FieldPlace& place, const ExactRun& run,
-                                                const Group& group, const std::vector<Real>& errors,
-                                                const std::vector<Real>& exact);
-  [[nodiscard]] Real conditioning(const FieldPlace& place, const ExactRun& run, std::size_t entry);
-  [[nodiscard]] LostEntry of_largest(const std::vector<Real>& errors,
-                                     const std::vector<Real>& exact) const;
+  [[nodiscard]] std::vector<LossGroup> group_entries(const ComparedField& place,
+                                                     const std::vector<Real>& errors,
+                                                     const std::vector<Real>& exact);
+  [[nodiscard]] std::optional<double> group_loss(const ComparedField& place, const ExactRun& run,
+                                                 const LossGroup& group,
+                                                 const std::vector<Real>& errors,
+                                                 const std::vector<Real>& exact);
+  [[nodiscard]] Real conditioning(const ComparedField& place, const ExactRun& run,
+                                  std::size_t entry);
+  [[nodiscard]] LostEntry loss_of_largest_entry(const std::vector<Real>& errors,
+                                                const std::vector<Real>& exact) const;
 
-  const Subject& subject_;
+  const SystemUnderTest& subject_;
   OracleCache& oracle_;
-  const Rounding<Real>& rounding_;
-  double least_;
-  std::vector<bool> fixed_;  ///< marks program constants that depend on fixed parameters
+  const RoundingConstants<Real>& rounding_;
+  double min_loss_;
+  std::vector<bool> depends_on_fixed_;  ///< marks program constants that depend on fixed parameters
   std::map<const Function*, std::unique_ptr<Conditioning>> conditioning_ = {};
 };
 

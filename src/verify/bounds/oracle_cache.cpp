@@ -38,39 +38,39 @@ const std::vector<cln::cl_R>& OracleCache::diagonal_of_mass() {
   return *diagonal_;
 }
 
-const cln::cl_R& OracleCache::energy() {
+const cln::cl_R& OracleCache::energy_magnitude() {
   if (!energy_) energy_ = oracle_energy_magnitude(subject_.model, state_).value_or(0);
   return *energy_;
 }
 
 const cln::cl_R& OracleCache::rounding_scale() {
   if (!rounding_scale_) {
-    rounding_scale_ =
-        energy() + force() + inertia() + cln::square(largest_of(state_.v)) + largest_of(state_.a);
+    rounding_scale_ = energy_magnitude() + largest_force() + largest_inertial_force() +
+                      cln::square(max_magnitude(state_.v)) + max_magnitude(state_.a);
   }
   return *rounding_scale_;
 }
 
-cln::cl_R OracleCache::force() {
+cln::cl_R OracleCache::largest_force() {
   cln::cl_R largest = 0;
   for (const OutputKind kind :
        {OutputKind::velocity_force, OutputKind::gravity, OutputKind::bias}) {
     // The oracle has each output of the model, even if the scene does not request the output.
-    const OutputRequest request = request_of(subject_.model, kind, 0);
+    const OutputRequest request = make_request(subject_.model, kind, 0);
     if (!is_available(subject_.model, request)) continue;
     const OracleValues& entries = values(request);
-    if (entries) largest = cln::max(largest, largest_of(*entries));
+    if (entries) largest = cln::max(largest, max_magnitude(*entries));
   }
   return largest;
 }
 
-cln::cl_R OracleCache::inertia() {
+cln::cl_R OracleCache::largest_inertial_force() {
   const OracleValues& mass = values({.kind = OutputKind::mass_matrix});
   if (!mass) return 0;
-  return largest_of(*mass) * (largest_of(state_.v) + largest_of(state_.a));
+  return max_magnitude(*mass) * (max_magnitude(state_.v) + max_magnitude(state_.a));
 }
 
-bool agrees(const Running<Real>& number, const Real& truth, const Real& drowning) {
+bool agrees(const RunningValue<Real>& number, const Real& truth, const Real& drowning) {
   static const Real of_error(power_of_ten(-digits_of_error));
   static const Real scale_tolerance(power_of_ten(-digits_of_scale));
   const Real error = number.error.is_defined() ? number.error : Real();
@@ -78,13 +78,14 @@ bool agrees(const Running<Real>& number, const Real& truth, const Real& drowning
   return abs(number.value - truth) <= allowed;
 }
 
-bool agrees_with_oracle(const Running<Real>& number, const cln::cl_R& truth, OracleCache& oracle) {
+bool agrees_with_oracle(const RunningValue<Real>& number, const cln::cl_R& truth,
+                        OracleCache& oracle) {
   return agrees(number, Real(truth), Real()) ||
-         agrees(number, Real(truth), Real(oracle.energy())) ||
+         agrees(number, Real(truth), Real(oracle.energy_magnitude())) ||
          agrees(number, Real(truth), Real(oracle.rounding_scale()));
 }
 
-bool is_stable(const Mismatch& before, const Mismatch& now) {
+bool is_stable_mismatch(const Mismatch& before, const Mismatch& now) {
   static const Real share(power_of_ten(-digits_of_error));
   const auto size = [](const Real& x) { return x.is_defined() ? abs(x) : Real(); };
   const Real allowed = share * (size(now.value) + size(now.truth));
@@ -96,7 +97,7 @@ bool is_stable(const Mismatch& before, const Mismatch& now) {
 }
 
 std::string short_text(const Real& value) {
-  return value.is_defined() ? short_text(value.value()) : "undefined";
+  return value.is_defined() ? short_number_text(value.value()) : "undefined";
 }
 
 }  // namespace elgen

@@ -15,7 +15,8 @@ namespace elgen {
 
 class OracleCache {
  public:
-  OracleCache(const Subject& subject, State state) : subject_(subject), state_(std::move(state)) {}
+  OracleCache(const SystemUnderTest& subject, State state)
+      : subject_(subject), state_(std::move(state)) {}
 
   [[nodiscard]] const State& state() const { return state_; }
 
@@ -26,7 +27,7 @@ class OracleCache {
 
   /// |E| plus the magnitudes of the terms of V; 0 if E is undefined. If the oracle's value is 0 in
   /// exact arithmetic, its rounding error is usually smaller than 1e-60 of this.
-  [[nodiscard]] const cln::cl_R& energy();
+  [[nodiscard]] const cln::cl_R& energy_magnitude();
 
   /// The scale of the rounding errors of any value that is 0 in exact arithmetic: energy() plus the
   /// following terms, each 0 if it is undefined:
@@ -37,24 +38,24 @@ class OracleCache {
   [[nodiscard]] const cln::cl_R& rounding_scale();
 
  private:
-  const Subject& subject_;
+  const SystemUnderTest& subject_;
   State state_;
   std::map<std::pair<OutputKind, std::uint32_t>, OracleValues> known_ = {};
   std::optional<std::vector<cln::cl_R>> diagonal_ = {};
   std::optional<cln::cl_R> energy_ = {};
   std::optional<cln::cl_R> rounding_scale_ = {};
 
-  [[nodiscard]] cln::cl_R force();
-  [[nodiscard]] cln::cl_R inertia();
+  [[nodiscard]] cln::cl_R largest_force();
+  [[nodiscard]] cln::cl_R largest_inertial_force();
 };
 
-/// |value - truth| <= 1e-50 (E + |truth|) + 1e-52 drowning, E = number.error. `drowning` is the
+/// |value - truth| <= 1e-50 (E + |truth|) + 1e-52 drowning, E = number.error. `scale` is the
 /// scale of rounding errors for values that are exactly 0, because their E is too small. False if
 /// the number is undefined.
-[[nodiscard]] bool agrees(const Running<Real>& number, const Real& truth, const Real& drowning);
+[[nodiscard]] bool agrees(const RunningValue<Real>& number, const Real& truth, const Real& scale);
 
-/// True if agrees() holds with `drowning` = 0, oracle.energy() or oracle.rounding_scale().
-[[nodiscard]] bool agrees_with_oracle(const Running<Real>& number, const cln::cl_R& truth,
+/// True if agrees() holds with `scale` = 0, oracle.energy() or oracle.rounding_scale().
+[[nodiscard]] bool agrees_with_oracle(const RunningValue<Real>& number, const cln::cl_R& truth,
                                       OracleCache& oracle);
 
 /// A difference between two exact numbers, in words; the text is empty if they agree.
@@ -66,7 +67,7 @@ struct Mismatch {
 
 /// True if a run with more digits changed each of both numbers by at most 1e-50 of the sum of their
 /// magnitudes.
-[[nodiscard]] bool is_stable(const Mismatch& before, const Mismatch& now);
+[[nodiscard]] bool is_stable_mismatch(const Mismatch& before, const Mismatch& now);
 
 /// "1.5", or "undefined".
 [[nodiscard]] std::string short_text(const Real& value);

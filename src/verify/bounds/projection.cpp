@@ -19,37 +19,39 @@ using cln::cl_R;
 using RealNumbers = std::vector<cl_R>;
 
 /// The largest number of coordinates for which the oracle solves the equations itself.
-constexpr std::size_t directly_solved = 4;
+constexpr std::size_t max_oracle_coordinates = 4;
 
-Mismatch mismatch(const std::string& what, const Real& value, const cl_R& truth) {
-  return {fmt::format("{} is {}, the oracle says {}", what, short_text(value), short_text(truth)),
+Mismatch make_mismatch(const std::string& what, const Real& value, const cl_R& truth) {
+  return {fmt::format("{} is {}, the oracle says {}", what, short_text(value),
+                      short_number_text(truth)),
           value, Real(truth)};
 }
 
 /// Compares the projected left and right side of an equation, both computed by the oracle.
 Mismatch compare_forces(const std::string& what, const cl_R& left, const cl_R& right,
                         OracleCache& oracle) {
-  const Running<Real> sum{Real(left), Real(cln::abs(left) + cln::abs(right))};
+  const RunningValue<Real> sum{Real(left), Real(cln::abs(left) + cln::abs(right))};
   if (agrees_with_oracle(sum, right, oracle)) return {};
-  return mismatch(what, sum.value, right);
+  return make_mismatch(what, sum.value, right);
 }
 
 /// The values of an output: the program's if it has this function and the model has more than
-/// directly_solved coordinates, otherwise the oracle's.
-OracleValues values_of(const Subject& subject, OutputKind kind, OracleCache& oracle) {
+/// max_oracle_coordinates coordinates, otherwise the oracle's.
+OracleValues values_for_projection(const SystemUnderTest& subject, OutputKind kind,
+                                   OracleCache& oracle) {
   const Function* function = find_function(subject.program, kind);
   const State& state = oracle.state();
-  if (function == nullptr || state.v.size() <= directly_solved)
+  if (function == nullptr || state.v.size() <= max_oracle_coordinates)
     return oracle.values({.kind = kind});
-  return defined_values(evaluate(subject.program, *function, arguments_at<Real>(state)));
+  return to_oracle_values(evaluate(subject.program, *function, arguments_at<Real>(state)));
 }
 
 /// The relative pivots of M in the model's order of elimination; none if M is undefined or
 /// singular.
-OracleValues pivots_of_mass(const Subject& subject, OracleCache& oracle) {
-  OracleValues m = values_of(subject, OutputKind::mass_matrix, oracle);
+OracleValues pivots_of_mass(const SystemUnderTest& subject, OracleCache& oracle) {
+  OracleValues m = values_for_projection(subject, OutputKind::mass_matrix, oracle);
   if (!m) return std::nullopt;
-  const bool last_first = eliminates_last_first(subject.model);
+  const bool last_first = eliminates_backward(subject.model);
   if (last_first) std::ranges::reverse(*m);
   OracleValues pivots = oracle_relative_pivots(std::move(*m), oracle.state().v.size());
   if (last_first && pivots) std::ranges::reverse(*pivots);
@@ -57,15 +59,16 @@ OracleValues pivots_of_mass(const Subject& subject, OracleCache& oracle) {
 }
 
 /// Compares one field at one state.
-class Projection {
+class ProjectionComparison {
  public:
-  Projection(const Subject& subject, const FieldPlace& place, const ExactRun& run,
-             OracleCache& oracle, Sampler& draw)
-      : subject_(subject), place_(place), run_(run), oracle_(oracle), draw_(draw) {}
+  ProjectionComparison(const SystemUnderTest& subject, const ComparedField& place,
+                       const ExactRun& run, OracleCache& oracle, Sampler& draw)
+      : subject_(subject), place_(place), run_(run), oracle_(oracle), sampler_(draw) {}
 
   Mismatch compare() {
     const OutputRow& output = output_row(place_.request.kind);
-    const bool is_motion = output.solves && (output.gives_pivots || output.differentiates);
+    const bool is_motion =
+        output.solves_mass_matrix && (output.gives_pivots || output.differentiates);
     if (!is_motion || !subject_.model.constraints.empty()) {
       return compare_contraction(place_.field().rows);
     }
@@ -76,15 +79,15 @@ class Projection {
 
  private:
   [[nodiscard]] const State& state() const { return oracle_.state(); }
-  [[nodiscard]] const Running<Real>& entry(std::size_t i) const {
-    return run_.entries[place_.first + i];
+  [[nodiscard]] const RunningValue<Real>& entry(std::size_t i) const {
+    return run_.entries[place_.first_entry + i];
   }
   [[nodiscard]] const FieldRow& row() const { return place_.row(); }
 
   /// sum over i, j of w_i x_ij y_j, i below the size of w, j below the size of y. An empty y stands
   /// for y = 1.
-  [[nodiscard]] Running<Real> contracted(const Contraction& by) const {
-    Running<Real> sum;
+  [[nodiscard]] RunningValue<Real> contract(const Contraction& by) const {
+    RunningValue<Real> sum;
     const std::size_t columns = by.y.empty() ? 1 : by.y.size();
     for (std::size_t i = 0; i < by.w.size() * columns; ++i) {
       const cl_R factor = by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns];
@@ -99,21 +102,21 @@ class Projection {
   Mismatch compare_contraction(std::size_t rows) {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
-    Contraction by{draw_.vector(rows), {}, place_.request_field};
+    Contraction by{sampler_.vector(rows), {}, place_.request_field_index};
     by.w.resize(field.rows, cl_R(0));
-    const bool is_matrix = has_columns(row()) || field.columns > 1;
-    if (is_matrix) by.y = draw_.vector(field.columns);
-    const Running<Real> sum = contracted(by);
+    const bool is_matrix = is_matrix_field(row()) || field.columns > 1;
+    if (is_matrix) by.y = sampler_.vector(field.columns);
+    const RunningValue<Real> sum = contract(by);
     const auto truth = oracle_contraction(subject_.model, place_.request, state(), by);
     if (!truth || agrees_with_oracle(sum, *truth, oracle_)) return {};
     const std::string of_field = field.name.empty() ? "" : " of " + field.name;
-    return mismatch((is_matrix ? "w.X y" : "w.x") + of_field, sum.value, *truth);
+    return make_mismatch((is_matrix ? "w.X y" : "w.x") + of_field, sum.value, *truth);
   }
 
   /// An undefined entry is a mismatch if the oracle has a value, otherwise not.
   Mismatch compare_undefined(const std::string& what) {
     const OracleValues& truth = oracle_.values(place_.request);
-    return truth ? mismatch(what, Real::undefined(), truth->front()) : Mismatch();
+    return truth ? make_mismatch(what, Real::undefined(), truth->front()) : Mismatch();
   }
 
   /// w.B y; 0 if y is empty.
@@ -129,7 +132,7 @@ class Projection {
       if (!entry(i).value.is_defined()) return compare_undefined("an acceleration");
       moving.a[i] = entry(i).value.value();
     }
-    const RealNumbers w = draw_.vector(n);
+    const RealNumbers w = sampler_.vector(n);
     const auto force =
         oracle_contraction(subject_.model, {.kind = OutputKind::inverse_dynamics}, moving, {w});
     const auto driven = input_force(w, state().u);
@@ -145,13 +148,13 @@ class Projection {
       // The scale of rounding errors is 1, because a pivot is relative to a diagonal entry. The
       // error |truth| is for an indefinite M, whose pivots have any magnitude.
       if (agrees({entry(i).value, abs(truth)}, truth, Real(1))) continue;
-      return mismatch("a relative pivot", entry(i).value, (*pivots)[i]);
+      return make_mismatch("a relative pivot", entry(i).value, (*pivots)[i]);
     }
     return {};
   }
 
   /// X y, without the rows above the accelerations; none if an entry is undefined.
-  [[nodiscard]] OracleValues response(const RealNumbers& y) const {
+  [[nodiscard]] OracleValues contracted_response(const RealNumbers& y) const {
     const std::size_t n = state().v.size();
     const std::size_t above = place_.field().rows - n;
     std::vector<Real> z(n);
@@ -161,15 +164,15 @@ class Projection {
         sum = sum + entry((above + i) * y.size() + k).value * Real(y[k]);
       }
     }
-    return defined_values(z);
+    return to_oracle_values(z);
   }
 
   /// The right side of w.M z = ..., in which z = X y is the response to changes y of the columns'
   /// variables.
   std::optional<cl_R> response_force(const RealNumbers& w, const RealNumbers& y) {
-    const std::optional<Line> column = line_at(subject_.model, row().columns, 0);
+    const std::optional<FieldLine> column = line_at(subject_.model, row().columns, 0);
     if (column && column->leaf == Opcode::input) return input_force(w, y);
-    const auto solution = values_of(subject_, OutputKind::forward_dynamics, oracle_);
+    const auto solution = values_for_projection(subject_, OutputKind::forward_dynamics, oracle_);
     if (!solution) return std::nullopt;
     State moving = state();
     std::copy_n(solution->begin(), w.size(), moving.a.begin());
@@ -187,9 +190,9 @@ class Projection {
     const Field& field = place_.field();
     if (field.entries.empty()) return {};
     const std::size_t n = state().v.size();
-    const RealNumbers w = draw_.vector(n);
-    const RealNumbers y = draw_.vector(field.columns);
-    const auto z = response(y);
+    const RealNumbers w = sampler_.vector(n);
+    const RealNumbers y = sampler_.vector(field.columns);
+    const auto z = contracted_response(y);
     if (!z) return compare_undefined("a derivative");
     const OutputRequest mass{.kind = OutputKind::mass_matrix};
     const auto left = oracle_contraction(subject_.model, mass, state(), {w, *z});
@@ -200,18 +203,18 @@ class Projection {
     return wrong.text.empty() && field.rows > n ? compare_contraction(n) : wrong;
   }
 
-  const Subject& subject_;
-  const FieldPlace& place_;
+  const SystemUnderTest& subject_;
+  const ComparedField& place_;
   const ExactRun& run_;
   OracleCache& oracle_;
-  Sampler& draw_;
+  Sampler& sampler_;
 };
 
 }  // namespace
 
-Mismatch compare_projection(const Subject& subject, const FieldPlace& place, const ExactRun& run,
-                            OracleCache& oracle, Sampler& draw) {
-  return Projection(subject, place, run, oracle, draw).compare();
+Mismatch compare_projection(const SystemUnderTest& subject, const ComparedField& place,
+                            const ExactRun& run, OracleCache& oracle, Sampler& draw) {
+  return ProjectionComparison(subject, place, run, oracle, draw).compare();
 }
 
 }  // namespace elgen

@@ -20,7 +20,8 @@ namespace elgen {
 ///     other derivatives X of a:     w.M (X y) = -w.(slope of M a + bias - B u along y)
 ///     relative pivots:              not contracted; each pivot is compared
 ///     all other fields:             w.x or w.X y
-[[nodiscard]] Mismatch compare_projection(const Subject& subject, const FieldPlace& place,
-                                          const ExactRun& run, OracleCache& oracle, Sampler& draw);
+[[nodiscard]] Mismatch compare_projection(const SystemUnderTest& subject,
+                                          const ComparedField& place, const ExactRun& run,
+                                          OracleCache& oracle, Sampler& draw);
 
 }  // namespace elgen

@@ -26,7 +26,7 @@ namespace elgen {
 ///
 /// N is the number of operations, eta the smallest denormal. The factor 16 allows for library
 /// functions with errors up to 4 u.
-inline constexpr double most_of_users = 16;
+inline constexpr double max_user_code_error = 16;
 
 /// The bound for code that computes in a wider scalar, u' half its epsilon. The wider scalar has
 /// the roundings of E; at the end the result is rounded to the scalar:
@@ -34,10 +34,10 @@ inline constexpr double most_of_users = 16;
 ///     |x_wide - x*| <= u |x*| + 16 u' E + N eta
 ///
 /// The figure is the left side, less N eta, divided by u |x*| + 16 u' E.
-inline constexpr double most_of_wide = 1;
+inline constexpr double max_wide_code_error = 1;
 
 /// How exact values are compared with the oracle's.
-enum class Comparison : std::uint8_t {
+enum class ComparisonMode : std::uint8_t {
   entries,      ///< each entry
   projections,  ///< one random contraction per field, as cheap as a few evaluations of the energies
 };
@@ -56,27 +56,28 @@ struct Finding {
   std::string mistake = {};  ///< an exact value differs from the oracle's, or a value is not finite
   std::vector<double> errors = {};  ///< of non-zero entries, in ulp; for remainders in u E
   std::optional<Loss> loss = {};    ///< none if it is not measured or not defined
-  CodeFinding users = {};           ///< |x_users - x| in u E
-  CodeFinding wide = {};            ///< |x_wide - x*| / (u |x*| + 16 u' E)
+  CodeFinding user_code = {};       ///< |x_users - x| in u E
+  CodeFinding wide_code = {};       ///< |x_wide - x*| / (u |x*| + 16 u' E)
 };
 
 /// The states at which losses are measured.
 enum class LossStates : std::uint8_t { nowhere, inside_ranges, everywhere };
 
-struct VisitOptions {
-  Comparison comparison = Comparison::entries;
+struct StateCheckOptions {
+  ComparisonMode comparison = ComparisonMode::entries;
   LossStates loss_states = LossStates::nowhere;  ///< states at which losses are measured
-  double least_loss = 0;  ///< losses below this are not computed, because R is costly
-  const CompiledModel* as_users = nullptr;  ///< code as users compile it; may be null
-  const CompiledModel* wide = nullptr;      ///< code in a wider scalar; may be null
+  double min_loss = 0;  ///< losses below this are not computed, because R is costly
+  const CompiledModel* user_code = nullptr;  ///< code as users compile it; may be null
+  const CompiledModel* wide_code = nullptr;  ///< code in a wider scalar; may be null
 };
 
 /// Compares the fields of a program at one state. Scalar: double or float.
 template <class Scalar>
-class Visit {
+class StateCheck {
  public:
   /// The references must stay valid as long as the visit.
-  Visit(const Subject& subject, const SampledState<Scalar>& sample, const VisitOptions& options);
+  StateCheck(const SystemUnderTest& subject, const SampledState<Scalar>& sample,
+             const StateCheckOptions& options);
 
   [[nodiscard]] const State& state() const { return oracle_.state(); }
 
@@ -84,61 +85,65 @@ class Visit {
   /// function share a run. If exact values differ, program and oracle run again with twice the
   /// digits, up to 1024, or 256 with irrational constants. A difference that two such runs confirm
   /// is a mistake; a difference that no run decides has the regime `unsettled`.
-  [[nodiscard]] Finding look_at(const FieldPlace& place, Sampler& draw);
+  [[nodiscard]] Finding check_field(const ComparedField& place, Sampler& draw);
 
  private:
   /// A finding, and for a mistake the two numbers that differ.
-  struct Look {
+  struct FieldComparison {
     Finding finding = {};
     Mismatch mismatch = {};
   };
 
-  [[nodiscard]] Look found(const FieldPlace& place, Sampler& draw);
-  void run(const FieldPlace& place);
+  [[nodiscard]] FieldComparison compare_field(const ComparedField& place, Sampler& draw);
+  void run_function(const ComparedField& place);
   /// The exact run of the function, memoised.
   const ExactRun& exact_run_of(const Function& function);
-  [[nodiscard]] Mismatch differing_entry(const FieldPlace& place, Finding& finding);
-  [[nodiscard]] Mismatch differing_projection(const FieldPlace& place, Sampler& draw);
+  [[nodiscard]] Mismatch compare_entries(const ComparedField& place, Finding& finding);
+  [[nodiscard]] Mismatch compare_by_projection(const ComparedField& place, Sampler& draw);
   /// Compares with the entries first, first + 1, ... of another function, called `name` in texts.
-  [[nodiscard]] Mismatch compare_with_entries(const FieldPlace& place, const Function& other,
-                                              std::size_t first, std::string_view name);
-  [[nodiscard]] bool has_finite_values(const FieldPlace& place) const;
-  void measure(const FieldPlace& place, Finding& finding) const;
-  /// The largest error of `values` in u s, and an entry with an error above `most`.
+  [[nodiscard]] Mismatch compare_with_function(const ComparedField& place, const Function& other,
+                                               std::size_t first, std::string_view name);
+  [[nodiscard]] bool has_finite_values(const ComparedField& place) const;
+  void measure_errors(const ComparedField& place, Finding& finding) const;
+  /// The largest error of `values` in u s, and an entry with an error above `max_error`.
   /// `reference_of(i)` returns the reference value of entry i, and the scale s of its error.
   template <class Reference>
-  [[nodiscard]] CodeFinding compare_code(const FieldPlace& place, const std::vector<Scalar>& values,
-                                         double most, const Reference& reference_of) const;
-  [[nodiscard]] CodeFinding compare_users_code(const FieldPlace& place) const;
-  [[nodiscard]] CodeFinding compare_wide_code(const FieldPlace& place) const;
-  /// True if the inner scalar can hold all intermediate values. Fills `in_float_` for inner float.
+  [[nodiscard]] CodeFinding compare_code(const ComparedField& place,
+                                         const std::vector<Scalar>& values, double max_error,
+                                         const Reference& reference_of) const;
+  [[nodiscard]] CodeFinding compare_user_code(const ComparedField& place) const;
+  [[nodiscard]] CodeFinding compare_wide_code(const ComparedField& place) const;
+  /// True if the inner scalar can hold all intermediate values. Fills `float_entries_` for inner
+  /// float.
   bool fits_inner_scalar();
   /// The loss of a field; none if an entry has no exact value.
-  [[nodiscard]] std::optional<Loss> measured_loss(const FieldPlace& place);
-  [[nodiscard]] bool may_lose(const FieldPlace& place) const;
+  [[nodiscard]] std::optional<Loss> measure_loss(const ComparedField& place);
+  [[nodiscard]] bool should_measure_loss(const ComparedField& place) const;
 
   /// Entry i of the field, in 64 digits.
-  [[nodiscard]] const Running<Real>& exact(const FieldPlace& place, std::size_t i) const {
-    return exact_->entries[place.first + i];
+  [[nodiscard]] const RunningValue<Real>& exact_entry(const ComparedField& place,
+                                                      std::size_t i) const {
+    return exact_->entries[place.first_entry + i];
   }
 
-  const Subject& subject_;
+  const SystemUnderTest& subject_;
   const SampledState<Scalar>& sample_;
-  VisitOptions options_;
-  Sines<Scalar> sines_;  ///< with the algorithm of the emitted code
+  StateCheckOptions options_;
+  SineEvaluator<Scalar> sines_;  ///< with the algorithm of the emitted code
   OracleCache oracle_;
-  Losses losses_;
+  LossMeter losses_;
   std::map<const Function*, ExactRun> exact_runs_ = {};
   const Function* function_ = nullptr;  ///< of the latest run
   const ExactRun* exact_ = nullptr;
   std::vector<Scalar> values_ = {};
-  std::vector<Scalar> users_values_ = {};     ///< of the code as users compile it
-  std::vector<Scalar> wide_values_ = {};      ///< of code in a wider scalar; empty if there is none
-  std::vector<Running<Real>> in_float_ = {};  ///< entries in float, if it is the inner scalar
+  std::vector<Scalar> user_code_values_ = {};  ///< of the code as users compile it
+  std::vector<Scalar> wide_values_ = {};  ///< of code in a wider scalar; empty if there is none
+  std::vector<RunningValue<Real>> float_entries_ =
+      {};  ///< entries in float, if it is the inner scalar
 };
 
 /// The cost of a state: the number of instructions, and the oracle's exact solution of constrained
 /// equations in the same unit.
-[[nodiscard]] std::size_t work_of_state(const Subject& subject);
+[[nodiscard]] std::size_t state_check_cost(const SystemUnderTest& subject);
 
 }  // namespace elgen

@@ -42,7 +42,7 @@ class FindingsFile {
       if (finding) for_each_member(*finding, [this](const auto& member) { put(member); });
     }
   }
-  void flush() const { demand(std::fflush(file_.get()) == 0); }
+  void flush() const { require(std::fflush(file_.get()) == 0); }
 
   void rewind() const { std::rewind(file_.get()); }
   [[nodiscard]] Findings read() const {
@@ -58,18 +58,18 @@ class FindingsFile {
   }
 
  private:
-  struct Closing {
+  struct FileCloser {
     void operator()(std::FILE* file) const { (void)std::fclose(file); }
   };
 
-  static void demand(bool succeeds) {
+  static void require(bool succeeds) {
     if (!succeeds) throw std::runtime_error("findings are lost on the way");
   }
 
   template <class T>
   void put(const T& value) const {
     if constexpr (std::is_trivially_copyable_v<T>) {
-      demand(std::fwrite(&value, sizeof value, 1, file_.get()) == 1);
+      require(std::fwrite(&value, sizeof value, 1, file_.get()) == 1);
     } else {
       put(value.size());
       for (const auto& element : value) put(element);
@@ -79,7 +79,7 @@ class FindingsFile {
   template <class T>
   void get(T& value) const {
     if constexpr (std::is_trivially_copyable_v<T>) {
-      demand(std::fread(&value, sizeof value, 1, file_.get()) == 1);
+      require(std::fread(&value, sizeof value, 1, file_.get()) == 1);
     } else {
       std::size_t size = 0;
       get(size);
@@ -88,27 +88,28 @@ class FindingsFile {
     }
   }
 
-  std::unique_ptr<std::FILE, Closing> file_;
+  std::unique_ptr<std::FILE, FileCloser> file_;
 };
 
 /// True if the output is compared at this sample. The oracle's derivatives of the dynamics cost n
 /// times as much as all other outputs together. With Comparison::entries and more than three
 /// velocities, these derivatives are compared at every sixteenth sample.
-bool is_due(OutputKind kind, std::size_t velocities, std::size_t sample, Comparison comparison) {
-  const bool is_costly = comparison == Comparison::entries && velocities > 3;
+bool is_compared_at(OutputKind kind, std::size_t velocities, std::size_t sample,
+                    ComparisonMode comparison) {
+  const bool is_costly = comparison == ComparisonMode::entries && velocities > 3;
   return !is_costly || !output_row(kind).differentiates || sample % 16 == 0;
 }
 
 template <class Scalar>
-class Visits {
+class StateCheckRunner {
  public:
-  Visits(const Subject& subject, const std::vector<SampledState<Scalar>>& states,
-         const AccuracyOptions& options)
+  StateCheckRunner(const SystemUnderTest& subject, const std::vector<SampledState<Scalar>>& states,
+                   const AccuracyOptions& options)
       : subject_(subject), states_(states), options_(options), places_(field_places(subject)) {}
 
-  void make(const FindingsHandler& take) const {
+  void run(const FindingsHandler& take) const {
     const std::size_t jobs = std::min(options_.jobs, states_.size());
-    if (jobs > 1 && visit_in_processes(jobs, take)) return;
+    if (jobs > 1 && check_in_processes(jobs, take)) return;
     for (std::size_t i = 0; i < states_.size(); ++i) {
       report_step(i);
       take(i, findings_at(i));
@@ -117,19 +118,20 @@ class Visits {
 
  private:
   [[nodiscard]] Findings findings_at(std::size_t i) const {
-    Visit<Scalar> visit(subject_, states_[i], options_.visit);
+    StateCheck<Scalar> visit(subject_, states_[i], options_.check_options);
     Sampler draw(i + 1);
     const std::size_t velocities = visit.state().v.size();
     Findings findings;
-    for (const FieldPlace& place : places_) {
-      const bool looks = is_due(place.request.kind, velocities, i, options_.visit.comparison);
-      findings.push_back(looks ? std::optional(visit.look_at(place, draw)) : std::nullopt);
+    for (const ComparedField& place : places_) {
+      const bool looks =
+          is_compared_at(place.request.kind, velocities, i, options_.check_options.comparison);
+      findings.push_back(looks ? std::optional(visit.check_field(place, draw)) : std::nullopt);
     }
     return findings;
   }
 
   /// False if a process failed; then `take` has not been called.
-  [[nodiscard]] bool visit_in_processes(std::size_t jobs, const FindingsHandler& take) const {
+  [[nodiscard]] bool check_in_processes(std::size_t jobs, const FindingsHandler& take) const {
     const std::vector<FindingsFile> files(jobs);
     if (!std::ranges::all_of(files, &FindingsFile::is_open)) return false;
     SharedArray<std::atomic<std::size_t>> next(1);
@@ -141,8 +143,8 @@ class Visits {
       }
       files[job].flush();
     };
-    const ForkedEnding ending = run_forked(jobs, work, [&] { report_step(next[0]); });
-    if (ending.ending == Ending::out_of_time) (void)std::raise(SIGXCPU);
+    const ForkResult ending = run_forked(jobs, work, [&] { report_step(next[0]); });
+    if (ending.ending == ProcessEnding::out_of_time) (void)std::raise(SIGXCPU);
     if (!ending.succeeded()) return false;
     for (const FindingsFile& file : files) file.rewind();
     for (std::size_t i = 0; i < states_.size(); ++i) take(i, files[visitors[i]].read());
@@ -156,23 +158,23 @@ class Visits {
                                  std::min(at + 1, states_.size()), states_.size()));
   }
 
-  const Subject& subject_;
+  const SystemUnderTest& subject_;
   const std::vector<SampledState<Scalar>>& states_;
   const AccuracyOptions& options_;
-  std::vector<FieldPlace> places_;
+  std::vector<ComparedField> places_;
 };
 
 }  // namespace
 
 template <class Scalar>
-void visit_all(const Subject& subject, const std::vector<SampledState<Scalar>>& states,
-               const AccuracyOptions& options, const FindingsHandler& take) {
-  Visits<Scalar>(subject, states, options).make(take);
+void check_states(const SystemUnderTest& subject, const std::vector<SampledState<Scalar>>& states,
+                  const AccuracyOptions& options, const FindingsHandler& take) {
+  StateCheckRunner<Scalar>(subject, states, options).run(take);
 }
 
-template void visit_all(const Subject&, const std::vector<SampledState<double>>&,
-                        const AccuracyOptions&, const FindingsHandler&);
-template void visit_all(const Subject&, const std::vector<SampledState<float>>&,
-                        const AccuracyOptions&, const FindingsHandler&);
+template void check_states(const SystemUnderTest&, const std::vector<SampledState<double>>&,
+                           const AccuracyOptions&, const FindingsHandler&);
+template void check_states(const SystemUnderTest&, const std::vector<SampledState<float>>&,
+                           const AccuracyOptions&, const FindingsHandler&);
 
 }  // namespace elgen

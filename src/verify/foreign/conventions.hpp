@@ -31,7 +31,7 @@ struct IntegerMatrix {
 struct Convention {
   std::string name = {};  ///< "its `theta` is `theta + pi`"
   IntegerMatrix S = {};
-  IntegerMatrix inverse = {};
+  IntegerMatrix S_inverse = {};
   std::vector<int> half_turns = {};  ///< c, by coordinate
   IntegerMatrix U = {};              ///< diagonal of signs, so it is its own inverse
 };
@@ -39,15 +39,16 @@ struct Convention {
 /// The conventions that are tried: another sign or zero of one coordinate or input; relative or
 /// absolute angles; other orders of up to three coordinates; then pairs of signs or zeros. With
 /// rotations or more than 16 coordinates, only the signs of inputs.
-[[nodiscard]] std::vector<Convention> conventions(const Model& model);
+[[nodiscard]] std::vector<Convention> candidate_conventions(const Model& model);
 
 /// Converts a state from their convention to ours.
-[[nodiscard]] State our_state(const Convention& convention, State theirs);
+[[nodiscard]] State to_our_state(const Convention& convention, State theirs);
 
 /// Converts our values of one field of an output to their convention.
-[[nodiscard]] std::vector<cln::cl_R> their_values(const Model& model, const Convention& convention,
-                                                  const OutputRequest& output,
-                                                  const ForeignField& field,
-                                                  const std::vector<cln::cl_R>& ours);
+[[nodiscard]] std::vector<cln::cl_R> to_their_values(const Model& model,
+                                                     const Convention& convention,
+                                                     const OutputRequest& output,
+                                                     const ForeignField& field,
+                                                     const std::vector<cln::cl_R>& ours);
 
 }  // namespace elgen

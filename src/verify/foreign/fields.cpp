@@ -10,44 +10,44 @@
 #include "model/requests.hpp"
 
 namespace elgen {
-std::size_t size_of(const ForeignFields& fields) {
+std::size_t entry_count(const ForeignFields& fields) {
   return std::accumulate(
       fields.begin(), fields.end(), std::size_t{0},
       [](std::size_t sum, const ForeignField& field) { return sum + field.size(); });
 }
 
-ForeignFields fields_of(const Model& model, const OutputRequest& output) {
+ForeignFields foreign_fields_of(const Model& model, const OutputRequest& output) {
   const auto& rows = output_row(output.kind).fields;
   ForeignFields fields;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const ForeignField field{&rows[i], first_entry_of(model, output, i),
-                             extent_of(model, rows[i].rows, output.user),
-                             extent_of(model, rows[i].columns, output.user)};
+    const ForeignField field{&rows[i], first_entry_index(model, output, i),
+                             extent_size(model, rows[i].rows, output.user),
+                             extent_size(model, rows[i].columns, output.user)};
     if (has_field(output, rows[i]) && field.size() > 0) fields.push_back(field);
   }
   return fields;
 }
 
-ForeignFields answered_fields(const ForeignFields& fields, std::size_t count) {
+ForeignFields match_answer_fields(const ForeignFields& fields, std::size_t count) {
   std::vector<ForeignFields> choices{{}, fields, fields};
   if (!fields.empty()) choices.front() = {fields.front()};
   std::erase_if(choices[1], [](const ForeignField& field) {
-    return field.row->rows == Extent::pivots || field.row->is_remainder;
+    return field.row->rows == Extent::pivots || field.row->is_residual;
   });
   for (const ForeignField& field : fields) choices.push_back({field});
   for (const ForeignFields& choice : choices) {
-    if (size_of(choice) == count) return choice;
+    if (entry_count(choice) == count) return choice;
   }
   return {};
 }
 
-std::string names_text(const ForeignFields& fields) {
+std::string field_names_text(const ForeignFields& fields) {
   std::vector<std::string_view> names;
   for (const ForeignField& field : fields) names.push_back(field.row->name);
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string sizes_text(const ForeignFields& fields) {
+std::string field_sizes_text(const ForeignFields& fields) {
   std::vector<std::string> texts;
   for (const ForeignField& field : fields) {
     texts.push_back(fmt::format("{} ({})", field.row->name, field.size()));
@@ -71,21 +71,21 @@ std::string name_of_entry(const Model& model, const OutputRequest& output,
 }
 
 Result<ForeignFields> claimed_fields(const CheckedModel& checked, const ForeignClaim& claim) {
-  const std::string name = in_backticks(claim.output);
+  const std::string name = quote_text(claim.output);
   const OutputRequest* const output = find_request(checked.scene, claim.output);
   if (output == nullptr) return Diagnostic{Code::E601, {}, name + " is not one output"};
   if (output_row(output->kind).is_summary) {
     return Diagnostic{
         Reason::repeats_outputs, {}, name + " repeats other outputs", "name one of these"};
   }
-  ForeignFields fields = fields_of(checked.model, *output);
+  ForeignFields fields = foreign_fields_of(checked.model, *output);
   if (claim.field.empty()) return fields;
-  const std::string names = names_text(fields);
+  const std::string names = field_names_text(fields);
   std::erase_if(fields, [&](const ForeignField& field) { return field.row->name != claim.field; });
   if (!fields.empty()) return fields;
   return Diagnostic{Code::E601,
                     {},
-                    name + " has no field " + in_backticks(claim.field),
+                    name + " has no field " + quote_text(claim.field),
                     names.empty() ? "" : "its fields are " + names};
 }
 

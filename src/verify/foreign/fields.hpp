@@ -15,7 +15,7 @@ namespace elgen {
 /// A field of an output: its shape, and the index of its first entry among the oracle's values.
 struct ForeignField {
   const FieldRow* row = nullptr;
-  std::size_t first = 0;
+  std::size_t first_entry = 0;
   std::size_t rows = 1;
   std::size_t columns = 1;
 
@@ -24,10 +24,10 @@ struct ForeignField {
 using ForeignFields = std::vector<ForeignField>;
 
 /// The non-empty fields of an output. Remainders are included only for a method that iterates.
-[[nodiscard]] ForeignFields fields_of(const Model& model, const OutputRequest& output);
+[[nodiscard]] ForeignFields foreign_fields_of(const Model& model, const OutputRequest& output);
 
 /// The number of entries of all fields.
-[[nodiscard]] std::size_t size_of(const ForeignFields& fields);
+[[nodiscard]] std::size_t entry_count(const ForeignFields& fields);
 
 /// The fields of an answer of `count` numbers: the first of the following choices that has this
 /// size, empty if none has.
@@ -35,7 +35,7 @@ using ForeignFields = std::vector<ForeignField>;
 ///     all fields without pivots and remainders
 ///     all fields
 ///     one other field
-[[nodiscard]] ForeignFields answered_fields(const ForeignFields& fields, std::size_t count);
+[[nodiscard]] ForeignFields match_answer_fields(const ForeignFields& fields, std::size_t count);
 
 /// The field that the claim names, or all fields of its output. E601 if the output or the field
 /// does not exist; an error with the reason repeats_outputs for `dynamics`.
@@ -43,10 +43,10 @@ using ForeignFields = std::vector<ForeignField>;
                                                    const ForeignClaim& claim);
 
 /// The names of the fields: "A, B".
-[[nodiscard]] std::string names_text(const ForeignFields& fields);
+[[nodiscard]] std::string field_names_text(const ForeignFields& fields);
 
 /// The names and sizes of the fields: "A (4), B (2)".
-[[nodiscard]] std::string sizes_text(const ForeignFields& fields);
+[[nodiscard]] std::string field_sizes_text(const ForeignFields& fields);
 
 /// The name of an entry: "forward_dynamics.acceleration[theta]".
 [[nodiscard]] std::string name_of_entry(const Model& model, const OutputRequest& output,

@@ -19,7 +19,7 @@ namespace elgen {
 ///     driven    velocities and momenta are 0
 ///     moving    accelerations and inputs are 0
 ///     varied    as whole, with parameters between half and twice their values
-enum class Situation : std::uint8_t { whole, rest, driven, moving, varied };
+enum class Situation : std::uint8_t { general, rest, driven, moving, varied_parameters };
 inline constexpr std::size_t situation_count = 5;
 
 /// The states at which foreign code is called.
@@ -30,16 +30,17 @@ struct ForeignStates {
 };
 
 /// Draws the states for an output; `is_moved`: projected onto the constraints.
-[[nodiscard]] ForeignStates states_of(const Subject& subject, const ForeignOptions& options,
-                                      OutputKind output, bool is_moved);
+[[nodiscard]] ForeignStates draw_foreign_states(const SystemUnderTest& subject,
+                                                const ForeignOptions& options, OutputKind output,
+                                                bool is_moved);
 
 /// "inputs", "accelerations" or "inputs or accelerations", whichever the output takes; "inputs" if
 /// it takes neither.
-[[nodiscard]] std::string_view drive_of(const OutputRequest& output);
+[[nodiscard]] std::string_view drive_text(const OutputRequest& output);
 
 /// For each parameter that the scene does not fix, appends a copy of the first state in which this
 /// parameter has another value. Returns the parameters.
-[[nodiscard]] std::vector<std::uint32_t> add_changed_parameters(
-    const Subject& subject, std::vector<Arguments<double>>& states);
+[[nodiscard]] std::vector<std::uint32_t> add_parameter_variations(
+    const SystemUnderTest& subject, std::vector<Arguments<double>>& states);
 
 }  // namespace elgen

@@ -10,34 +10,36 @@
 
 namespace elgen {
 
-Kinks::Kinks(const Model& model) : model_(model) {
+KinkCoverage::KinkCoverage(const Model& model) : model_(model) {
   for (ExpressionId id = 0; id < model.expressions.size(); ++id) {
     const Expression& e = model.expressions[id];
-    if (e.kind == ExpressionKind::function && is_kinked(e.function)) incomplete_.push_back({id});
+    if (e.kind == ExpressionKind::function && is_kinked(e.function))
+      one_sided_kinks_.push_back({id});
   }
 }
 
-bool Kinks::add(const State& state) {
+bool KinkCoverage::add_state(const State& state) {
   bool is_new = false;
-  for (Kink& kink : incomplete_) {
+  for (Kink& kink : one_sided_kinks_) {
     const std::vector<ExpressionId>& arguments = model_.expressions[kink.call].operands;
-    auto side = oracle_expression(model_, arguments.front(), state);
+    auto side = oracle_expression_value(model_, arguments.front(), state);
     if (side && arguments.size() > 1) {
-      const auto other = oracle_expression(model_, arguments.back(), state);
+      const auto other = oracle_expression_value(model_, arguments.back(), state);
       side = other ? std::optional(*side - *other) : std::nullopt;
     }
     if (!side || cln::zerop(*side)) continue;
-    bool& seen = cln::minusp(*side) ? kink.below : kink.above;
+    bool& seen = cln::minusp(*side) ? kink.has_state_below : kink.has_state_above;
     is_new = is_new || !seen;
     seen = true;
   }
-  std::erase_if(incomplete_, [](const Kink& kink) { return kink.below && kink.above; });
+  std::erase_if(one_sided_kinks_,
+                [](const Kink& kink) { return kink.has_state_below && kink.has_state_above; });
   return is_new;
 }
 
-std::string Kinks::unseen() const {
+std::string KinkCoverage::one_sided_kinks_text() const {
   std::vector<std::string> texts;
-  for (const Kink& kink : incomplete_) {
+  for (const Kink& kink : one_sided_kinks_) {
     const std::string text = in_backticks(model_.expressions[kink.call].span);
     if (std::ranges::count(texts, text) == 0) texts.push_back(text);
   }

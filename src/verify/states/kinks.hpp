@@ -14,29 +14,29 @@ namespace elgen {
 /// The largest number of draws in search of sides without a state.
 inline constexpr std::size_t most_draws_for_kinks = 256;
 
-class Kinks {
+class KinkCoverage {
  public:
   /// Finds all kinks of the model. The model must outlive this object.
-  explicit Kinks(const Model& model);
+  explicit KinkCoverage(const Model& model);
 
   /// Adds a state. True if it is the first state on some side. Cost: the oracle evaluates the
   /// arguments of all kinks that do not have states on both sides.
-  bool add(const State& state);
+  bool add_state(const State& state);
 
-  [[nodiscard]] bool all_are_seen() const { return incomplete_.empty(); }
+  [[nodiscard]] bool is_complete() const { return one_sided_kinks_.empty(); }
 
   /// The calls without states on both sides: "`max(x - 5, 0)`, `abs(y)`".
-  [[nodiscard]] std::string unseen() const;
+  [[nodiscard]] std::string one_sided_kinks_text() const;
 
  private:
   struct Kink {
     ExpressionId call = 0;
-    bool below = false;  ///< some state has argument < 0, or first argument < second
-    bool above = false;
+    bool has_state_below = false;  ///< some state has argument < 0, or first argument < second
+    bool has_state_above = false;
   };
 
   const Model& model_;
-  std::vector<Kink> incomplete_ = {};
+  std::vector<Kink> one_sided_kinks_ = {};
 };
 
 }  // namespace elgen

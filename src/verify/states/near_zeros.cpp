@@ -26,7 +26,7 @@ constexpr int grids = 18;  ///< each 8 times finer than the last; 8^-18 is less 
 /// A sum is 0 if it is below this fraction of the largest |sum| on the first grid. At a zero,
 /// rounding of the coordinate to double leaves 1e-16; a sum that stays above 1e-10 loses few
 /// digits.
-constexpr double vanishing = 1e-10;
+constexpr double zero_threshold = 1e-10;
 
 /// A typed sum that contains coordinates, but no velocities, accelerations, momenta or open values.
 struct PositionSum {
@@ -34,16 +34,16 @@ struct PositionSum {
   std::set<std::uint32_t> coordinates = {};
 };
 
-std::vector<PositionSum> typed_sums(const Model& model) {
+std::vector<PositionSum> position_sums(const Model& model) {
   constexpr LeafSet others =
       Opcode::velocity | Opcode::acceleration | Opcode::open_value | Opcode::momentum;
   std::vector<PositionSum> sums;
-  for (const ExpressionId id : reachable_from(model, equation_roots(model))) {
+  for (const ExpressionId id : reachable_expressions(model, equation_roots(model))) {
     if (sums.size() == most_states) break;  // each sum gives at least one state
     if (model.expressions[id].kind != ExpressionKind::add || contains_leaf(model, id, others))
       continue;
     PositionSum sum{id};
-    for (const ExpressionId below : reachable_from(model, {id})) {
+    for (const ExpressionId below : reachable_expressions(model, {id})) {
       const Expression& e = model.expressions[below];
       if (is_leaf(e, Opcode::coordinate) && !model.coordinates[e.index].rotation) {
         sum.coordinates.insert(e.index);
@@ -54,44 +54,44 @@ std::vector<PositionSum> typed_sums(const Model& model) {
   return sums;
 }
 
-class NearZeros {
+class NearZeroSampler {
  public:
   /// `ratio`: the quotient of successive distances from a zero.
-  NearZeros(const Subject& subject, const Sampling& sampling, double ratio)
+  NearZeroSampler(const SystemUnderTest& subject, const SamplingOptions& sampling, double ratio)
       : subject_(subject),
         ratio_(ratio),
         ranges_(ranges_of(subject)),
-        draw_(sampling.seed),
-        most_(std::min(sampling.count, most_states)),
-        evaluations_left_(std::min(most_ * evaluations_per_state,
+        sampler_(sampling.seed),
+        max_states_(std::min(sampling.count, most_states)),
+        evaluations_left_(std::min(max_states_ * evaluations_per_state,
                                    most_work / (subject.model.expressions.size() + 1))) {}
 
-  std::vector<SampledState<double>> make() {
-    const std::vector<PositionSum> sums = typed_sums(subject_.model);
-    Arguments<double> common = drawn_within(subject_, ranges_, draw_);
+  std::vector<SampledState<double>> sample() {
+    const std::vector<PositionSum> sums = position_sums(subject_.model);
+    Arguments<double> common = draw_in_ranges(subject_, ranges_, sampler_);
     std::set<std::uint32_t> held;
-    for (const PositionSum& sum : sums) add_zero_of(sum, common, held);
+    for (const PositionSum& sum : sums) move_to_common_zero(sum, common, held);
     // The number of distances is odd, so the second round puts at rest the distances that the first
     // round put in motion.
-    for (int i = 0; i < 2 && !held.empty(); ++i) add_near(common, held);
+    for (int i = 0; i < 2 && !held.empty(); ++i) add_states_near(common, held);
     for (const PositionSum& sum : sums) {
       for (const std::uint32_t coordinate : sum.coordinates) {
-        if (states_.size() >= most_) break;
-        Arguments<double> at = drawn_within(subject_, ranges_, draw_);
-        if (move_to_zero(sum, coordinate, at)) add_near(at, {coordinate});
+        if (states_.size() >= max_states_) break;
+        Arguments<double> at = draw_in_ranges(subject_, ranges_, sampler_);
+        if (move_to_zero(sum, coordinate, at)) add_states_near(at, {coordinate});
       }
     }
-    if (states_.size() > most_) states_.resize(most_);
+    if (states_.size() > max_states_) states_.resize(max_states_);
     return std::move(states_);
   }
 
  private:
   /// |sum|; infinite if the sum is undefined, or if no evaluations remain.
-  double size_of(const PositionSum& sum, const Arguments<double>& at) {
+  double sum_magnitude(const PositionSum& sum, const Arguments<double>& at) {
     constexpr double none = std::numeric_limits<double>::infinity();
     if (evaluations_left_ == 0) return none;
     --evaluations_left_;
-    const auto value = oracle_expression(subject_.model, sum.id, exact_state(subject_, at));
+    const auto value = oracle_expression_value(subject_.model, sum.id, exact_state(subject_, at));
     return value ? to_double(cln::abs(*value)) : none;
   }
 
@@ -105,7 +105,7 @@ class NearZeros {
       const double step = (high - low) / cells;
       for (int k = 0; k <= cells; ++k) {
         at.q[coordinate] = low + k * step;
-        const double size = size_of(sum, at);
+        const double size = sum_magnitude(sum, at);
         if (size < smallest) place = at.q[coordinate];
         smallest = std::min(smallest, size);
         if (grid == 0 && std::isfinite(size)) largest = std::max(largest, size);
@@ -115,13 +115,13 @@ class NearZeros {
       high = std::min(high, place + step);
     }
     at.q[coordinate] = place;
-    return largest > 0 && smallest <= vanishing * largest;
+    return largest > 0 && smallest <= zero_threshold * largest;
   }
 
   /// Moves `common` to a zero of one more sum, by a coordinate that is not in `held`. Then adds the
   /// coordinates of the sum to `held`.
-  void add_zero_of(const PositionSum& sum, Arguments<double>& common,
-                   std::set<std::uint32_t>& held) {
+  void move_to_common_zero(const PositionSum& sum, Arguments<double>& common,
+                           std::set<std::uint32_t>& held) {
     Arguments<double> at = common;
     for (auto c = sum.coordinates.rbegin(); c != sum.coordinates.rend(); ++c) {
       if (held.contains(*c) || !move_to_zero(sum, *c, at)) continue;
@@ -133,7 +133,7 @@ class NearZeros {
 
   /// Adds a state at each distance from the zero. Each coordinate moves by a different fraction, so
   /// that equal coordinates become different.
-  void add_near(const Arguments<double>& zero, const std::set<std::uint32_t>& coordinates) {
+  void add_states_near(const Arguments<double>& zero, const std::set<std::uint32_t>& coordinates) {
     double distance = 1;
     for (std::size_t i = 0; i < distances; ++i) {
       distance *= ratio_;
@@ -158,11 +158,11 @@ class NearZeros {
     return std::clamp(is_inside ? x + change : x - change, range.low, range.high);
   }
 
-  const Subject& subject_;
+  const SystemUnderTest& subject_;
   double ratio_;
   LeafValues<Range> ranges_;
-  Sampler draw_;
-  std::size_t most_;
+  Sampler sampler_;
+  std::size_t max_states_;
   std::size_t evaluations_left_;
   std::vector<SampledState<double>> states_ = {};
 };
@@ -170,19 +170,21 @@ class NearZeros {
 }  // namespace
 
 template <class Scalar>
-std::vector<SampledState<Scalar>> states_near_zeros(const Subject& subject,
-                                                    const Sampling& sampling) {
+std::vector<SampledState<Scalar>> states_near_zeros(const SystemUnderTest& subject,
+                                                    const SamplingOptions& sampling) {
   // Distances decrease to 1e-12, or 1e-6 in float. At smaller distances, differences in the scalar
   // have few digits.
   constexpr double ratio = std::is_same_v<Scalar, float> ? 1e-2 : 1e-4;
   std::vector<SampledState<Scalar>> states;
-  for (const SampledState<double>& state : NearZeros(subject, sampling, ratio).make()) {
-    states.push_back({state.region, state.name, nearest_finite<Scalar>(state.values)});
+  for (const SampledState<double>& state : NearZeroSampler(subject, sampling, ratio).sample()) {
+    states.push_back({state.region, state.name, round_to_finite<Scalar>(state.values)});
   }
   return states;
 }
 
-template std::vector<SampledState<double>> states_near_zeros(const Subject&, const Sampling&);
-template std::vector<SampledState<float>> states_near_zeros(const Subject&, const Sampling&);
+template std::vector<SampledState<double>> states_near_zeros(const SystemUnderTest&,
+                                                             const SamplingOptions&);
+template std::vector<SampledState<float>> states_near_zeros(const SystemUnderTest&,
+                                                            const SamplingOptions&);
 
 }  // namespace elgen

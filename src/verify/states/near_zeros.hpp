@@ -15,7 +15,7 @@ namespace elgen {
 /// rest, because random accelerations hide the digits that a holding force loses. At most
 /// min(sampling.count, 64) states.
 template <class Scalar>
-[[nodiscard]] std::vector<SampledState<Scalar>> states_near_zeros(const Subject& subject,
-                                                                  const Sampling& sampling);
+[[nodiscard]] std::vector<SampledState<Scalar>> states_near_zeros(const SystemUnderTest& subject,
+                                                                  const SamplingOptions& sampling);
 
 }  // namespace elgen

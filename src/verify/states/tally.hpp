@@ -22,12 +22,12 @@ class Tally {
     worst_state_ = state;
     return true;
   }
-  void skip() { ++skipped_; }
+  void count_skipped() { ++skipped_; }
 
   [[nodiscard]] std::size_t samples() const { return samples_; }
   [[nodiscard]] double worst() const { return worst_; }
-  [[nodiscard]] std::string where(const Subject& subject) const {
-    return worst_state_ ? describe(subject, *worst_state_) : std::string();
+  [[nodiscard]] std::string worst_state_text(const SystemUnderTest& subject) const {
+    return worst_state_ ? describe_state(subject, *worst_state_) : std::string();
   }
   /// `skipped` without figures; otherwise `holds` if no figure exceeds the tolerance. A NaN fails.
   [[nodiscard]] Verdict verdict(double tolerance) const {
@@ -35,10 +35,10 @@ class Tally {
     return worst_ <= tolerance ? Verdict::holds : Verdict::fails;
   }
   /// Writes counts, worst state and verdict into a row. `obstacle`: why states were skipped.
-  void write_result(CertificateRow& row, const Subject& subject, double tolerance,
-                    Obstacle obstacle = Obstacle::undefined) const {
+  void write_result(CertificateRow& row, const SystemUnderTest& subject, double tolerance,
+                    SkipReason obstacle = SkipReason::undefined) const {
     row.samples = samples_;
-    row.where = where(subject);
+    row.worst_state = worst_state_text(subject);
     row.verdict = verdict(tolerance);
     if (skipped_ > 0) row.skipped = {{obstacle, skipped_}};
   }

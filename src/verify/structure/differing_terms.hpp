@@ -24,16 +24,16 @@ using TermsByPowers = std::map<Monomial, Polynomial, MonomialLess>;
 
 /// The terms of a sum without denominator. The key is a product of powers without sines and
 /// cosines; the value is its coefficient.
-[[nodiscard]] TermsByPowers terms_by_powers(const Algebra& algebra, const Polynomial& sum);
+[[nodiscard]] TermsByPowers group_by_powers(const Algebra& algebra, const Polynomial& sum);
 
 struct DifferingTerms {
   std::size_t count = 0;
   /// Right terms that are written with another factor; the key is the written factor divided by the
   /// right factor.
-  std::map<cln::cl_RA, Fraction> multiples = {};
+  std::map<cln::cl_RA, Fraction> rescaled_terms = {};
   Fraction missing = {};
   Fraction surplus = {};
-  bool of_denominator = false;  ///< the terms are terms of the denominator
+  bool is_of_denominator = false;  ///< the terms are terms of the denominator
 };
 
 /// The differing terms over a common denominator, if they occur in the forms as written. Otherwise
@@ -43,8 +43,8 @@ struct DifferingTerms {
                                                             const Fraction& written);
 
 /// The form in the model language; "" if it is longer than 100 characters.
-[[nodiscard]] std::string short_form(const Model& model, const Algebra& algebra,
-                                     const Fraction& form);
+[[nodiscard]] std::string short_form_text(const Model& model, const Algebra& algebra,
+                                          const Fraction& form);
 
 /// The terms in words; "" if they are more than four, or too long.
 [[nodiscard]] std::string differing_terms_text(const Model& model, const Algebra& algebra,

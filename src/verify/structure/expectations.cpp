@@ -26,9 +26,10 @@ constexpr std::size_t point_count = 64;
 /// The oracle has 60 digits; in each form cancellation may cost 15.
 constexpr double tolerance = 1e-45;
 constexpr const char* sampled_reason = "1e-45 of the largest entry: sampled, no proof";
-constexpr const char* proof = "proved: both have the same canonical sum";
-constexpr const char* proof_of_rate = "proved: the rate is the empty canonical sum";
-constexpr const char* proof_of_equation = "proved: along the motion it is the empty canonical sum";
+constexpr const char* proof_reason = "proved: both have the same canonical sum";
+constexpr const char* rate_proof_reason = "proved: the rate is the empty canonical sum";
+constexpr const char* equation_proof_reason =
+    "proved: along the motion it is the empty canonical sum";
 /// An equation contains accelerations at all states or at none, except at kinks, so few states
 /// suffice.
 constexpr std::size_t states_of_rank = 8;
@@ -37,72 +38,73 @@ constexpr std::size_t states_of_rank = 8;
 constexpr std::size_t states_of_values = 16;
 
 /// The states at which expectations are sampled, and the kinks that have states on one side only.
-struct SamplingStates {
+struct ExpectationStates {
   std::vector<State> states = {};
-  std::string unseen = {};
+  std::string one_sided_kinks = {};
 };
 
-SamplingStates random_points(const Model& model, std::uint64_t seed) {
+ExpectationStates draw_states(const Model& model, std::uint64_t seed) {
   Sampler draw(seed);
-  Kinks kinks(model);
-  SamplingStates points;
+  KinkCoverage kinks(model);
+  ExpectationStates points;
   for (std::size_t turn = 0; turn < most_draws_for_kinks; ++turn) {
-    if (turn >= point_count && kinks.all_are_seen()) break;
-    State state = drawn_state(model, {}, draw, turn);
-    const bool is_new = kinks.add(state);
+    if (turn >= point_count && kinks.is_complete()) break;
+    State state = draw_state(model, {}, draw, turn);
+    const bool is_new = kinks.add_state(state);
     if (turn < point_count || is_new) points.states.push_back(std::move(state));
   }
-  points.unseen = kinks.unseen();
+  points.one_sided_kinks = kinks.one_sided_kinks_text();
   return points;
 }
 
-double quotient(const cl_R& difference, const cl_R& scale) {
+double relative_difference(const cl_R& difference, const cl_R& scale) {
   if (cln::zerop(difference)) return 0;
   return to_double(cln::abs(difference) / scale);
 }
 
-const std::string& written_name(const Expectation& expectation) {
+const std::string& name_in_file(const Expectation& expectation) {
   return expectation.field.empty() ? expectation.output : expectation.field;
 }
 
-std::string formula_of(const ExpectedEntry& entry) {
+std::string expected_formula(const ExpectedEntry& entry) {
   const std::string text = to_string(entry.subject.model, entry.expression());
-  if (entry.of.is_conserved()) return fmt::format("d/dt ({}) = 0 at u = 0", text);
-  if (entry.of.is_equations()) return fmt::format("{} = 0 along the motion", text);
+  if (entry.expectation.claims_conservation()) return fmt::format("d/dt ({}) = 0 at u = 0", text);
+  if (entry.expectation.claims_equations()) return fmt::format("{} = 0 along the motion", text);
   return text;
 }
 
 CertificateRow proved_row(const ExpectedEntry& entry) {
-  CertificateRow row = blank_row(entry);
-  row.worst = "equal";
+  CertificateRow row = unjudged_row(entry);
+  row.worst_value = "equal";
   row.evidence = Evidence::proof;
-  row.tolerance = entry.of.is_conserved()   ? proof_of_rate
-                  : entry.of.is_equations() ? proof_of_equation
-                                            : proof;
+  row.tolerance = entry.expectation.claims_conservation() ? rate_proof_reason
+                  : entry.expectation.claims_equations()  ? equation_proof_reason
+                                                          : proof_reason;
   return row;
 }
 
 /// The value of the written form and the derived value at a state, and the scale of their
 /// difference.
-struct Sample {
+struct ComparedValue {
   cl_R written;
   cl_R derived;
   cl_R scale;
 };
 
-std::string wrong_text(const ExpectedEntry& entry, const Sample& sample, const State& state) {
-  const std::string where = describe(entry.subject, state);
-  const std::string written = short_text(sample.written);
-  if (entry.of.is_conserved())
+std::string mistake_text(const ExpectedEntry& entry, const ComparedValue& sample,
+                         const State& state) {
+  const std::string where = describe_state(entry.subject, state);
+  const std::string written = short_number_text(sample.written);
+  if (entry.expectation.claims_conservation())
     return fmt::format("its rate is {} instead of 0 at {}", written, where);
-  if (entry.of.is_equations())
+  if (entry.expectation.claims_equations())
     return fmt::format("left - right is {} instead of 0 along the motion at {}", written, where);
   return fmt::format("{} is {} by this form, {} as derived, {} too much, at {}", name_of(entry),
-                     written, short_text(sample.derived),
-                     short_text(sample.written - sample.derived), where);
+                     written, short_number_text(sample.derived),
+                     short_number_text(sample.written - sample.derived), where);
 }
 
-Diagnostic nothing_compared(const ExpectedEntry& entry) {
+Diagnostic no_common_value_error(const ExpectedEntry& entry) {
   return {Code::E510, entry.span(),
           fmt::format("this form of {} and the derived one have no value in common at {} points",
                       name_of(entry), point_count),
@@ -116,20 +118,22 @@ struct SampledPoint {
   cl_R scale = 0;  ///< the largest entry of the output and of M; errors are relative to it
 };
 
-SampledPoint derived_at(const Model& model, const OutputRequest& request, const State& state) {
+SampledPoint oracle_point_at(const Model& model, const OutputRequest& request, const State& state) {
   SampledPoint derived{state, oracle_values(model, request, state)};
   const OracleValues masses = oracle_values(model, {.kind = OutputKind::mass_matrix}, state);
-  if (derived.entries) derived.scale = largest_of(*derived.entries);
-  if (masses) derived.scale = cln::max(derived.scale, largest_of(*masses));
+  if (derived.entries) derived.scale = max_magnitude(*derived.entries);
+  if (masses) derived.scale = cln::max(derived.scale, max_magnitude(*masses));
   return derived;
 }
 
-std::optional<Sample> value_sample(const ExpectedEntry& entry, const SampledPoint& derived) {
-  const auto written = oracle_expression(entry.subject.model, entry.expression(), derived.state);
-  const std::size_t index = entry.of.first + entry.index;
+std::optional<ComparedValue> value_sample(const ExpectedEntry& entry, const SampledPoint& derived) {
+  const auto written =
+      oracle_expression_value(entry.subject.model, entry.expression(), derived.state);
+  const std::size_t index = entry.expectation.first + entry.index;
   const bool is_there = derived.entries && index < derived.entries->size();
   if (!written || !is_there) return std::nullopt;
-  return Sample{*written, (*derived.entries)[index], cln::max(derived.scale, cln::abs(*written))};
+  return ComparedValue{*written, (*derived.entries)[index],
+                       cln::max(derived.scale, cln::abs(*written))};
 }
 
 /// The state with the accelerations of the motion; none if M is singular, or if the constraints
@@ -160,14 +164,15 @@ std::optional<State> free_motion(const Model& model, State start) {
 /// The value f(a) at the motion's acceleration a, in the result's `written`. Its scale is `size` +
 /// |f(0)| + sum over i of |f(sizes_i e_i) - f(0)|, e_i the unit vectors.
 template <class F>
-std::optional<Sample> sample_of_parts(const F& f, const State& motion, const cl_R& size,
-                                      const std::vector<cl_R>& sizes) {
+std::optional<ComparedValue> motion_function_sample(const F& f, const State& motion,
+                                                    const cl_R& size,
+                                                    const std::vector<cl_R>& sizes) {
   State part = motion;
   part.a.assign(motion.a.size(), cl_R(0));
   const std::optional<cl_R> whole = f(motion);
   const std::optional<cl_R> coasting = f(part);
   if (!whole || !coasting) return std::nullopt;
-  Sample result{*whole, 0, size + cln::abs(*coasting)};
+  ComparedValue result{*whole, 0, size + cln::abs(*coasting)};
   for (std::size_t i = 0; i < motion.a.size(); ++i) {
     part.a[i] = sizes[i];
     const std::optional<cl_R> accelerated = f(part);
@@ -180,38 +185,38 @@ std::optional<Sample> sample_of_parts(const F& f, const State& motion, const cl_
 
 /// Conserved quantity e: de/dt along the motion, with the scale |e| plus the terms of de/dt.
 /// Equation e: its value along the motion, with the scale of its terms.
-std::optional<Sample> motion_sample(const ExpectedEntry& entry, const State& motion) {
+std::optional<ComparedValue> motion_sample(const ExpectedEntry& entry, const State& motion) {
   const Model& model = entry.subject.model;
   const ExpressionId id = entry.expression();
-  const auto value = [&](const State& at) { return oracle_expression(model, id, at); };
-  if (entry.of.is_equations()) {
+  const auto value = [&](const State& at) { return oracle_expression_value(model, id, at); };
+  if (entry.expectation.claims_equations()) {
     // An acceleration that is exactly 0 has rounding errors of the size of the largest
     // acceleration.
-    const std::vector<cl_R> largest(motion.a.size(), largest_of(motion.a));
-    return sample_of_parts(value, motion, 0, largest);
+    const std::vector<cl_R> largest(motion.a.size(), max_magnitude(motion.a));
+    return motion_function_sample(value, motion, 0, largest);
   }
   const std::optional<cl_R> size = value(motion);
   if (!size) return std::nullopt;
-  const auto rate = [&](const State& at) { return oracle_rate(model, id, at); };
-  return sample_of_parts(rate, motion, cln::abs(*size), motion.a);
+  const auto rate = [&](const State& at) { return oracle_expression_rate(model, id, at); };
+  return motion_function_sample(rate, motion, cln::abs(*size), motion.a);
 }
 
 bool needs_motion(const Expectation& expectation) {
-  return expectation.is_conserved() || expectation.is_equations();
+  return expectation.claims_conservation() || expectation.claims_equations();
 }
 
 /// The points at which an expectation is sampled.
-std::vector<SampledPoint> points_of(const Model& model, const Expectation& expectation,
-                                    const std::vector<State>& states) {
+std::vector<SampledPoint> sample_points(const Model& model, const Expectation& expectation,
+                                        const std::vector<State>& states) {
   const auto request = find_request(model, expectation.output);
   std::vector<SampledPoint> points;
   for (const State& state : states) {
     if (needs_motion(expectation)) {
       const auto motion =
-          expectation.is_conserved() ? free_motion(model, state) : motion_at(model, state);
+          expectation.claims_conservation() ? free_motion(model, state) : motion_at(model, state);
       if (motion) points.push_back({*motion});
     } else if (request) {
-      points.push_back(derived_at(model, *request, state));
+      points.push_back(oracle_point_at(model, *request, state));
     }
   }
   return points;
@@ -219,39 +224,40 @@ std::vector<SampledPoint> points_of(const Model& model, const Expectation& expec
 
 /// The difference of the written form from the derived one; "" if a form is missing or the text is
 /// too long.
-std::string difference_text(const ExpectedEntry& entry, Proofs& proofs) {
+std::string difference_text(const ExpectedEntry& entry, ExpectationProver& proofs) {
   // Quotients that the author typed are reported as quotients, not as Stumpff functions.
-  if (!entry.subject.model.typed.empty() && proofs.quotients() != nullptr) {
-    Proofs by_quotients(entry.subject, proofs.quotients());
+  if (!entry.subject.model.original_expressions.empty() && proofs.quotient_forms() != nullptr) {
+    ExpectationProver by_quotients(entry.subject, proofs.quotient_forms());
     return difference_text(entry, by_quotients);
   }
-  const std::optional<Fraction> written = proofs.written(entry.of, entry.index);
+  const std::optional<Fraction> written = proofs.written_form(entry.expectation, entry.index);
   if (!written) return {};
-  if (entry.of.is_conserved()) return difference_from_conserved(proofs, *written);
-  if (entry.of.is_equations()) return difference_from_motion(proofs, *written);
-  const std::optional<Fraction> derived = proofs.derived(entry.of, entry.index);
+  if (entry.expectation.claims_conservation()) return difference_from_conserved(proofs, *written);
+  if (entry.expectation.claims_equations()) return difference_from_motion(proofs, *written);
+  const std::optional<Fraction> derived = proofs.derived_form(entry.expectation, entry.index);
   if (!derived) return {};
   Algebra& algebra = *proofs.algebra();
   const Model& model = entry.subject.model;
   const auto terms = differing_terms(algebra, *derived, *written);
   std::string text = terms ? differing_terms_text(model, algebra, *terms) : "";
   if (!text.empty()) return text;
-  const Value difference = Arithmetic(algebra).subtract(*written, *derived);
-  text = difference ? short_form(model, algebra, *difference) : "";
+  const OptionalFraction difference = Arithmetic(algebra).subtract(*written, *derived);
+  text = difference ? short_form_text(model, algebra, *difference) : "";
   return text.empty() ? "" : "the difference is " + text;
 }
 
-std::optional<Sample> sample_at(const ExpectedEntry& entry, const SampledPoint& point) {
-  return needs_motion(entry.of) ? motion_sample(entry, point.state) : value_sample(entry, point);
+std::optional<ComparedValue> sample_at(const ExpectedEntry& entry, const SampledPoint& point) {
+  return needs_motion(entry.expectation) ? motion_sample(entry, point.state)
+                                         : value_sample(entry, point);
 }
 
-double error_of(const Sample& sample) {
-  return quotient(sample.written - sample.derived, sample.scale);
+double error_of(const ComparedValue& sample) {
+  return relative_difference(sample.written - sample.derived, sample.scale);
 }
 
 /// True if a wrong entry holds at these points with the file's values of the parameters. Example:
 /// 5/7 g sin(alpha) of a homogeneous ball.
-bool holds_at_values(const ExpectedEntry& entry, const std::vector<SampledPoint>& points) {
+bool holds_at_file_values(const ExpectedEntry& entry, const std::vector<SampledPoint>& points) {
   const Model& model = entry.subject.model;
   const State nominal = nominal_state(model, {});
   std::vector<State> states;
@@ -260,7 +266,7 @@ bool holds_at_values(const ExpectedEntry& entry, const std::vector<SampledPoint>
     states.back().parameters = nominal.parameters;
   }
   std::size_t held = 0;
-  for (const SampledPoint& point : points_of(model, entry.of, states)) {
+  for (const SampledPoint& point : sample_points(model, entry.expectation, states)) {
     const auto sample = sample_at(entry, point);
     if (sample && !(error_of(*sample) <= tolerance)) return false;
     if (sample) ++held;
@@ -270,49 +276,50 @@ bool holds_at_values(const ExpectedEntry& entry, const std::vector<SampledPoint>
 
 /// The difference of a wrong entry from the derived one, and a note if the entry holds with the
 /// file's values of the parameters.
-std::string hint_of(const ExpectedEntry& entry, Proofs& proofs,
+std::string hint_of(const ExpectedEntry& entry, ExpectationProver& proofs,
                     const std::vector<SampledPoint>& points) {
   std::string hint = difference_text(entry, proofs);
-  if (!holds_at_values(entry, points)) return hint;
+  if (!holds_at_file_values(entry, points)) return hint;
   if (!hint.empty()) hint += "; ";
   return hint + "it holds for the parameter values of the file";
 }
 
 /// The points at which entries are sampled, and the kinks that have points on one side only.
-struct SampledPoints {
+struct ComparisonPoints {
   const std::vector<SampledPoint>& points;
-  const std::string& unseen;
+  const std::string& one_sided_kinks;
 };
 
 /// Compares one entry at all points, adds its row, and reports the first wrong point.
-void compare(ExpectationReport& report, const ExpectedEntry& entry, Proofs& proofs,
-             const SampledPoints& sampled) {
+void compare_entry(ExpectationReport& report, const ExpectedEntry& entry, ExpectationProver& proofs,
+                   const ComparisonPoints& sampled) {
   Tally tally;
   std::string wrong;
   for (const SampledPoint& point : sampled.points) {
     const auto sample = sample_at(entry, point);
     if (!sample) {
-      tally.skip();
+      tally.count_skipped();
       continue;
     }
     const double figure = error_of(*sample);
     tally.add(figure, point.state);
-    if (wrong.empty() && !(figure <= tolerance)) wrong = wrong_text(entry, *sample, point.state);
+    if (wrong.empty() && !(figure <= tolerance)) wrong = mistake_text(entry, *sample, point.state);
   }
-  CertificateRow& row = report.rows.emplace_back(blank_row(entry));
+  CertificateRow& row = report.rows.emplace_back(unjudged_row(entry));
   row.tolerance = sampled_reason;
   tally.write_result(row, entry.subject, tolerance);
-  row.worst = fmt::format("{:.1e} relative", tally.worst());
-  if (row.verdict == Verdict::holds) row.where.clear();
+  row.worst_value = fmt::format("{:.1e} relative", tally.worst());
+  if (row.verdict == Verdict::holds) row.worst_state.clear();
   // An expectation without any value fails, because its author expects a value.
   if (tally.samples() == 0) row.verdict = Verdict::fails;
-  if (!sampled.unseen.empty()) row.tolerance += "; sampled on one side only: " + sampled.unseen;
+  if (!sampled.one_sided_kinks.empty())
+    row.tolerance += "; sampled on one side only: " + sampled.one_sided_kinks;
   if (!wrong.empty()) {
     std::string hint = hint_of(entry, proofs, sampled.points);
-    if (!hint.empty()) row.worst += "; " + hint;
+    if (!hint.empty()) row.worst_value += "; " + hint;
     report.diagnostics.push_back({Code::E510, entry.span(), std::move(wrong), std::move(hint)});
   } else if (tally.samples() == 0) {
-    report.diagnostics.push_back(nothing_compared(entry));
+    report.diagnostics.push_back(no_common_value_error(entry));
   }
 }
 
@@ -325,20 +332,20 @@ std::vector<State> first_motions(const Model& model, const std::vector<State>& s
   return motions;
 }
 
-void check(ExpectationReport& report, const Expectation& expectation, Proofs& proofs,
-           const SamplingStates& all) {
-  const Subject& subject = proofs.subject();
+void check_expectation(ExpectationReport& report, const Expectation& expectation,
+                       ExpectationProver& proofs, const ExpectationStates& all) {
+  const SystemUnderTest& subject = proofs.subject();
   std::optional<std::vector<SampledPoint>> points;  // set at the first entry without a proof
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const ExpectedEntry entry{expectation, index, subject};
-    if (proofs.holds(expectation, index)) {
+    if (proofs.is_proved(expectation, index)) {
       report.rows.push_back(proved_row(entry));
       continue;
     }
-    if (!points) points = points_of(subject.model, expectation, all.states);
-    compare(report, entry, proofs, {*points, all.unseen});
+    if (!points) points = sample_points(subject.model, expectation, all.states);
+    compare_entry(report, entry, proofs, {*points, all.one_sided_kinks});
   }
-  if (expectation.is_equations()) {
+  if (expectation.claims_equations()) {
     check_rank(report, expectation, subject, first_motions(subject.model, all.states));
   }
 }
@@ -346,31 +353,32 @@ void check(ExpectationReport& report, const Expectation& expectation, Proofs& pr
 }  // namespace
 
 std::string name_of(const ExpectedEntry& entry) {
-  const Field field{.columns = std::max(entry.of.columns, 1U), .entries = entry.of.entries};
-  return written_name(entry.of) + index_text(field, entry.index);
+  const Field field{.columns = std::max(entry.expectation.columns, 1U),
+                    .entries = entry.expectation.entries};
+  return name_in_file(entry.expectation) + index_text(field, entry.index);
 }
 
-CertificateRow blank_row(const ExpectedEntry& entry) {
+CertificateRow unjudged_row(const ExpectedEntry& entry) {
   CertificateRow row;
   row.check = "[[expect]]";
-  row.output = row.check + " " + written_name(entry.of);
+  row.output = row.check + " " + name_in_file(entry.expectation);
   row.subject = name_of(entry);
-  row.formula = formula_of(entry);
+  row.formula = expected_formula(entry);
   return row;
 }
 
-ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
+ExpectationReport check_expectations(const SystemUnderTest& subject, ClosedForms* forms,
                                      std::uint64_t seed) {
   ExpectationReport report;
   // Expectations describe the exact model, not an expansion of it.
   if (subject.model.expectations.empty() || subject.model.approximation) return report;
-  Proofs proofs(subject, forms);
-  const SamplingStates points = random_points(subject.model, seed);
+  ExpectationProver proofs(subject, forms);
+  const ExpectationStates points = draw_states(subject.model, seed);
   for (const Expectation& expectation : subject.model.expectations) {
-    if (expectation.at) {
+    if (expectation.state) {
       check_numbers(report, expectation, subject);
     } else {
-      check(report, expectation, proofs, points);
+      check_expectation(report, expectation, proofs, points);
     }
   }
   return report;

@@ -21,19 +21,21 @@ struct ExpectationReport {
 
 /// One entry of an expectation.
 struct ExpectedEntry {
-  const Expectation& of;
+  const Expectation& expectation;
   std::size_t index;
-  const Subject& subject;
+  const SystemUnderTest& subject;
 
-  [[nodiscard]] ExpressionId expression() const { return of.entries[index]; }
-  [[nodiscard]] Span span() const { return index < of.spans.size() ? of.spans[index] : of.span; }
+  [[nodiscard]] ExpressionId expression() const { return expectation.entries[index]; }
+  [[nodiscard]] Span span() const {
+    return index < expectation.spans.size() ? expectation.spans[index] : expectation.span;
+  }
 };
 
 /// The name of the entry in the file: "gravity[2]".
 [[nodiscard]] std::string name_of(const ExpectedEntry& entry);
 
 /// The row of the entry, without a verdict.
-[[nodiscard]] CertificateRow blank_row(const ExpectedEntry& entry);
+[[nodiscard]] CertificateRow unjudged_row(const ExpectedEntry& entry);
 
 /// Proves each entry by `forms`. If `forms` is null or gives no proof, the entry is sampled, and
 /// its row says so, at 64 points or more. Coordinates, rates and inputs are rational numbers in
@@ -42,7 +44,7 @@ struct ExpectedEntry {
 /// the motion at u = 0 is 0; an equation, if left - right is 0 along the motion. Expectations `at`
 /// a state are compared at that state. Hints give the difference of a wrong entry from the derived
 /// one in closed form.
-[[nodiscard]] ExpectationReport check_expectations(const Subject& subject, ClosedForms* forms,
-                                                   std::uint64_t seed);
+[[nodiscard]] ExpectationReport check_expectations(const SystemUnderTest& subject,
+                                                   ClosedForms* forms, std::uint64_t seed);
 
 }  // namespace elgen

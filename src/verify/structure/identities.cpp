@@ -11,17 +11,17 @@
 
 namespace elgen {
 
-Balance balance_of(const std::vector<BalanceTerms>& all) {
-  Balance balance(all.front().values.size() / all.front().per_entry);
+ResidualSums balance_of(const std::vector<BalanceTerms>& all) {
+  ResidualSums balance(all.front().values.size() / all.front().terms_per_entry);
   for (const BalanceTerms& terms : all) {
     for (std::size_t i = 0; i < terms.values.size(); ++i) {
-      balance.add(i / terms.per_entry, terms.values[i] * terms.factor);
+      balance.add(i / terms.terms_per_entry, terms.values[i] * terms.factor);
     }
   }
   return balance;
 }
 
-Arguments<Real> unit_position(const ExactValues& at, std::size_t i) {
+Arguments<Real> unit_displacement(const ExactValues& at, std::size_t i) {
   Arguments<Real> direction = at.zero_direction();
   std::vector<Real> velocity(at.size());
   velocity[i] = Real(1);
@@ -43,24 +43,24 @@ BalanceTerms matrix_vector_terms(const Values& matrix, const Values& x, int fact
   return terms;
 }
 
-Arguments<Real> unit_rate(const ExactValues& at, std::size_t i) {
+Arguments<Real> unit_velocity_direction(const ExactValues& at, std::size_t i) {
   Arguments<Real> direction = at.zero_direction();
   direction.v[i] = Real(1);
   return direction;
 }
 
 /// The derivatives of `energy` along direction(at, i), for each velocity i.
-Values gradient(const ExactValues& at, K energy,
-                Arguments<Real> (*direction)(const ExactValues&, std::size_t)) {
+Values energy_slopes(const ExactValues& at, K energy,
+                     Arguments<Real> (*direction)(const ExactValues&, std::size_t)) {
   Values slopes;
   for (std::size_t i = 0; i < at.size(); ++i) {
-    slopes.push_back(at.slopes(energy, direction(at, i))[0]);
+    slopes.push_back(at.directional_derivatives(energy, direction(at, i))[0]);
   }
   return slopes;
 }
 
 Values acceleration(ExactValues& at) {
-  const Values& both = at.value(K::forward_dynamics);
+  const Values& both = at.entries(K::forward_dynamics);
   return {both.begin(), both.begin() + static_cast<std::ptrdiff_t>(at.size())};
 }
 
@@ -69,7 +69,7 @@ Values input_force(ExactValues& at) {
   Values force(at.size());
   const Values& u = at.arguments().u;
   if (u.empty()) return force;
-  const Values& b = at.value(K::input_matrix);
+  const Values& b = at.entries(K::input_matrix);
   for (std::size_t i = 0; i < at.size(); ++i) {
     for (std::size_t k = 0; k < u.size(); ++k) force[i] = force[i] + b[i * u.size() + k] * u[k];
   }
@@ -79,11 +79,11 @@ Values input_force(ExactValues& at) {
 /// A^T lambda, lambda from the program's forward dynamics; zero without constraints.
 Values constraint_force(ExactValues& at) {
   Values force(at.size());
-  const Subject& subject = at.subject();
+  const SystemUnderTest& subject = at.subject();
   if (subject.model.constraints.empty()) return force;
   const Function& function = *find_function(subject.program, K::forward_dynamics);
-  const Values& solution = at.value(K::forward_dynamics);
-  const Values& jacobian = at.value(K::constraint_jacobian);
+  const Values& solution = at.entries(K::forward_dynamics);
+  const Values& jacobian = at.entries(K::constraint_jacobian);
   const std::size_t first = first_entry_of(function, "multipliers");
   for (std::size_t k = 0; k < jacobian.size(); ++k) {
     Real& sum = force[k % at.size()];
@@ -93,13 +93,13 @@ Values constraint_force(ExactValues& at) {
 }
 
 /// N + N^T = 0 with N = (sum_k dM/dq_k v_k) - 2 C.
-Balance skew(ExactValues& at) {
+ResidualSums skew_balance(ExactValues& at) {
   Arguments<Real> direction = at.zero_direction();
   direction.q = at.coordinate_rates(at.arguments().v);
-  const Values rate = at.slopes(K::mass_matrix, direction);
-  const Values& c = at.value(K::coriolis_matrix);
+  const Values rate = at.directional_derivatives(K::mass_matrix, direction);
+  const Values& c = at.entries(K::coriolis_matrix);
   const std::size_t n = at.size();
-  Balance balance(n * n);
+  ResidualSums balance(n * n);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t j = 0; j < n; ++j) {
       for (const std::size_t entry : {i * n + j, j * n + i}) {
@@ -113,105 +113,105 @@ Balance skew(ExactValues& at) {
 
 /// dE/dt - v.(B u + Q - dD/dv + A^T lambda) + dL/dt, with the partial derivative
 /// dL/dt = v.dp/dt - dE/dt, because L = v.p - E.
-Balance power(ExactValues& at) {
+ResidualSums power_balance(ExactValues& at) {
   Arguments<Real> motion = at.zero_direction();
   motion.q = at.coordinate_rates(at.arguments().v);
   motion.v = acceleration(at);
   motion.t = Real(1);
   const Values& v = at.arguments().v;
-  std::vector<BalanceTerms> terms{{at.slopes(K::energy_function, motion)},
+  std::vector<BalanceTerms> terms{{at.directional_derivatives(K::energy_function, motion)},
                                   matrix_vector_terms(input_force(at), v, -1),
                                   matrix_vector_terms(constraint_force(at), v, -1),
-                                  matrix_vector_terms(at.value(K::applied_force), v, -1),
-                                  matrix_vector_terms(at.value(K::dissipation), v)};
+                                  matrix_vector_terms(at.entries(K::applied_force), v, -1),
+                                  matrix_vector_terms(at.entries(K::dissipation), v)};
   if (!at.subject().model.uses_time) return balance_of(terms);
   Arguments<Real> direction = at.zero_direction();
   direction.t = Real(1);
-  terms.push_back({at.slopes(K::energy_function, direction), -1});
-  terms.push_back(matrix_vector_terms(at.slopes(K::momentum, direction), v));
+  terms.push_back({at.directional_derivatives(K::energy_function, direction), -1});
+  terms.push_back(matrix_vector_terms(at.directional_derivatives(K::momentum, direction), v));
   return balance_of(terms);
 }
 
-Balance inverse_of_forward(ExactValues& at) {
+ResidualSums inverse_dynamics_balance(ExactValues& at) {
   Arguments<Real> arguments = at.arguments();
   arguments.a = acceleration(at);
-  return balance_of({{at.value_at(K::inverse_dynamics, arguments)},
+  return balance_of({{at.entries_at(K::inverse_dynamics, arguments)},
                      {input_force(at), -1},
                      {constraint_force(at), -1}});
 }
 
-Balance constrained_motion(ExactValues& at) {
-  const Values& residual = at.value(K::constraint_residual);
-  return balance_of({{at.value(K::constraint_bias)},
-                     matrix_vector_terms(at.value(K::constraint_jacobian), acceleration(at)),
+ResidualSums constraint_balance(ExactValues& at) {
+  const Values& residual = at.entries(K::constraint_residual);
+  return balance_of({{at.entries(K::constraint_bias)},
+                     matrix_vector_terms(at.entries(K::constraint_jacobian), acceleration(at)),
                      {stabilising_terms(at.subject().model, at.state(), residual)}});
 }
 
-Balance momentum_gradient(ExactValues& at) {
+ResidualSums momentum_gradient_balance(ExactValues& at) {
   const std::size_t n = at.size();
   Values slopes(n * n);
   for (std::size_t j = 0; j < n; ++j) {
-    const Values column = at.slopes(K::momentum, unit_rate(at, j));
+    const Values column = at.directional_derivatives(K::momentum, unit_velocity_direction(at, j));
     for (std::size_t i = 0; i < n; ++i) slopes[i * n + j] = column[i];
   }
-  return balance_of({{at.value(K::mass_matrix)}, {slopes, -1}});
+  return balance_of({{at.entries(K::mass_matrix)}, {slopes, -1}});
 }
 
-Balance energy_gradient(ExactValues& at) {
-  return balance_of({matrix_vector_terms(at.value(K::mass_matrix), at.arguments().v),
-                     {gradient(at, K::energy_function, unit_rate), -1}});
+ResidualSums energy_gradient_balance(ExactValues& at) {
+  return balance_of({matrix_vector_terms(at.entries(K::mass_matrix), at.arguments().v),
+                     {energy_slopes(at, K::energy_function, unit_velocity_direction), -1}});
 }
 
-Balance momentum_from_energies(ExactValues& at) {
-  return balance_of({{at.value(K::momentum)},
-                     {gradient(at, K::kinetic_energy, unit_rate), -2},
-                     {gradient(at, K::total_energy, unit_rate)}});
+ResidualSums energy_momentum_balance(ExactValues& at) {
+  return balance_of({{at.entries(K::momentum)},
+                     {energy_slopes(at, K::kinetic_energy, unit_velocity_direction), -2},
+                     {energy_slopes(at, K::total_energy, unit_velocity_direction)}});
 }
 
-Balance gravity_gradient(ExactValues& at) {
+ResidualSums gravity_balance(ExactValues& at) {
   return balance_of(
-      {{at.value(K::gravity)}, {gradient(at, K::potential_energy, unit_position), -1}});
+      {{at.entries(K::gravity)}, {energy_slopes(at, K::potential_energy, unit_displacement), -1}});
 }
 
-Balance coriolis_product(ExactValues& at) {
-  return balance_of({{at.value(K::velocity_force)},
-                     matrix_vector_terms(at.value(K::coriolis_matrix), at.arguments().v, -1)});
+ResidualSums coriolis_balance(ExactValues& at) {
+  return balance_of({{at.entries(K::velocity_force)},
+                     matrix_vector_terms(at.entries(K::coriolis_matrix), at.arguments().v, -1)});
 }
 
-Balance bias_parts(ExactValues& at) {
-  return balance_of({{at.value(K::bias)},
-                     {at.value(K::velocity_force), -1},
-                     {at.value(K::drift), -1},
-                     {at.value(K::gravity), -1},
-                     {at.value(K::dissipation), -1},
-                     {at.value(K::applied_force)}});
+ResidualSums bias_balance(ExactValues& at) {
+  return balance_of({{at.entries(K::bias)},
+                     {at.entries(K::velocity_force), -1},
+                     {at.entries(K::drift), -1},
+                     {at.entries(K::gravity), -1},
+                     {at.entries(K::dissipation), -1},
+                     {at.entries(K::applied_force)}});
 }
 
-Balance inverse_parts(ExactValues& at) {
-  return balance_of({{at.value(K::inverse_dynamics)},
-                     matrix_vector_terms(at.value(K::mass_matrix), at.arguments().a, -1),
-                     {at.value(K::bias), -1}});
+ResidualSums inverse_parts_balance(ExactValues& at) {
+  return balance_of({{at.entries(K::inverse_dynamics)},
+                     matrix_vector_terms(at.entries(K::mass_matrix), at.arguments().a, -1),
+                     {at.entries(K::bias), -1}});
 }
 
-Balance forces_of_regressor(ExactValues& at) {
-  const Values& both = at.value(K::regressor);
-  const Values& parameters = at.value(K::regressor_parameters);
+ResidualSums regressor_balance(ExactValues& at) {
+  const Values& both = at.entries(K::regressor);
+  const Values& parameters = at.entries(K::regressor_parameters);
   const auto rest = both.end() - static_cast<std::ptrdiff_t>(at.size());
-  return balance_of({{at.value(K::inverse_dynamics)},
+  return balance_of({{at.entries(K::inverse_dynamics)},
                      matrix_vector_terms({both.begin(), rest}, parameters, -1),
                      {{rest, both.end()}, -1}});
 }
 
-Balance regressor_of_reference(ExactValues& at) {
+ResidualSums reference_regressor_balance(ExactValues& at) {
   Arguments<Real> arguments = at.arguments();
   arguments.reference = arguments.v;
   return balance_of(
-      {{at.value_at(K::regressor_reference, arguments)}, {at.value(K::regressor), -1}});
+      {{at.entries_at(K::regressor_reference, arguments)}, {at.entries(K::regressor), -1}});
 }
 
 /// The state whose velocities belong to the momenta of `at`; none if M is singular.
-std::optional<ExactValues> with_momentum_velocities(ExactValues& at) {
-  const OracleValues v = defined_values(at.value(K::velocities_of_momenta));
+std::optional<ExactValues> solve_momentum_velocities(ExactValues& at) {
+  const OracleValues v = to_oracle_values(at.entries(K::velocities_of_momenta));
   if (!v) return std::nullopt;
   State state = at.state();
   state.v = *v;
@@ -219,32 +219,32 @@ std::optional<ExactValues> with_momentum_velocities(ExactValues& at) {
 }
 
 /// A balance of one undefined entry.
-Balance undefined() { return balance_of({BalanceTerms{{Real::undefined()}}}); }
+ResidualSums undefined_balance() { return balance_of({BalanceTerms{{Real::undefined()}}}); }
 
-Balance momenta_of_velocities(ExactValues& at) {
-  std::optional<ExactValues> moving = with_momentum_velocities(at);
-  if (!moving) return undefined();
-  return balance_of({{moving->value(K::momentum)}, {at.arguments().momenta, -1}});
+ResidualSums momenta_balance(ExactValues& at) {
+  std::optional<ExactValues> moving = solve_momentum_velocities(at);
+  if (!moving) return undefined_balance();
+  return balance_of({{moving->entries(K::momentum)}, {at.arguments().momenta, -1}});
 }
 
-Balance hamiltonian_energy(ExactValues& at) {
-  std::optional<ExactValues> moving = with_momentum_velocities(at);
-  if (!moving) return undefined();
-  return balance_of({{at.value(K::hamiltonian)}, {moving->value(K::energy_function), -1}});
+ResidualSums hamiltonian_balance(ExactValues& at) {
+  std::optional<ExactValues> moving = solve_momentum_velocities(at);
+  if (!moving) return undefined_balance();
+  return balance_of({{at.entries(K::hamiltonian)}, {moving->entries(K::energy_function), -1}});
 }
 
 /// d/dt (q, dL/dv) along the motion, minus (dq/dt, dp/dt).
-Balance canonical_motion(ExactValues& at) {
-  std::optional<ExactValues> moving = with_momentum_velocities(at);
-  if (!moving) return undefined();
+ResidualSums canonical_motion_balance(ExactValues& at) {
+  std::optional<ExactValues> moving = solve_momentum_velocities(at);
+  if (!moving) return undefined_balance();
   Arguments<Real> motion = moving->zero_direction();
   motion.q = moving->coordinate_rates(moving->arguments().v);
   motion.v = acceleration(*moving);
   motion.t = Real(1);
   Values rates = motion.q;
-  const Values of_momenta = moving->slopes(K::momentum, motion);
+  const Values of_momenta = moving->directional_derivatives(K::momentum, motion);
   rates.insert(rates.end(), of_momenta.begin(), of_momenta.end());
-  return balance_of({{at.value(K::hamilton_equations)}, {rates, -1}});
+  return balance_of({{at.entries(K::hamilton_equations)}, {rates, -1}});
 }
 
 std::vector<Identity> identities_of_equations() {
@@ -252,40 +252,43 @@ std::vector<Identity> identities_of_equations() {
       {"rate of M less 2 C skew",
        "N = (sum_k dM/dq_k v_k) - 2 C, N + N^T = 0",
        {K::coriolis_matrix, K::mass_matrix},
-       skew},
+       skew_balance},
       {"power balance",
        "dE/dt = v.(B u + Q - dD/dv) - dL/dt",
        {K::energy_function, K::forward_dynamics, K::momentum},
-       power,
+       power_balance,
        "dE/dt = v.(B u + Q - dD/dv + A^T lambda) - dL/dt"},
       {"inverse of forward dynamics",
        "tau(q, v, a(q, v, u)) = B u",
        {K::forward_dynamics, K::inverse_dynamics},
-       inverse_of_forward,
+       inverse_dynamics_balance,
        "tau(q, v, a(q, v, u)) = B u + A^T lambda"},
       {"constraints along the motion",
        "A a + gamma = -2 zeta omega r - omega^2 f",
        {K::forward_dynamics, K::constraint_residual, K::constraint_jacobian, K::constraint_bias},
-       constrained_motion},
-      {"momentum gradient", "dp/dv = M", {K::momentum, K::mass_matrix}, momentum_gradient},
-      {"energy gradient", "dE/dv = M v", {K::energy_function, K::mass_matrix}, energy_gradient},
+       constraint_balance},
+      {"momentum gradient", "dp/dv = M", {K::momentum, K::mass_matrix}, momentum_gradient_balance},
+      {"energy gradient",
+       "dE/dv = M v",
+       {K::energy_function, K::mass_matrix},
+       energy_gradient_balance},
       {"momentum from energies",
        "p = 2 dT/dv - d(T + V)/dv",
        {K::momentum, K::kinetic_energy, K::total_energy},
-       momentum_from_energies},
-      {"gravity from potential", "g = dV0/dq", {K::gravity, K::potential_energy}, gravity_gradient},
+       energy_momentum_balance},
+      {"gravity from potential", "g = dV0/dq", {K::gravity, K::potential_energy}, gravity_balance},
       {"velocity force from C",
        "velocity_force = C v",
        {K::velocity_force, K::coriolis_matrix},
-       coriolis_product},
+       coriolis_balance},
       {"bias from parts",
        "bias = C v + drift + g + dD/dv - Q",
        {K::bias, K::velocity_force, K::drift, K::gravity},
-       bias_parts},
+       bias_balance},
       {"inverse dynamics from parts",
        "tau = M a + bias",
        {K::inverse_dynamics, K::mass_matrix, K::bias},
-       inverse_parts},
+       inverse_parts_balance},
   };
 }
 
@@ -294,23 +297,23 @@ std::vector<Identity> identities_of_momenta_and_regressors() {
       {"inverse dynamics from the regressor",
        "tau = Y pi + rest",
        {K::regressor},
-       forces_of_regressor},
+       regressor_balance},
       {"regressor of the velocity itself",
        "Y_r(q, v, v, a) = Y(q, v, a)",
        {K::regressor_reference},
-       regressor_of_reference},
+       reference_regressor_balance},
       {"momenta of velocities",
        "dL/dv = p at v = M^-1 (p - b)",
        {K::velocities_of_momenta},
-       momenta_of_velocities},
+       momenta_balance},
       {"Hamiltonian is the energy",
        "H = v.dL/dv - L at v = M^-1 (p - b)",
        {K::hamiltonian},
-       hamiltonian_energy},
+       hamiltonian_balance},
       {"Hamilton's equations along the motion",
        "(dq/dt, dp/dt) = d/dt (q, dL/dv)",
        {K::hamilton_equations, K::momentum},
-       canonical_motion},
+       canonical_motion_balance},
   };
 }
 

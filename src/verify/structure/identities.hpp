@@ -12,7 +12,7 @@ struct Identity {
   std::string_view check;
   std::string_view formula;
   std::vector<OutputKind> functions;          ///< needed in the program; the row names the first
-  Balance (*balance)(ExactValues& at);        ///< left side minus right side
+  ResidualSums (*balance)(ExactValues& at);   ///< left side minus right side
   std::string_view constrained_formula = {};  ///< the formula with constraints; empty: `formula`
 };
 
@@ -25,7 +25,7 @@ struct OutputIdentity {
   std::string_view check;
   std::string_view formula;
   std::string_view formula_of_frame;
-  Balance (*balance)(ExactValues& at, std::uint32_t user);
+  ResidualSums (*balance)(ExactValues& at, std::uint32_t user);
 };
 
 [[nodiscard]] const std::vector<OutputIdentity>& output_identities();
@@ -35,13 +35,13 @@ struct OutputIdentity {
 struct BalanceTerms {
   std::vector<Real> values = {};
   int factor = 1;
-  std::size_t per_entry = 1;
+  std::size_t terms_per_entry = 1;
 };
 
 /// The balance of all terms; the first element determines the number of entries.
-[[nodiscard]] Balance balance_of(const std::vector<BalanceTerms>& all);
+[[nodiscard]] ResidualSums balance_of(const std::vector<BalanceTerms>& all);
 
 /// The direction along q in which v_i = 1 and all other velocities are 0.
-[[nodiscard]] Arguments<Real> unit_position(const ExactValues& at, std::size_t i);
+[[nodiscard]] Arguments<Real> unit_displacement(const ExactValues& at, std::size_t i);
 
 }  // namespace elgen

@@ -17,32 +17,32 @@ using Values = std::vector<Real>;
 constexpr std::size_t axes = 3;
 constexpr std::size_t columns = 4;  ///< of [R p]
 
-const Real& entry(const Values& pose, std::size_t row, std::size_t column) {
+const Real& pose_entry(const Values& pose, std::size_t row, std::size_t column) {
   return pose[columns * row + column];
 }
 
 /// The terms of a twist, three per component: S_32, S_13, S_21, then the components of dp/dt along
 /// the columns of `along`.
-Values twist(const Values& pose, const Values& along, const Values& rate, bool in_world) {
+Values twist_terms(const Values& pose, const Values& along, const Values& rate, bool in_world) {
   Values terms;
   for (std::size_t axis = 0; axis < axes; ++axis) {
     const std::size_t j = (axis + 1) % axes;
     const std::size_t i = (axis + 2) % axes;
     for (std::size_t k = 0; k < axes; ++k) {
-      terms.push_back(in_world ? entry(rate, i, k) * entry(pose, j, k)
-                               : entry(pose, k, i) * entry(rate, k, j));
+      terms.push_back(in_world ? pose_entry(rate, i, k) * pose_entry(pose, j, k)
+                               : pose_entry(pose, k, i) * pose_entry(rate, k, j));
     }
   }
   for (std::size_t axis = 0; axis < axes; ++axis) {
     for (std::size_t k = 0; k < axes; ++k) {
-      terms.push_back(entry(along, k, axis) * entry(rate, k, axes));
+      terms.push_back(pose_entry(along, k, axis) * pose_entry(rate, k, axes));
     }
   }
   return terms;
 }
 
 /// A matrix whose first three columns are the axes of the twist: the frame's, or the world's.
-Values axes_of(const Values& pose, bool in_world) {
+Values twist_axes(const Values& pose, bool in_world) {
   if (!in_world) return pose;
   Values world(axes * columns);
   for (std::size_t i = 0; i < axes; ++i) world[columns * i + i] = Real(1);
@@ -51,25 +51,26 @@ Values axes_of(const Values& pose, bool in_world) {
 
 /// d^2 y/dt^2 along a motion with a = 0.
 Values second_rate(ExactValues& at, const Arguments<Real>& motion, std::uint32_t user) {
-  Values result = at.curvatures(K::user_value, motion, user);
+  Values result = at.second_derivatives(K::user_value, motion, user);
   if (at.subject().model.rotations.empty()) return result;
   Arguments<Real> turning = at.zero_direction();
   turning.q = at.coasting_accelerations();
-  const Values of_turning = at.slopes(K::user_value, turning, user);
+  const Values of_turning = at.directional_derivatives(K::user_value, turning, user);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] + of_turning[i];
   return result;
 }
 
-Balance jacobian_balance(ExactValues& at, std::uint32_t user) {
+ResidualSums jacobian_balance(ExactValues& at, std::uint32_t user) {
   const UserOutput& output = at.subject().model.outputs[user];
-  const Values& jacobian = at.value(K::user_jacobian, user);
-  const Values& y = at.value(K::user_value, user);
+  const Values& jacobian = at.entries(K::user_jacobian, user);
+  const Values& y = at.entries(K::user_value, user);
   const std::size_t n = at.size();
   const std::size_t per_entry = output.frame ? axes : 1;
   BalanceTerms slopes{Values(jacobian.size() * per_entry), -1, per_entry};
   for (std::size_t j = 0; j < n; ++j) {
-    Values column = at.slopes(K::user_value, unit_position(at, j), user);
-    if (output.frame) column = twist(y, axes_of(y, output.in_world), column, output.in_world);
+    Values column = at.directional_derivatives(K::user_value, unit_displacement(at, j), user);
+    if (output.frame)
+      column = twist_terms(y, twist_axes(y, output.is_in_world), column, output.is_in_world);
     for (std::size_t i = 0; i < column.size(); ++i) {
       slopes.values[(i / per_entry * n + j) * per_entry + i % per_entry] = column[i];
     }
@@ -77,41 +78,43 @@ Balance jacobian_balance(ExactValues& at, std::uint32_t user) {
   return balance_of({{jacobian}, slopes});
 }
 
-Balance output_bias_balance(ExactValues& at, std::uint32_t user) {
+ResidualSums output_bias_balance(ExactValues& at, std::uint32_t user) {
   const UserOutput& output = at.subject().model.outputs[user];
   Arguments<Real> motion = at.zero_direction();
   motion.q = at.coordinate_rates(at.arguments().v);
   motion.t = Real(1);
-  const Values& bias = at.value(K::user_bias, user);
+  const Values& bias = at.entries(K::user_bias, user);
   const Values acceleration = second_rate(at, motion, user);
   if (!output.frame) return balance_of({{bias}, {acceleration, -1}});
-  const bool in_world = output.in_world;
-  const Values& pose = at.value(K::user_value, user);
-  const Values rate = at.slopes(K::user_value, motion, user);
+  const bool in_world = output.is_in_world;
+  const Values& pose = at.entries(K::user_value, user);
+  const Values rate = at.directional_derivatives(K::user_value, motion, user);
   // The rate of the axes; the world's axes do not move.
   const Values turning = in_world ? Values(rate.size()) : rate;
-  return balance_of({{bias},
-                     {twist(pose, axes_of(pose, in_world), acceleration, in_world), -1, axes},
-                     {twist(rate, turning, rate, in_world), -1, axes}});
+  return balance_of(
+      {{bias},
+       {twist_terms(pose, twist_axes(pose, in_world), acceleration, in_world), -1, axes},
+       {twist_terms(rate, turning, rate, in_world), -1, axes}});
 }
 
 /// Appends the derivatives of y along the directions unit(0), ..., unit(count - 1), row-major.
 template <class Unit>
 void append_slopes(Values& slopes, ExactValues& at, std::uint32_t user, std::size_t count,
                    const Unit& unit) {
-  const std::size_t rows = at.value(K::user_value, user).size();
+  const std::size_t rows = at.entries(K::user_value, user).size();
   const std::size_t first = slopes.size();
   slopes.resize(first + rows * count);
   for (std::size_t j = 0; j < count; ++j) {
-    const Values column = at.slopes(K::user_value, unit(j), user);
+    const Values column = at.directional_derivatives(K::user_value, unit(j), user);
     for (std::size_t i = 0; i < rows; ++i) slopes[first + i * count + j] = column[i];
   }
 }
 
-Balance derivatives_balance(ExactValues& at, std::uint32_t user) {
+ResidualSums derivatives_balance(ExactValues& at, std::uint32_t user) {
   Values slopes;
-  append_slopes(slopes, at, user, at.size(), [&](std::size_t j) { return unit_position(at, j); });
-  const bool has_own_acceleration = at.subject().model.outputs[user].motion;
+  append_slopes(slopes, at, user, at.size(),
+                [&](std::size_t j) { return unit_displacement(at, j); });
+  const bool has_own_acceleration = at.subject().model.outputs[user].solves_motion;
   for (const auto leaf : {&Arguments<Real>::v, &Arguments<Real>::a, &Arguments<Real>::u}) {
     if (leaf == &Arguments<Real>::a && has_own_acceleration) continue;
     append_slopes(slopes, at, user, (at.arguments().*leaf).size(), [&](std::size_t j) {
@@ -120,7 +123,7 @@ Balance derivatives_balance(ExactValues& at, std::uint32_t user) {
       return unit;
     });
   }
-  return balance_of({{at.value(K::user_derivatives, user)}, {slopes, -1}});
+  return balance_of({{at.entries(K::user_derivatives, user)}, {slopes, -1}});
 }
 
 }  // namespace

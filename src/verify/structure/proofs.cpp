@@ -14,18 +14,18 @@ namespace {
 
 /// True if forms for proofs would differ from the usual forms, in the program or in the file's
 /// expectations.
-bool has_other_forms(const Subject& subject) {
+bool has_distinct_proof_forms(const SystemUnderTest& subject) {
   const auto is_other = [](const Expression& e) {
     return e.kind == ExpressionKind::function && is_rewritten_for_proofs(e.function);
   };
   return std::ranges::any_of(subject.model.expressions, is_other) ||
-         calls(subject.program, FunctionId::stumpff);
+         calls_function(subject.program, FunctionId::stumpff);
 }
 
 }  // namespace
 
-const Fraction* Proofs::find(const OutputRequest& request, std::string_view field,
-                             std::size_t entry) const {
+const Fraction* ExpectationProver::find_form(const OutputRequest& request, std::string_view field,
+                                             std::size_t entry) const {
   const std::vector<Function>& functions = subject_.program.functions;
   for (std::size_t i = 0; forms_ != nullptr && i < forms_->functions.size(); ++i) {
     if (functions[i].kind != request.kind || functions[i].user != request.user) continue;
@@ -42,24 +42,26 @@ const Fraction* Proofs::find(const OutputRequest& request, std::string_view fiel
   return nullptr;
 }
 
-std::optional<Fraction> Proofs::written(const Expectation& expectation, std::size_t entry) {
+std::optional<Fraction> ExpectationProver::written_form(const Expectation& expectation,
+                                                        std::size_t entry) {
   if (forms_ == nullptr) return std::nullopt;
   return closed_form(*forms_, subject_.model, subject_.scene.specialisation.fixed,
                      expectation.entries[entry]);
 }
 
-std::optional<Fraction> Proofs::derived(const Expectation& expectation, std::size_t entry) const {
+std::optional<Fraction> ExpectationProver::derived_form(const Expectation& expectation,
+                                                        std::size_t entry) const {
   const auto request = find_request(subject_.model, expectation.output);
-  const Fraction* const form = request ? find(*request, expectation.field, entry) : nullptr;
+  const Fraction* const form = request ? find_form(*request, expectation.field, entry) : nullptr;
   return form == nullptr ? std::nullopt : std::optional(*form);
 }
 
-std::optional<std::vector<Fraction>> Proofs::entries(OutputKind kind) const {
+std::optional<std::vector<Fraction>> ExpectationProver::entry_forms(OutputKind kind) const {
   const Function* const function = find_function(subject_.program, kind);
   if (function == nullptr) return std::nullopt;
   std::vector<Fraction> result;
   for (std::size_t i = 0; i < function->fields.front().entries.size(); ++i) {
-    const Fraction* const form = find({.kind = kind}, "", i);
+    const Fraction* const form = find_form({.kind = kind}, "", i);
     if (form == nullptr) return std::nullopt;
     result.push_back(*form);
   }
@@ -67,73 +69,74 @@ std::optional<std::vector<Fraction>> Proofs::entries(OutputKind kind) const {
 }
 
 /// The known closed forms of p and E, to be inserted into `conserved` entries.
-Replacements Proofs::momenta() const {
+Replacements ExpectationProver::momentum_replacements() const {
   Replacements result;
   for (const auto& [leaf, kind] : {std::pair{Opcode::momentum, OutputKind::momentum},
                                    std::pair{Opcode::energy, OutputKind::energy_function}}) {
-    const auto forms = entries(kind);
+    const auto forms = entry_forms(kind);
     for (std::uint32_t i = 0; forms && i < forms->size(); ++i)
       result[{leaf, i}].value = (*forms)[i];
   }
   return result;
 }
 
-std::optional<Fraction> Proofs::free_rate(const Fraction& form) const {
-  const auto accelerations = entries(OutputKind::forward_dynamics);
+std::optional<Fraction> ExpectationProver::free_rate(const Fraction& form) const {
+  const auto accelerations = entry_forms(OutputKind::forward_dynamics);
   if (!accelerations) return std::nullopt;
   const std::vector<Fraction> rates = coordinate_rates(*forms_, subject_.model);
-  const OpenTerms open_values =
-      open_terms(*forms_, subject_.model, subject_.scene.specialisation.fixed);
-  return elgen::free_rate(*forms_, form, *accelerations, rates, open_values);
+  const OpenValueRates open_values =
+      open_value_rates(*forms_, subject_.model, subject_.scene.specialisation.fixed);
+  return elgen::unforced_rate(*forms_, form, *accelerations, rates, open_values);
 }
 
-bool Proofs::conserved(const Expectation& expectation, std::size_t entry) {
-  auto own = written(expectation, entry);
+bool ExpectationProver::is_proved_conserved(const Expectation& expectation, std::size_t entry) {
+  auto own = written_form(expectation, entry);
   const bool has_momenta =
       contains_leaf(subject_.model, expectation.entries[entry], Opcode::momentum | Opcode::energy);
-  if (own && has_momenta) own = substituted(forms_->algebra, *own, momenta());
+  if (own && has_momenta) own = substitute(forms_->algebra, *own, momentum_replacements());
   const std::optional<Fraction> rate = own ? free_rate(*own) : std::nullopt;
   return rate && rate->numerator.empty();
 }
 
-std::optional<Fraction> Proofs::along_motion(const Fraction& form) const {
-  const auto accelerations = entries(OutputKind::forward_dynamics);
+std::optional<Fraction> ExpectationProver::substitute_motion(const Fraction& form) const {
+  const auto accelerations = entry_forms(OutputKind::forward_dynamics);
   if (!accelerations) return std::nullopt;
   Replacements motion;
   for (std::uint32_t i = 0; i < accelerations->size(); ++i) {
     motion[{Opcode::acceleration, i}].value = (*accelerations)[i];
   }
-  return substituted(forms_->algebra, form, motion);
+  return substitute(forms_->algebra, form, motion);
 }
 
-bool Proofs::holds(const Expectation& expectation, std::size_t entry) {
-  if (holds_in_forms(expectation, entry)) return true;
-  if (forms_ == nullptr || !has_other_forms(subject_)) return false;
-  if (!other_forms_) {
+bool ExpectationProver::is_proved(const Expectation& expectation, std::size_t entry) {
+  if (is_proved_by_forms(expectation, entry)) return true;
+  if (forms_ == nullptr || !has_distinct_proof_forms(subject_)) return false;
+  if (!proof_forms_) {
     Program derived = subject_.program;
     derived.functions.resize(forms_->functions.size());  // steps come last and have no forms
-    other_forms_ = present_for_proofs(derived);
+    proof_forms_ = present_for_proofs(derived);
   }
-  return Proofs(subject_, &*other_forms_).holds_in_forms(expectation, entry);
+  return ExpectationProver(subject_, &*proof_forms_).is_proved_by_forms(expectation, entry);
 }
 
-ClosedForms* Proofs::quotients() {
+ClosedForms* ExpectationProver::quotient_forms() {
   const auto is_power = [](const Atom& atom) {
     return atom.kind == AtomKind::call && has_exponential_form(atom.function);
   };
-  const bool is_typed = other_forms_ && std::ranges::none_of(other_forms_->algebra.atoms, is_power);
-  return is_typed ? &*other_forms_ : nullptr;
+  const bool is_typed = proof_forms_ && std::ranges::none_of(proof_forms_->algebra.atoms, is_power);
+  return is_typed ? &*proof_forms_ : nullptr;
 }
 
-bool Proofs::holds_in_forms(const Expectation& expectation, std::size_t entry) {
-  if (expectation.is_conserved()) return conserved(expectation, entry);
-  const bool is_equation = expectation.is_equations();
-  const std::optional<Fraction> right = is_equation ? std::nullopt : derived(expectation, entry);
+bool ExpectationProver::is_proved_by_forms(const Expectation& expectation, std::size_t entry) {
+  if (expectation.claims_conservation()) return is_proved_conserved(expectation, entry);
+  const bool is_equation = expectation.claims_equations();
+  const std::optional<Fraction> right =
+      is_equation ? std::nullopt : derived_form(expectation, entry);
   if (!is_equation && !right) return false;
-  const std::optional<Fraction> own = written(expectation, entry);
+  const std::optional<Fraction> own = written_form(expectation, entry);
   if (!own) return false;
   if (!is_equation) return is_proved_equal(*forms_, *own, *right);
-  const std::optional<Fraction> rest = along_motion(*own);
+  const std::optional<Fraction> rest = substitute_motion(*own);
   return rest && rest->numerator.empty();
 }
 

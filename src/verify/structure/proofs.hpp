@@ -12,49 +12,51 @@
 
 namespace elgen {
 
-class Proofs {
+class ExpectationProver {
  public:
   /// If `forms` is null, nothing is proved.
-  Proofs(const Subject& subject, ClosedForms* forms) : subject_(subject), forms_(forms) {}
+  ExpectationProver(const SystemUnderTest& subject, ClosedForms* forms)
+      : subject_(subject), forms_(forms) {}
 
   /// True if the entry is proved, with the usual forms or with forms for proofs: the entry of an
   /// output equals the derived entry; a `conserved` entry is constant along the motion at u = 0; an
   /// equation holds along the motion. False proves nothing.
-  [[nodiscard]] bool holds(const Expectation& expectation, std::size_t entry);
+  [[nodiscard]] bool is_proved(const Expectation& expectation, std::size_t entry);
 
   /// The closed form of an entry as written in the file, and as derived. None if there is no closed
   /// form, or if the derived entry relies on sampled zeros.
-  [[nodiscard]] std::optional<Fraction> written(const Expectation& expectation, std::size_t entry);
-  [[nodiscard]] std::optional<Fraction> derived(const Expectation& expectation,
-                                                std::size_t entry) const;
+  [[nodiscard]] std::optional<Fraction> written_form(const Expectation& expectation,
+                                                     std::size_t entry);
+  [[nodiscard]] std::optional<Fraction> derived_form(const Expectation& expectation,
+                                                     std::size_t entry) const;
 
   /// The closed forms of the first field of an output; none if an entry has no closed form or
   /// relies on sampled zeros.
-  [[nodiscard]] std::optional<std::vector<Fraction>> entries(OutputKind kind) const;
+  [[nodiscard]] std::optional<std::vector<Fraction>> entry_forms(OutputKind kind) const;
 
   /// The form, with the accelerations of the motion inserted; none if they have no closed form.
-  [[nodiscard]] std::optional<Fraction> along_motion(const Fraction& form) const;
+  [[nodiscard]] std::optional<Fraction> substitute_motion(const Fraction& form) const;
 
   /// The rate of the form along the motion at u = 0; none if the accelerations have no closed form.
   [[nodiscard]] std::optional<Fraction> free_rate(const Fraction& form) const;
 
-  [[nodiscard]] const Subject& subject() const { return subject_; }
+  [[nodiscard]] const SystemUnderTest& subject() const { return subject_; }
   /// The forms for proofs, which contain quotients. Null if no proof has needed these forms so far,
   /// or if they contain powers of exponentials, because no author types such powers.
-  [[nodiscard]] ClosedForms* quotients();
+  [[nodiscard]] ClosedForms* quotient_forms();
   /// Null if there are no forms.
   [[nodiscard]] Algebra* algebra() const { return forms_ == nullptr ? nullptr : &forms_->algebra; }
 
  private:
-  [[nodiscard]] const Fraction* find(const OutputRequest& request, std::string_view field,
-                                     std::size_t entry) const;
-  [[nodiscard]] Replacements momenta() const;
-  [[nodiscard]] bool conserved(const Expectation& expectation, std::size_t entry);
-  [[nodiscard]] bool holds_in_forms(const Expectation& expectation, std::size_t entry);
+  [[nodiscard]] const Fraction* find_form(const OutputRequest& request, std::string_view field,
+                                          std::size_t entry) const;
+  [[nodiscard]] Replacements momentum_replacements() const;
+  [[nodiscard]] bool is_proved_conserved(const Expectation& expectation, std::size_t entry);
+  [[nodiscard]] bool is_proved_by_forms(const Expectation& expectation, std::size_t entry);
 
-  const Subject& subject_;
+  const SystemUnderTest& subject_;
   ClosedForms* forms_;
-  std::optional<ClosedForms> other_forms_ = {};  ///< built by the first proof that needs them
+  std::optional<ClosedForms> proof_forms_ = {};  ///< built by the first proof that needs them
 };
 
 }  // namespace elgen

@@ -27,65 +27,70 @@ using cln::cl_R;
 
 /// The closed forms of M a + bias - B u, by row; none with constraints, or if a row has no closed
 /// form.
-std::optional<std::vector<Fraction>> rows_of_motion(const Proofs& proofs) {
+std::optional<std::vector<Fraction>> motion_equation_rows(const ExpectationProver& proofs) {
   const Model& model = proofs.subject().model;
-  auto rows = proofs.entries(OutputKind::inverse_dynamics);
+  auto rows = proofs.entry_forms(OutputKind::inverse_dynamics);
   const std::size_t inputs = model.inputs.size();
   const auto gains = inputs == 0 ? std::optional<std::vector<Fraction>>(std::in_place)
-                                 : proofs.entries(OutputKind::input_matrix);
+                                 : proofs.entry_forms(OutputKind::input_matrix);
   if (!rows || !gains || !model.constraints.empty()) return std::nullopt;
   Arithmetic arithmetic(*proofs.algebra());
   for (std::size_t k = 0; k < gains->size(); ++k) {
-    const Value input = arithmetic.leaf(Opcode::input, static_cast<std::uint32_t>(k % inputs));
+    const OptionalFraction input =
+        arithmetic.leaf(Opcode::input, static_cast<std::uint32_t>(k % inputs));
     Fraction& row = (*rows)[k / inputs];
-    const Value rest = arithmetic.subtract(row, arithmetic.multiply((*gains)[k], input));
+    const OptionalFraction rest = arithmetic.subtract(row, arithmetic.multiply((*gains)[k], input));
     if (!rest) return std::nullopt;
     row = *rest;
   }
   return rows;
 }
 
-constexpr LeafSet of_motion = Opcode::velocity | Opcode::acceleration | Opcode::input;
+constexpr LeafSet motion_leaves = Opcode::velocity | Opcode::acceleration | Opcode::input;
 
 /// The terms of a form that contain accelerations, each with its powers of velocities,
 /// accelerations and inputs.
-std::vector<std::pair<Monomial, Fraction>> accelerated_terms(Algebra& algebra,
-                                                             const Fraction& form) {
+std::vector<std::pair<Monomial, Fraction>> terms_with_accelerations(Algebra& algebra,
+                                                                    const Fraction& form) {
   Arithmetic arithmetic(algebra);
-  const Value divisor = divisor_of(algebra, form);
-  const Value sum = arithmetic.multiply(form, divisor);
+  const OptionalFraction divisor = full_denominator(algebra, form);
+  const OptionalFraction sum = arithmetic.multiply(form, divisor);
   std::vector<std::pair<Monomial, Fraction>> terms;
   if (!sum || !sum->denominator.empty()) return terms;
-  for (const auto& [powers, part] : terms_by_powers(algebra, sum->numerator)) {
+  for (const auto& [powers, part] : group_by_powers(algebra, sum->numerator)) {
     Monomial rates;
     bool accelerates = false;
     for (const AtomPower& power : powers) {
       const Atom& atom = algebra.atoms[power.atom];
-      if (atom.kind != AtomKind::leaf || !of_motion.has_any(atom.leaf)) continue;
+      if (atom.kind != AtomKind::leaf || !motion_leaves.has_any(atom.leaf)) continue;
       rates.push_back(power);
       accelerates = accelerates || atom.leaf == Opcode::acceleration;
     }
-    const Value term = arithmetic.divide(fraction_of(scaled(part, {1, 0}, powers)), divisor);
+    const OptionalFraction term =
+        arithmetic.divide(fraction_of(multiply_by_term(part, {1, 0}, powers)), divisor);
     if (accelerates && term) terms.emplace_back(rates, *term);
   }
   return terms;
 }
 
 /// The form at a = 0.
-Value without_accelerations(const Model& model, Algebra& algebra, const Fraction& form) {
+OptionalFraction substitute_zero_accelerations(const Model& model, Algebra& algebra,
+                                               const Fraction& form) {
   Replacements rest;
   for (std::uint32_t i = 0; i < model.velocities.size(); ++i) rest[{Opcode::acceleration, i}] = {};
-  return substituted(algebra, form, rest);
+  return substitute(algebra, form, rest);
 }
 
 /// The distinct quotients of a term of the equation by a term of the row.
-std::vector<Fraction> factors_of(Algebra& algebra, const Fraction& equation, const Fraction& row) {
+std::vector<Fraction> candidate_factors(Algebra& algebra, const Fraction& equation,
+                                        const Fraction& row) {
   Arithmetic arithmetic(algebra);
   std::vector<Fraction> factors;
-  const auto others = accelerated_terms(algebra, row);
-  for (const auto& [rates, own] : accelerated_terms(algebra, equation)) {
+  const auto others = terms_with_accelerations(algebra, row);
+  for (const auto& [rates, own] : terms_with_accelerations(algebra, equation)) {
     for (const auto& [other_rates, other] : others) {
-      const Value factor = rates == other_rates ? arithmetic.divide(own, other) : std::nullopt;
+      const OptionalFraction factor =
+          rates == other_rates ? arithmetic.divide(own, other) : std::nullopt;
       if (factor && std::ranges::count(factors, *factor) == 0) factors.push_back(*factor);
     }
   }
@@ -94,7 +99,8 @@ std::vector<Fraction> factors_of(Algebra& algebra, const Fraction& equation, con
 
 /// The rows d(left - right)/da of all equations, then the rows of A; empty if an equation is
 /// undefined.
-std::vector<cl_R> slopes_of(const Model& model, const Expectation& equations, const State& motion) {
+std::vector<cl_R> acceleration_slopes(const Model& model, const Expectation& equations,
+                                      const State& motion) {
   std::vector<cl_R> slopes;
   State direction = map_leaves([](const cl_R&) { return cl_R(0); }, motion);
   for (const ExpressionId equation : equations.entries) {
@@ -114,20 +120,20 @@ std::vector<cl_R> slopes_of(const Model& model, const Expectation& equations, co
 }
 
 /// The oracle has 60 digits; cancellation may cost 15.
-const cl_R& rounding_of_equations() {
+const cl_R& equation_tolerance() {
   static const cl_R share = power_of_ten(-45);
   return share;
 }
 
-bool meets_all(const Model& model, const Expectation& equations, const State& motion,
-               const std::vector<cl_R>& slopes) {
+bool satisfies_all_equations(const Model& model, const Expectation& equations, const State& motion,
+                             const std::vector<cl_R>& slopes) {
   const std::size_t n = motion.a.size();
   for (std::size_t k = 0; k < equations.entries.size(); ++k) {
     const auto row = slopes.begin() + static_cast<std::ptrdiff_t>(k * n);
     const cl_R scale =
-        largest_of({row, row + static_cast<std::ptrdiff_t>(n)}) * largest_of(motion.a);
-    const auto value = oracle_expression(model, equations.entries[k], motion);
-    if (!value || cln::abs(*value) > scale * rounding_of_equations()) return false;
+        max_magnitude({row, row + static_cast<std::ptrdiff_t>(n)}) * max_magnitude(motion.a);
+    const auto value = oracle_expression_value(model, equations.entries[k], motion);
+    if (!value || cln::abs(*value) > scale * equation_tolerance()) return false;
   }
   return true;
 }
@@ -138,9 +144,9 @@ bool meets_all(const Model& model, const Expectation& equations, const State& mo
 /// other zero of a parabola, s = f'/(f' - f(1)), and for even functions the reflection of d(left -
 /// right)/da a. None if the motion itself does not satisfy the equations: with a wrong sign they
 /// may determine another acceleration.
-std::optional<State> other_motion(const Model& model, const Expectation& equations,
-                                  const State& motion, const std::vector<cl_R>& slopes) {
-  if (!meets_all(model, equations, motion, slopes)) return std::nullopt;
+std::optional<State> find_other_motion(const Model& model, const Expectation& equations,
+                                       const State& motion, const std::vector<cl_R>& slopes) {
+  if (!satisfies_all_equations(model, equations, motion, slopes)) return std::nullopt;
   const std::size_t n = motion.a.size();
   for (std::size_t k = 0; k < equations.entries.size(); ++k) {
     std::vector<cl_R> others = slopes;
@@ -157,13 +163,14 @@ std::optional<State> other_motion(const Model& model, const Expectation& equatio
         return state;
       };
       const cl_R slope = slope_along(along);
-      const auto one = oracle_expression(model, equations.entries[k], moved(1));
+      const auto one = oracle_expression_value(model, equations.entries[k], moved(1));
       std::vector<cl_R> zeros{-2 * slope_along(motion.a) / slope};
-      const bool bends = one && cln::abs(*one - slope) > rounding_of_equations() * cln::abs(slope);
+      const bool bends = one && cln::abs(*one - slope) > equation_tolerance() * cln::abs(slope);
       if (bends) zeros.push_back(slope / (slope - *one));
       for (const cl_R& s : zeros) {
-        const bool is_other = cln::abs(s) > rounding_of_equations() * largest_of(motion.a);
-        if (is_other && meets_all(model, equations, moved(s), slopes)) return moved(s);
+        const bool is_other = cln::abs(s) > equation_tolerance() * max_magnitude(motion.a);
+        if (is_other && satisfies_all_equations(model, equations, moved(s), slopes))
+          return moved(s);
       }
     }
   }
@@ -171,7 +178,7 @@ std::optional<State> other_motion(const Model& model, const Expectation& equatio
 }
 
 /// The right form that has the fewest differing terms so far.
-struct Nearest {
+struct NearestForm {
   std::string right = {};  ///< the right form in words
   std::optional<DifferingTerms> terms = {};
 
@@ -182,14 +189,15 @@ struct Nearest {
 
 std::string row_text(const Model& model, const Algebra& algebra, std::size_t row,
                      const Fraction& factor) {
-  const std::string text = short_form(model, algebra, factor);
+  const std::string text = short_form_text(model, algebra, factor);
   const bool is_plain = text.empty() || text == "1";
   return fmt::format("row {} of the equations of motion{}{}", model.velocities[row].name,
                      is_plain ? "" : ", times ", is_plain ? "" : text);
 }
 
 /// The oracle's values of the expected field; no values if the field is undefined.
-StableValues field_at(const Model& model, const Expectation& expectation, const State& state) {
+StableValues expected_field_values(const Model& model, const Expectation& expectation,
+                                   const State& state) {
   const auto request = find_request(model, expectation.output);
   if (!request) return {};
   StableValues field = stable_values(model, *request, state);
@@ -201,73 +209,74 @@ StableValues field_at(const Model& model, const Expectation& expectation, const 
 }
 
 /// The text of a second solution: "a = (1, -2) meets all equations, too".
-std::string also_met(const State& motion) {
+std::string second_solution_text(const State& motion) {
   std::vector<std::string> values;
-  for (const cl_R& a : motion.a) values.push_back(short_text(a));
+  for (const cl_R& a : motion.a) values.push_back(short_number_text(a));
   return fmt::format("a = ({}) meets all equations, too", fmt::join(values, ", "));
 }
 
 /// The value in 15 digits, the precision of a double.
-std::string digits_of(const cl_R& value) { return fmt::format("{:.15g}", to_double(value)); }
+std::string double_text(const cl_R& value) { return fmt::format("{:.15g}", to_double(value)); }
 
 }  // namespace
 
-std::string difference_from_motion(const Proofs& proofs, const Fraction& equation) {
-  const auto rows = rows_of_motion(proofs);
+std::string difference_from_motion(const ExpectationProver& proofs, const Fraction& equation) {
+  const auto rows = motion_equation_rows(proofs);
   if (!rows) return {};
   const Model& model = proofs.subject().model;
   Algebra& algebra = *proofs.algebra();
   Arithmetic arithmetic(algebra);
-  Nearest nearest;
+  NearestForm nearest;
   for (std::size_t i = 0; i < rows->size(); ++i) {
-    for (const Fraction& factor : factors_of(algebra, equation, (*rows)[i])) {
+    for (const Fraction& factor : candidate_factors(algebra, equation, (*rows)[i])) {
       // If the author divided by a sum to solve for an acceleration, the terms do not match the
       // row's.
-      const Value divisor = divisor_of(algebra, factor);
+      const OptionalFraction divisor = full_denominator(algebra, factor);
       if (!divisor || divisor->numerator.size() > 1) continue;
-      const Value right = arithmetic.multiply(factor, (*rows)[i]);
+      const OptionalFraction right = arithmetic.multiply(factor, (*rows)[i]);
       if (!right) continue;
       auto terms = differing_terms(algebra, *right, equation);
       if (!nearest.is_farther(terms)) continue;
       nearest = {row_text(model, algebra, i, factor), std::move(terms)};
     }
   }
-  const std::optional<Fraction> rest = proofs.along_motion(equation);
-  const Value written = without_accelerations(model, algebra, equation);
-  const Value right = rest ? arithmetic.subtract(written, *rest) : std::nullopt;
+  const std::optional<Fraction> rest = proofs.substitute_motion(equation);
+  const OptionalFraction written = substitute_zero_accelerations(model, algebra, equation);
+  const OptionalFraction right = rest ? arithmetic.subtract(written, *rest) : std::nullopt;
   auto terms = right ? differing_terms(algebra, *right, *written) : std::nullopt;
   if (nearest.is_farther(terms)) nearest = {"the accelerations of the motion", std::move(terms)};
   const std::string text =
       nearest.terms ? differing_terms_text(model, algebra, *nearest.terms) : "";
   if (!text.empty()) return fmt::format("compared with {}: {}", nearest.right, text);
-  const std::string whole = rest ? short_form(model, algebra, *rest) : "";
+  const std::string whole = rest ? short_form_text(model, algebra, *rest) : "";
   return whole.empty() ? "" : fmt::format("left - right is {} along the motion", whole);
 }
 
 /// If the sum has the rate r, and its term t has the rate r_t, then the sum with t (1 - r/r_t) in
 /// place of t is conserved. Only rational r/r_t are reported.
-std::string difference_from_conserved(const Proofs& proofs, const Fraction& written) {
+std::string difference_from_conserved(const ExpectationProver& proofs, const Fraction& written) {
   Algebra& algebra = *proofs.algebra();
   Arithmetic arithmetic(algebra);
-  const Value divisor = divisor_of(algebra, written);
-  const Value sum = arithmetic.multiply(written, divisor);
+  const OptionalFraction divisor = full_denominator(algebra, written);
+  const OptionalFraction sum = arithmetic.multiply(written, divisor);
   const std::optional<Fraction> rate = proofs.free_rate(written);
   if (!rate || !sum || !sum->denominator.empty()) return {};
-  const TermsByPowers terms = terms_by_powers(algebra, sum->numerator);
+  const TermsByPowers terms = group_by_powers(algebra, sum->numerator);
   std::vector<std::string> words;
   for (const auto& [powers, part] : terms) {
-    const Value term = arithmetic.divide(fraction_of(scaled(part, {1, 0}, powers)), divisor);
+    const OptionalFraction term =
+        arithmetic.divide(fraction_of(multiply_by_term(part, {1, 0}, powers)), divisor);
     const auto own = term && terms.size() > 1 ? proofs.free_rate(*term) : std::nullopt;
-    const Value share = own ? arithmetic.divide(rate, own) : std::nullopt;
+    const OptionalFraction share = own ? arithmetic.divide(rate, own) : std::nullopt;
     if (!share || !share->denominator.empty()) continue;
     const std::optional<cln::cl_RA> number = rational_value(share->numerator);
     if (!number || cln::zerop(*number)) continue;
     DifferingTerms difference{.count = 1};
     const cln::cl_RA factor = 1 - *number;
-    const Value right = arithmetic.multiply(term, fraction_of(factor));
+    const OptionalFraction right = arithmetic.multiply(term, fraction_of(factor));
     if (!right) continue;
     if (cln::zerop(factor)) difference.surplus = *term;
-    if (!cln::zerop(factor)) difference.multiples[1 / factor] = *right;
+    if (!cln::zerop(factor)) difference.rescaled_terms[1 / factor] = *right;
     const std::string text = differing_terms_text(proofs.subject().model, algebra, difference);
     if (!text.empty()) words.push_back(text);
   }
@@ -276,30 +285,30 @@ std::string difference_from_conserved(const Proofs& proofs, const Fraction& writ
              : fmt::format("compared with a conserved quantity: {}", fmt::join(words, ", or "));
 }
 
-void check_rank(ExpectationReport& report, const Expectation& equations, const Subject& subject,
-                const std::vector<State>& motions) {
-  CertificateRow row = blank_row({equations, 0, subject});
+void check_rank(ExpectationReport& report, const Expectation& equations,
+                const SystemUnderTest& subject, const std::vector<State>& motions) {
+  CertificateRow row = unjudged_row({equations, 0, subject});
   row.subject = "accelerations";
   row.formula = "rank of d(left - right)/da and A = number of velocities";
   row.samples = motions.size();
-  row.worst = "full rank";
+  row.worst_value = "full rank";
   row.tolerance = "pivots above 1e-50 of the largest entry of their row, in 60 digits";
   const std::size_t n = subject.model.velocities.size();
   for (const State& motion : motions) {
-    const std::vector<cl_R> slopes = slopes_of(subject.model, equations, motion);
+    const std::vector<cl_R> slopes = acceleration_slopes(subject.model, equations, motion);
     if (slopes.empty()) continue;
     const std::size_t rank = n - null_space(slopes, row_scales(slopes, n)).size();
     const auto other =
-        rank < n ? std::nullopt : other_motion(subject.model, equations, motion, slopes);
+        rank < n ? std::nullopt : find_other_motion(subject.model, equations, motion, slopes);
     if (rank == n && !other) continue;
     row.verdict = Verdict::fails;
-    row.worst = rank < n ? fmt::format("rank {} of {}", rank, n) : "two accelerations";
-    row.where = describe(subject, motion);
-    report.diagnostics.push_back(
-        {Code::E540, equations.span,
-         fmt::format("{}, so the accelerations are not determined, at {}",
-                     rank < n ? "d(left - right)/da has " + row.worst : also_met(*other),
-                     row.where)});
+    row.worst_value = rank < n ? fmt::format("rank {} of {}", rank, n) : "two accelerations";
+    row.worst_state = describe_state(subject, motion);
+    report.diagnostics.push_back({Code::E540, equations.span,
+                                  fmt::format("{}, so the accelerations are not determined, at {}",
+                                              rank < n ? "d(left - right)/da has " + row.worst_value
+                                                       : second_solution_text(*other),
+                                              row.worst_state)});
     break;
   }
   report.rows.push_back(std::move(row));
@@ -308,28 +317,28 @@ void check_rank(ExpectationReport& report, const Expectation& equations, const S
 /// Compares at one state in 60 digits. Parameters have the values of the file, even if the scene
 /// fixes others, because an expectation describes the model.
 void check_numbers(ExpectationReport& report, const Expectation& expectation,
-                   const Subject& subject) {
+                   const SystemUnderTest& subject) {
   const Model& model = subject.model;
-  const State state = with_leaves(model, start_state(model, {}), expectation.at->leaves);
-  const std::string where = describe(subject, state);
-  const StableValues settled = field_at(model, expectation, state);
+  const State state = with_leaves(model, start_state(model, {}), expectation.state->leaves);
+  const std::string where = describe_state(subject, state);
+  const StableValues settled = expected_field_values(model, expectation, state);
   const std::vector<cl_R> field = settled.values.value_or(std::vector<cl_R>());
-  const cl_R largest = largest_of(field);
-  const std::string within = short_text(expectation.at->tolerance);
+  const cl_R largest = max_magnitude(field);
+  const std::string within = short_number_text(expectation.state->tolerance);
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const ExpectedEntry entry{expectation, index, subject};
     const StableValues number = stable_expression_value(model, entry.expression(), state);
-    CertificateRow& row = report.rows.emplace_back(blank_row(entry));
+    CertificateRow& row = report.rows.emplace_back(unjudged_row(entry));
     row.output += " at a state";
     row.tolerance = fmt::format("{} of the largest entry, at the state of the file", within);
     if (!settled.is_decided || !number.is_decided) {
       row.verdict = Verdict::skipped;
-      row.skipped = {{Obstacle::unsettled, 1}};
+      row.skipped = {{SkipReason::undecided, 1}};
       continue;
     }
     if (!number.values || field.empty()) {
       row.verdict = Verdict::fails;
-      row.worst = "no value";
+      row.worst_value = "no value";
       report.diagnostics.push_back(
           {Code::E510, entry.span(), fmt::format("{} has no value at {}", name_of(entry), where)});
       continue;
@@ -339,15 +348,15 @@ void check_numbers(ExpectationReport& report, const Expectation& expectation,
     const cl_R scale = cln::zerop(largest) ? cln::abs(written) : largest;
     const cl_R share = cln::zerop(difference) ? cl_R(0) : cln::abs(difference) / scale;
     row.samples = 1;
-    row.worst = fmt::format("{} of the largest entry", short_text(share));
-    if (share <= expectation.at->tolerance) continue;
+    row.worst_value = fmt::format("{} of the largest entry", short_number_text(share));
+    if (share <= expectation.state->tolerance) continue;
     row.verdict = Verdict::fails;
-    row.where = where;
+    row.worst_state = where;
     report.diagnostics.push_back(
         {Code::E510, entry.span(),
          fmt::format("{} is {} in the file, {} as derived, {} too much: {}, more than {}, at {}",
-                     name_of(entry), digits_of(written), digits_of(field[index]),
-                     short_text(difference), row.worst, within, where)});
+                     name_of(entry), double_text(written), double_text(field[index]),
+                     short_number_text(difference), row.worst_value, within, where)});
   }
 }
 

@@ -23,7 +23,7 @@ namespace elgen {
 ///
 /// The terms in A appear with constraints only. Two more rows: M is symmetric, bit by bit, and
 /// positive definite, by its pivots.
-[[nodiscard]] std::vector<CertificateRow> check_structure(const Subject& subject,
+[[nodiscard]] std::vector<CertificateRow> check_structure(const SystemUnderTest& subject,
                                                           const std::vector<State>& states);
 
 }  // namespace elgen

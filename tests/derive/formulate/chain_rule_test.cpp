@@ -47,11 +47,12 @@ TEST_CASE("equal values share one definition") {
 
 TEST_CASE("a definition knows the definitions and kinds of leaves that it uses") {
   const Fixture f;
-  CHECK(f.definitions.list[1].uses == std::vector<std::uint32_t>{0});
-  CHECK(f.definitions.list[2].uses == std::vector<std::uint32_t>{0, 1});
-  CHECK(f.definitions.list[0].depends == Opcode::coordinate);
-  CHECK(f.definitions.list[1].depends == (Opcode::coordinate | Opcode::time));
-  CHECK(f.definitions.list[3].depends == (Opcode::coordinate | Opcode::time | Opcode::velocity));
+  CHECK(f.definitions.list[1].used_definitions == std::vector<std::uint32_t>{0});
+  CHECK(f.definitions.list[2].used_definitions == std::vector<std::uint32_t>{0, 1});
+  CHECK(f.definitions.list[0].leaf_dependence == Opcode::coordinate);
+  CHECK(f.definitions.list[1].leaf_dependence == (Opcode::coordinate | Opcode::time));
+  CHECK(f.definitions.list[3].leaf_dependence ==
+        (Opcode::coordinate | Opcode::time | Opcode::velocity));
 }
 
 TEST_CASE("a tangent is the derivative along its direction") {
@@ -107,8 +108,8 @@ TEST_CASE("a substitution changes all definitions that it reaches and keeps the 
 
 TEST_CASE("partials of a long sum are in the order of definition, one for each symbol") {
   Fixture f;
-  const auto found = partials(f.definitions, f.b + f.x * f.y + f.x * f.v + 3,
-                              Opcode::parameter | Opcode::coordinate | Opcode::velocity);
+  const auto found = partial_derivatives(f.definitions, f.b + f.x * f.y + f.x * f.v + 3,
+                                         Opcode::parameter | Opcode::coordinate | Opcode::velocity);
   REQUIRE(found.size() == 4);
   CHECK(found[0].variable.is_equal(f.x));
   CHECK(found[0].value.is_equal(f.y + f.v));

@@ -27,7 +27,7 @@ Model model() {
 }
 
 Lagrangian formulate_model() {
-  Result<WholeLagrangian> lagrangian = formulate(model());
+  Result<UnreducedLagrangian> lagrangian = formulate(model());
   REQUIRE(lagrangian);
   return std::move(*lagrangian);
 }

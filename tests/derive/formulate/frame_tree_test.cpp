@@ -24,7 +24,7 @@ T = "dot(q)^2 + dot(s)^2"
 [[input]]
 name = "u"
 )toml" + entries);
-  Result<WholeLagrangian> lagrangian = formulate(checked_model(text).model);
+  Result<UnreducedLagrangian> lagrangian = formulate(checked_model(text).model);
   REQUIRE(lagrangian);
   return std::move(*lagrangian);
 }
@@ -170,6 +170,6 @@ TEST_CASE("wrenches and outputs refer to their steps and axes", "[frames]") {
   CHECK(wrenches[1].moment[0].is_equal(-wrenches[0].moment[0]));
   REQUIRE(lagrangian.outputs[0].twist);
   CHECK(lagrangian.outputs[0].twist->transform == 1U);
-  CHECK_FALSE(lagrangian.outputs[0].twist->in_world);
-  CHECK(lagrangian.outputs[1].twist->in_world);
+  CHECK_FALSE(lagrangian.outputs[0].twist->is_in_world);
+  CHECK(lagrangian.outputs[1].twist->is_in_world);
 }

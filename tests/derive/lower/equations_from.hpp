@@ -40,7 +40,7 @@ inline GiNaC::ex define_as(EquationsOfMotion& equations, const std::string& name
   definition.value = value;
   definition.name = name;
   for (std::uint32_t i = 0; i < equations.definitions.list.size(); ++i) {
-    if (value.has(equations.definitions.list[i].symbol)) definition.uses.push_back(i);
+    if (value.has(equations.definitions.list[i].symbol)) definition.used_definitions.push_back(i);
   }
   equations.definitions.list.push_back(definition);
   return definition.symbol;

@@ -37,7 +37,7 @@ Program lowered(const Strings& entries, std::size_t rotation = 0) {
       add_output(equations, OutputKind::bias, expressions(equations.symbols, entries));
   Result<Program> program = lower(equations, {request}, {});
   if (!program) FAIL(program.diagnostics.at(0).message);
-  CHECK(check_invariants(*program) == "");
+  CHECK(find_invariant_violation(*program) == "");
   return *program;
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("GiNaC expressions become canonical programs, independent of GiNaC's o
     const Program program = lowered(row.entries);
     const Function& function = program.functions.at(0);
     const std::vector<std::string> names = temporary_names(program, function);
-    CHECK(texts_of(equations(program, function, names).entries.at(0)) == row.expected);
+    CHECK(texts_of(function_equations(program, function, names).entries.at(0)) == row.expected);
     for (std::size_t rotation = 1; rotation < 10; ++rotation) {
       CHECK(dump(lowered(row.entries, rotation)) == dump(program));
     }
@@ -110,7 +110,7 @@ TEST_CASE("dynamics computes all outputs without a and u together") {
   requests.push_back({.kind = OutputKind::dynamics, .name = "dynamics"});
   const Result<Program> program = lower(equations, requests, {});
   REQUIRE(program);
-  CHECK(check_invariants(*program) == "");
+  CHECK(find_invariant_violation(*program) == "");
   const Function& dynamics = program->functions.at(3);
   REQUIRE(dynamics.fields.size() == 2);
   CHECK(dynamics.fields[0].name == "gravity");
@@ -174,7 +174,7 @@ TEST_CASE("a chain of 5000 definitions is lowered without deep recursion") {
     Definition definition;
     definition.symbol = GiNaC::symbol();
     definition.value = s.m * sin(position) + s.l;
-    if (i > 0) definition.uses = {static_cast<std::uint32_t>(i - 1)};
+    if (i > 0) definition.used_definitions = {static_cast<std::uint32_t>(i - 1)};
     equations.definitions.list.push_back(definition);
     position = definition.symbol;
   }

@@ -81,7 +81,7 @@ TEST_CASE("without pivots M_ii is not computed, and accelerations are the only f
   const Routes usual(links_text(20));
   Framed system(links_text(20));
   OutputRequest request = usual.request;
-  request.without_pivots = true;
+  request.omits_pivots = true;
   const EquationsOfMotion equations = *derive(system.lagrangian, {request}, {});
   const Result<Program> program = lower(equations, {request}, {});
   REQUIRE(program);

@@ -132,8 +132,8 @@ TEST_CASE("positions are evaluated at the locked function of time") {
   const Lagrangian l = locked(read_model("cart_pole"), "[lock]\nx = { value = \"2*t\" }\n");
   const GiNaC::ex& x = l.masses[1].position[0];
   const Definition& bob = l.definitions.list[l.definitions.places.at(x).index];
-  CHECK(bob.depends.has_any(Opcode::time));
-  CHECK(bob.depends.has_any(Opcode::coordinate));
+  CHECK(bob.leaf_dependence.has_any(Opcode::time));
+  CHECK(bob.leaf_dependence.has_any(Opcode::coordinate));
 }
 
 TEST_CASE("for a requested reaction the whole Lagrangian is kept") {
@@ -141,9 +141,9 @@ TEST_CASE("for a requested reaction the whole Lagrangian is kept") {
       locked(read_model("cart_pole"), "[lock]\ntheta = { value = 0, reaction = true }\n");
   REQUIRE(l.reaction_source.has_value());
   CHECK(l.reaction_source->velocities == std::vector<std::uint32_t>{1});
-  CHECK(l.reaction_source->whole->symbols.q.size() == 2);
-  CHECK(l.reaction_source->whole->definitions.list.empty());
-  CHECK(l.reaction_source->values.at(l.reaction_source->whole->symbols.v[1]).is_zero());
+  CHECK(l.reaction_source->unreduced->symbols.q.size() == 2);
+  CHECK(l.reaction_source->unreduced->definitions.list.empty());
+  CHECK(l.reaction_source->values.at(l.reaction_source->unreduced->symbols.v[1]).is_zero());
 }
 
 TEST_CASE("a scene may fix parameters and lock coordinates") {
@@ -159,9 +159,9 @@ TEST_CASE("a scene may fix parameters and lock coordinates") {
 }
 
 TEST_CASE("a leaf is replaced through definitions, and equal values share a definition") {
-  WholeLagrangian lagrangian = *formulate(checked_model(read_model("cart_pole")).model);
+  UnreducedLagrangian lagrangian = *formulate(checked_model(read_model("cart_pole")).model);
   const std::vector<Definition> old = lagrangian.definitions.list;
-  replace(lagrangian, {{lagrangian.symbols.q[1], 0}});
+  substitute_leaves(lagrangian, {{lagrangian.symbols.q[1], 0}});
   // With theta = 0 the bob is above the cart, so its x is the cart's.
   CHECK(lagrangian.masses[1].position[0].is_equal(lagrangian.masses[0].position[0]));
   // The old definitions remain, although nothing refers to them.

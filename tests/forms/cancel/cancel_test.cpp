@@ -26,7 +26,7 @@ TEST_CASE("a sum that cancels becomes 0 by proof") {
       "  8 = subtract 4 7\n  9 = velocity x\n  10 = multiply 8 9\n  11 = add 10 0\n"
       "  result 2 1 = 8 11\n"));
   const Function& function = program.functions[0];
-  CHECK(check_invariants(program).empty());
+  CHECK(find_invariant_violation(program).empty());
   CHECK(function.instructions.size() == 2);  // the constant 0 and m
   CHECK(function.instructions[function.fields[0].entries[1]].opcode == Opcode::parameter);
   CHECK(function.sampled_zeros.empty());

@@ -20,13 +20,13 @@ Program gravity_program(const std::string& instructions) {
 /// Instructions that vanish at the first point.
 Places vanishing_places(const std::string& instructions) {
   const Program program = gravity_program(instructions);
-  return vanishing(program, program.functions[0]);
+  return find_vanishing_values(program, program.functions[0]);
 }
 
 /// True for each entry that vanishes at all other points.
 std::vector<bool> vanishes_elsewhere(const std::string& instructions) {
   const Program program = gravity_program(instructions);
-  return vanishing_elsewhere(program, program.functions[0]);
+  return find_vanishing_entries(program, program.functions[0]);
 }
 
 /// 4 = (x + y)(x - y), 8 = (x + y)(x - y) - (x^2 - y^2)

@@ -11,11 +11,11 @@ namespace {
 struct Leaves {
   Algebra algebra = {};
   Arithmetic arithmetic{algebra};
-  Value x = arithmetic.leaf(Opcode::coordinate, 0);
-  Value y = arithmetic.leaf(Opcode::coordinate, 1);
+  OptionalFraction x = arithmetic.leaf(Opcode::coordinate, 0);
+  OptionalFraction y = arithmetic.leaf(Opcode::coordinate, 1);
 
-  bool equal(const Value& a, const Value& b) {
-    const Value difference = arithmetic.add(a, arithmetic.negate(b));
+  bool equal(const OptionalFraction& a, const OptionalFraction& b) {
+    const OptionalFraction difference = arithmetic.add(a, arithmetic.negate(b));
     return difference && difference->numerator.empty();
   }
 };
@@ -25,11 +25,11 @@ struct Leaves {
 TEST_CASE("a factor in the denominator cancels with an equal factor") {
   Leaves l;
   Arithmetic& a = l.arithmetic;
-  const Value sum = a.add(l.x, l.y);
-  const Value quotient = a.divide(l.x, sum);
+  const OptionalFraction sum = a.add(l.x, l.y);
+  const OptionalFraction quotient = a.divide(l.x, sum);
   REQUIRE(quotient);
   CHECK(quotient->denominator.size() == 1);
-  const Value product = a.multiply(quotient, sum);
+  const OptionalFraction product = a.multiply(quotient, sum);
   REQUIRE(product);
   CHECK(product->denominator.empty());
   CHECK(l.equal(product, l.x));
@@ -38,7 +38,7 @@ TEST_CASE("a factor in the denominator cancels with an equal factor") {
 TEST_CASE("factors of denominators are identified up to a monomial") {
   Leaves l;
   Arithmetic& a = l.arithmetic;
-  const Value sum = a.add(l.x, l.y);
+  const OptionalFraction sum = a.add(l.x, l.y);
   (void)a.divide(l.x, sum);
   (void)a.divide(l.y, a.multiply(sum, a.multiply(l.x, fraction_of(cln::cl_RA(3)))));
   CHECK(l.algebra.factors.size() == 1);
@@ -49,7 +49,7 @@ TEST_CASE("division by zero and an exhausted budget give no value") {
   CHECK_FALSE(l.arithmetic.divide(l.x, Fraction{}));
   std::size_t little = 3;
   Arithmetic exhausted(l.algebra, little, 1000);
-  const Value sum = l.arithmetic.add(l.x, l.y);
+  const OptionalFraction sum = l.arithmetic.add(l.x, l.y);
   CHECK_FALSE(exhausted.multiply(sum, sum));
   CHECK_FALSE(exhausted.add(exhausted.multiply(sum, sum), l.x));
 }

@@ -11,7 +11,7 @@ namespace {
 struct Space {
   Algebra algebra = {};
   Arithmetic arithmetic{algebra};
-  Value x = arithmetic.leaf(Opcode::coordinate, 0);
+  OptionalFraction x = arithmetic.leaf(Opcode::coordinate, 0);
 
   std::size_t atoms(AtomKind kind) const {
     std::size_t count = 0;
@@ -32,7 +32,7 @@ TEST_CASE("sines and cosines of one angle share one exponential") {
 
 TEST_CASE("roots of numbers are roots of primes") {
   Space s;
-  const Value twelve = s.arithmetic.square_root(fraction_of(cln::cl_RA(12)));
+  const OptionalFraction twelve = s.arithmetic.square_root(fraction_of(cln::cl_RA(12)));
   REQUIRE(twelve);
   CHECK(twelve->numerator.begin()->second.real == 2);
   CHECK(s.atoms(AtomKind::root) == 1);
@@ -41,7 +41,7 @@ TEST_CASE("roots of numbers are roots of primes") {
 
 TEST_CASE("calls with rational values become numbers") {
   Space s;
-  const Value zero = fraction_of(cln::cl_RA(0));
+  const OptionalFraction zero = fraction_of(cln::cl_RA(0));
   const auto series = [&](int k) {
     return s.arithmetic.call(FunctionId::stumpff, zero, fraction_of(cln::cl_RA(k)));
   };
@@ -60,8 +60,8 @@ TEST_CASE("Stumpff functions are atoms, or quotients if the algebra has quotient
     const auto series = [&](int k) {
       return s.arithmetic.call(FunctionId::stumpff, s.x, fraction_of(cln::cl_RA(k)));
     };
-    const Value sine = s.arithmetic.call(FunctionId::sin, s.x, {});
-    const Value cube = s.arithmetic.power(s.x, 3);
+    const OptionalFraction sine = s.arithmetic.call(FunctionId::sin, s.x, {});
+    const OptionalFraction cube = s.arithmetic.power(s.x, 3);
     CHECK((s.arithmetic.multiply(s.x, series(1)) == sine) == has_quotients);
     CHECK((s.arithmetic.multiply(cube, series(3)) == s.arithmetic.subtract(s.x, sine)) ==
           has_quotients);
@@ -74,29 +74,29 @@ TEST_CASE("exponentials are atoms, or powers of a few atoms if the algebra has e
   for (const bool has_exponentials : {false, true}) {
     Space s{.algebra = {.has_exponentials = has_exponentials}};
     Arithmetic& a = s.arithmetic;
-    const auto call = [&a](FunctionId function, const Value& x) {
-      return a.call(function, x, Value());
+    const auto call = [&a](FunctionId function, const OptionalFraction& x) {
+      return a.call(function, x, OptionalFraction());
     };
-    const auto exp = [&](const Value& x) { return call(FunctionId::exp, x); };
-    const Value one = fraction_of(cln::cl_RA(1));
-    const Value y = a.leaf(Opcode::coordinate, 1);
-    const Value half = a.divide(s.x, fraction_of(cln::cl_RA(2)));
-    const Value sine = call(FunctionId::sin, s.x);
-    const Value quotient = a.divide(s.x, a.add(one, y));
+    const auto exp = [&](const OptionalFraction& x) { return call(FunctionId::exp, x); };
+    const OptionalFraction one = fraction_of(cln::cl_RA(1));
+    const OptionalFraction y = a.leaf(Opcode::coordinate, 1);
+    const OptionalFraction half = a.divide(s.x, fraction_of(cln::cl_RA(2)));
+    const OptionalFraction sine = call(FunctionId::sin, s.x);
+    const OptionalFraction quotient = a.divide(s.x, a.add(one, y));
     CHECK((a.multiply(exp(s.x), exp(a.negate(s.x))) == one) == has_exponentials);
     CHECK((a.multiply(exp(quotient), exp(a.divide(y, a.add(one, y)))) ==
            exp(a.divide(a.add(s.x, y), a.add(one, y)))) == has_exponentials);
-    for (const Value& u : {half, s.x, y, one, sine, a.pi()}) {
+    for (const OptionalFraction& u : {half, s.x, y, one, sine, a.pi()}) {
       CHECK((a.power(exp(u), 2) == exp(a.add(u, u))) == has_exponentials);
       CHECK((a.multiply(exp(u), exp(s.x)) == exp(a.add(u, s.x))) == has_exponentials);
       CHECK(a.power(exp(u), 3) != exp(a.add(u, u)));
-      const Value squared = exp(a.add(u, u));
-      const Value tangent = a.divide(a.subtract(squared, one), a.add(squared, one));
-      const Value difference = a.subtract(call(FunctionId::tanh, u), tangent);
+      const OptionalFraction squared = exp(a.add(u, u));
+      const OptionalFraction tangent = a.divide(a.subtract(squared, one), a.add(squared, one));
+      const OptionalFraction difference = a.subtract(call(FunctionId::tanh, u), tangent);
       REQUIRE(difference);
       CHECK(difference->numerator.empty() == has_exponentials);
     }
-    const Value hyperbola =
+    const OptionalFraction hyperbola =
         a.subtract(a.power(call(FunctionId::cosh, y), 2), a.power(call(FunctionId::sinh, y), 2));
     CHECK((hyperbola == one) == has_exponentials);
     CHECK((a.subtract(call(FunctionId::cosh, y), call(FunctionId::sinh, y)) == exp(a.negate(y))) ==
@@ -107,29 +107,29 @@ TEST_CASE("exponentials are atoms, or powers of a few atoms if the algebra has e
 
 TEST_CASE("constants are split by their form") {
   Space s;
-  const ConstantForm pi{.kind = ConstantKind::pi, .parts = {}};
+  const ConstantForm pi{.kind = ConstantKind::pi, .operands = {}};
   const ConstantForm half = rational_form(cln::cl_RA(1) / 2);
   const ConstantForm three = rational_form(3);
-  const ConstantForm root{.kind = ConstantKind::square_root, .parts = {{three, 1}}};
-  const Value half_pi =
-      s.arithmetic.constant({.kind = ConstantKind::product, .parts = {{half, 1}, {pi, 1}}});
+  const ConstantForm root{.kind = ConstantKind::square_root, .operands = {{three, 1}}};
+  const OptionalFraction half_pi =
+      s.arithmetic.constant({.kind = ConstantKind::product, .operands = {{half, 1}, {pi, 1}}});
   REQUIRE(half_pi);
   CHECK(half_pi->numerator.begin()->second.real == cln::cl_RA(1) / 2);
   CHECK(s.algebra.atoms[half_pi->numerator.begin()->first[0].atom].kind == AtomKind::pi);
-  const Value sine = s.arithmetic.call(FunctionId::sin, half_pi, {});
+  const OptionalFraction sine = s.arithmetic.call(FunctionId::sin, half_pi, {});
   REQUIRE(sine);
   CHECK(rational_value(sine->numerator) == cln::cl_RA(1));
-  const ConstantForm difference{.kind = ConstantKind::sum, .parts = {{three, 1}, {root, -1}}};
-  const Value product = s.arithmetic.multiply(
+  const ConstantForm difference{.kind = ConstantKind::sum, .operands = {{three, 1}, {root, -1}}};
+  const OptionalFraction product = s.arithmetic.multiply(
       s.arithmetic.constant(difference),
-      s.arithmetic.constant({.kind = ConstantKind::sum, .parts = {{three, 1}, {root, 1}}}));
+      s.arithmetic.constant({.kind = ConstantKind::sum, .operands = {{three, 1}, {root, 1}}}));
   REQUIRE(product);
   CHECK(rational_value(product->numerator) == cln::cl_RA(6));
 }
 
 TEST_CASE("odd and even functions have one atom for both signs of the argument") {
   Space s;
-  const Value minus = s.arithmetic.negate(s.x);
+  const OptionalFraction minus = s.arithmetic.negate(s.x);
   (void)s.arithmetic.call(FunctionId::tanh, s.x, {});
   (void)s.arithmetic.call(FunctionId::tanh, minus, {});
   CHECK(s.atoms(AtomKind::call) == 1);

@@ -8,14 +8,16 @@ using namespace elgen;
 namespace {
 
 Polynomial term(Monomial monomial, int coefficient) {
-  return {{std::move(monomial), Gaussian{coefficient, 0}}};
+  return {{std::move(monomial), GaussianRational{coefficient, 0}}};
 }
 
-const Polynomial one = constant(1);
+const Polynomial one = constant_polynomial(1);
 const Polynomial x = term({{0, 1}}, 1);
 const Polynomial y = term({{1, 1}}, 1);
 
-Polynomial minus(const Polynomial& a, const Polynomial& b) { return sum(a, scaled(b, {-1, 0})); }
+Polynomial minus(const Polynomial& a, const Polynomial& b) {
+  return sum(a, multiply_by_term(b, {-1, 0}));
+}
 
 bool equal(const Polynomial& a, const Polynomial& b) { return minus(a, b).empty(); }
 
@@ -37,13 +39,13 @@ TEST_CASE("the order of monomials is compatible with multiplication, also by neg
 
 TEST_CASE("terms that cancel are removed") {
   CHECK(minus(x, x).empty());
-  CHECK(constant(0).empty());
+  CHECK(constant_polynomial(0).empty());
   CHECK(product(x, term({{0, -1}}, 1)).begin()->first.empty());
 }
 
 TEST_CASE("a product divided by a factor is the other factor") {
   std::size_t work = 1000;
-  const Polynomial a = sum(sum(x, y), constant(3));
+  const Polynomial a = sum(sum(x, y), constant_polynomial(3));
   const Polynomial b = minus(product(x, x), term({{1, -2}}, 2));
   const auto result = quotient(product(a, b), a, work);
   REQUIRE(result);
@@ -66,15 +68,15 @@ TEST_CASE("division stops when the budget is exhausted") {
 }
 
 TEST_CASE("coefficients are complex") {
-  const Polynomial i{{Monomial{}, Gaussian{0, 1}}};
-  CHECK(equal(product(i, i), constant(-1)));
-  const Gaussian inverse = reciprocal({3, 4});
+  const Polynomial i{{Monomial{}, GaussianRational{0, 1}}};
+  CHECK(equal(product(i, i), constant_polynomial(-1)));
+  const GaussianRational inverse = reciprocal({3, 4});
   CHECK(inverse.real == cln::cl_RA(3) / 25);
   CHECK(inverse.imaginary == cln::cl_RA(-4) / 25);
 }
 
 TEST_CASE("rational_value recognises constants") {
-  CHECK(rational_value(constant(7)) == cln::cl_RA(7));
+  CHECK(rational_value(constant_polynomial(7)) == cln::cl_RA(7));
   CHECK(rational_value({}) == cln::cl_RA(0));
   CHECK_FALSE(rational_value(x));
 }
@@ -109,7 +111,7 @@ TEST_CASE("terms are sorted, in whatever order they are added") {
 
 TEST_CASE("products and quotients equal those computed term by term") {
   const Polynomial a = sum(sum(product(x, x), term({{1, -1}, {2, 1}}, -3)), term({{3, 2}}, 2));
-  Polynomial b = constant(5);
+  Polynomial b = constant_polynomial(5);
   for (std::int32_t i = 1; i < 12; ++i) {
     b = sum(b, term({{AtomId(i) % 4, i % 2 == 0 ? 2 : -1}, {4, i}}, 2 * i - 7));
   }

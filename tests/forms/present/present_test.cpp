@@ -13,7 +13,7 @@ const std::string leaves = "parameters m\ncoordinates x y\n";
 
 using Proofs = std::vector<ZeroProof>;
 
-Proofs proved(const std::string& code, const PresentBudget& budget = {}) {
+Proofs proved(const std::string& code, const ClosedFormBudget& budget = {}) {
   const Program program = read_program(
       "parameters m\ncoordinates x\nfunction gravity\n"
       "  0 = parameter m\n  1 = coordinate x\n" +
@@ -72,15 +72,15 @@ TEST_CASE("x + 1e-50 x is not x, although 64 digits cannot distinguish them") {
 TEST_CASE("possibly dependent atoms prove nothing") {
   // sqrt(x^2) - x and 2 cos(x/24)^2 - 1 - cos(x/12)
   CHECK(proved("  2 = multiply 1 1\n  3 = square_root 2\n  4 = subtract 3 1\n  result 1 1 = 4\n") ==
-        Proofs{ZeroProof::open});
+        Proofs{ZeroProof::undecided});
   CHECK(proved("  2 = constant 1/24\n  3 = multiply 2 1\n  4 = cos 3\n  5 = multiply 4 4\n"
                "  6 = add 5 5\n  7 = constant 1/12\n  8 = multiply 7 1\n  9 = cos 8\n"
                "  10 = constant 1\n  11 = add 10 9\n  12 = subtract 6 11\n  result 1 1 = 12\n") ==
-        Proofs{ZeroProof::open});
+        Proofs{ZeroProof::undecided});
   // sin(2 y) - 2 sin(y) cos(y) for y = x/(x + m)
   CHECK(proved("  2 = add 0 1\n  3 = divide 1 2\n  4 = add 3 3\n  5 = sin 4\n  6 = sin 3\n"
                "  7 = cos 3\n  8 = multiply 6 7\n  9 = add 8 8\n  10 = subtract 5 9\n"
-               "  result 1 1 = 10\n") == Proofs{ZeroProof::open});
+               "  result 1 1 = 10\n") == Proofs{ZeroProof::undecided});
 }
 
 TEST_CASE("exp(x + m) is proved equal to exp(x)*exp(m), and closed forms keep both") {
@@ -88,7 +88,7 @@ TEST_CASE("exp(x + m) is proved equal to exp(x)*exp(m), and closed forms keep bo
       "  2 = add 0 1\n  3 = exp 2\n  4 = exp 0\n  5 = exp 1\n  6 = multiply 4 5\n"
       "  7 = subtract 3 6\n  8 = subtract 3 5\n  9 = expm1 2\n  10 = subtract 9 6\n"
       "  11 = constant 1\n  12 = add 10 11\n  result 3 1 = 7 8 12\n";
-  CHECK(proved(code) == Proofs{ZeroProof::zero, ZeroProof::open, ZeroProof::zero});
+  CHECK(proved(code) == Proofs{ZeroProof::zero, ZeroProof::undecided, ZeroProof::zero});
   const ClosedForms forms =
       present(read_program("parameters m\ncoordinates x\nfunction gravity\n"
                            "  0 = parameter m\n  1 = coordinate x\n" +
@@ -100,5 +100,5 @@ TEST_CASE("exp(x + m) is proved equal to exp(x)*exp(m), and closed forms keep bo
 
 TEST_CASE("an abandoned form proves nothing") {
   CHECK(proved(circle, {.products_per_function = 1, .products = 1, .terms = 1}) ==
-        Proofs{ZeroProof::open, ZeroProof::open});
+        Proofs{ZeroProof::undecided, ZeroProof::undecided});
 }

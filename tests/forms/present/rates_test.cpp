@@ -12,8 +12,8 @@ namespace {
 
 /// True if the rate along the motion is proved to be 0.
 bool is_steady(ClosedForms& forms, const Fraction& x, const Fraction& acceleration,
-               const OpenTerms& open_values = {}) {
-  const auto rate = free_rate(forms, x, {acceleration}, {}, open_values);
+               const OpenValueRates& open_values = {}) {
+  const auto rate = unforced_rate(forms, x, {acceleration}, {}, open_values);
   return rate && rate->numerator.empty();
 }
 
@@ -72,9 +72,11 @@ TEST_CASE("functions that stay atoms have the derivatives of their table") {
 TEST_CASE("functions with kinks have a rate only if their arguments are constant") {
   ClosedForms forms;
   Arithmetic arithmetic(forms.algebra);
-  const Value moving = arithmetic.leaf(Opcode::coordinate, 0);
-  const Value standing = arithmetic.leaf(Opcode::parameter, 0);
-  const auto stays = [&](const Value& value) { return is_steady(forms, value.value(), {}); };
+  const OptionalFraction moving = arithmetic.leaf(Opcode::coordinate, 0);
+  const OptionalFraction standing = arithmetic.leaf(Opcode::parameter, 0);
+  const auto stays = [&](const OptionalFraction& value) {
+    return is_steady(forms, value.value(), {});
+  };
   CHECK_FALSE(stays(arithmetic.call(FunctionId::abs, moving, {})));
   CHECK_FALSE(stays(arithmetic.call(FunctionId::max, standing, moving)));
   CHECK(stays(arithmetic.call(FunctionId::abs, standing, {})));
@@ -99,7 +101,7 @@ conserved = ["1/2*dot(x)^2 + V", "1/2*dot(x)^2 + 2*V", "V_11"]
     return *closed_form(forms, model, {}, model.expectations[expectation].entries[entry]);
   };
   const Fraction acceleration = form(0, 0);
-  const OpenTerms terms = open_terms(forms, model, {});
+  const OpenValueRates terms = open_value_rates(forms, model, {});
   const auto stays = [&](std::size_t entry) {
     const Fraction quantity = form(1, entry);
     return is_steady(forms, quantity, acceleration, terms);

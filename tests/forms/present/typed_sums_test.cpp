@@ -33,13 +33,13 @@ std::size_t terms_of(const ClosedForms& forms, std::size_t entry) {
 }  // namespace
 
 TEST_CASE("typed sums are bases of powers, and arguments of roots and quotients") {
-  CHECK(typed_sums(distance()).functions.size() == 3);
-  CHECK(typed_sums(angle()).functions.empty());
+  CHECK(unexpanded_sums(distance()).functions.size() == 3);
+  CHECK(unexpanded_sums(angle()).functions.empty());
 }
 
 TEST_CASE("typed sums are atoms, except in sums that are shorter without these atoms") {
   const Program program = distance();
-  const ClosedForms whole = present(program, typed_sums(program));
+  const ClosedForms whole = present(program, unexpanded_sums(program));
   CHECK(terms_of(whole, 0) == 1);
   CHECK(terms_of(whole, 1) == 1);
   CHECK(terms_of(whole, 2) == 1);  // 2 x

@@ -17,8 +17,9 @@ std::string written_text(const std::string& function, Layout layout) {
   const Program program = read_program("parameters m l\ncoordinates x y\n" + function);
   const ClosedForms forms = present(program);
   Expressions expressions;
-  const auto value = closed_graph(expressions.graph, forms.algebra,
-                                  *forms.functions.at(0).fields.at(0).entries.at(0), layout, 100);
+  const auto value =
+      build_closed_graph(expressions.graph, forms.algebra,
+                         *forms.functions.at(0).fields.at(0).entries.at(0), layout, 100);
   REQUIRE(value);
   expressions.values.push_back(*value);
   Program result;
@@ -29,7 +30,7 @@ std::string written_text(const std::string& function, Layout layout) {
   filled.fields[0].entries = {0};
   linearise(make_network(expressions), result, filled);
   const std::vector<std::string> names = temporary_names(result, filled);
-  return text_of(equations(result, filled, names).entries.at(0).at(0));
+  return text_of(function_equations(result, filled, names).entries.at(0).at(0));
 }
 
 const std::string two_rates =
@@ -55,5 +56,6 @@ TEST_CASE("more terms than the limit give no graph") {
   const Program program = read_program("parameters m l\ncoordinates x y\n" + two_rates);
   const ClosedForms forms = present(program);
   Graph graph;
-  CHECK_FALSE(closed_graph(graph, forms.algebra, *forms.functions[0].fields[0].entries[0], {}, 2));
+  CHECK_FALSE(
+      build_closed_graph(graph, forms.algebra, *forms.functions[0].fields[0].entries[0], {}, 2));
 }

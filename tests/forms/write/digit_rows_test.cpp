@@ -51,12 +51,12 @@ double value_in_double(const Expressions& expressions, const std::vector<double>
 
 /// The text of a row with letters that satisfy its condition, for example sums that contain a
 /// number.
-std::string text_for(const DigitRow& row) {
+std::string text_for(const RewriteRule& row) {
   const std::string text(row.from);
-  if (row.condition == RowCondition::anchored) {
+  if (row.condition == RuleCondition::anchored) {
     return std::regex_replace(text, std::regex("\\b([abc])\\b"), "(2 + $1)");
   }
-  if (row.condition == RowCondition::computed) {
+  if (row.condition == RuleCondition::computed) {
     return std::regex_replace(text, std::regex("\\b([abc])\\b"), "($1*d)");
   }
   return text;
@@ -65,7 +65,7 @@ std::string text_for(const DigitRow& row) {
 }  // namespace
 
 TEST_CASE("both sides of every row are equal in 100 digits") {
-  for (const DigitRow& row : digit_rows()) {
+  for (const RewriteRule& row : rewrite_rules()) {
     INFO(row.from);
     const auto from = expressions_of({std::string(row.from)});
     const auto to = expressions_of({std::string(row.to)});
@@ -75,16 +75,16 @@ TEST_CASE("both sides of every row are equal in 100 digits") {
 }
 
 TEST_CASE("every row matches its own text, also with a common factor in its terms") {
-  for (const DigitRow& row : digit_rows()) {
+  for (const RewriteRule& row : rewrite_rules()) {
     for (const bool is_scaled : {false, true}) {
       INFO(row.from << (is_scaled ? ", times d e^2" : ""));
       Expressions from = expressions_of({text_for(row)});
       if (is_scaled) {
-        const Ref factor = value_of(from.graph, "d*e^2");
+        const SignedNode factor = value_of(from.graph, "d*e^2");
         from.values[0] =
-            GraphTerms(from.graph).sum({from.graph.product({{factor}, {from.values[0]}})});
+            GraphTermBuilder(from.graph).sum({from.graph.product({{factor}, {from.values[0]}})});
       }
-      const auto after = rewrite_to_keep_digits(from, Squares::factored);
+      const auto after = rewrite_to_keep_digits(from, SquareHandling::factored);
       REQUIRE(after);
       CHECK(texts_of(*after) != texts_of(from));
       const int compared = with_digits(50, [&] { return equal_values(from, *after); });
@@ -107,7 +107,7 @@ TEST_CASE("rewritten differences keep their digits near 0 in double") {
       NearZero{"log((1 + a)/(1 - a))", "log1p(a) - log1p(-a)"});
   INFO(row.text);
   const auto from = expressions_of({row.text});
-  const auto after = rewrite_to_keep_digits(from, Squares::whole);
+  const auto after = rewrite_to_keep_digits(from, SquareHandling::unfactored);
   REQUIRE(after);
   const auto reference = expressions_of({row.reference});
   const std::vector<double> point{1e-7, 3e-7, 2e-8, 0.5, 2};
@@ -120,7 +120,7 @@ TEST_CASE(
                                     "cosh(a) - 1 - a^2/2", "a*cosh(a) - sinh(a)");
   INFO(text);
   const auto from = expressions_of({text});
-  const auto after = rewrite_to_keep_digits(from, Squares::whole);
+  const auto after = rewrite_to_keep_digits(from, SquareHandling::unfactored);
   REQUIRE(after);
   for (const double a : {-45.0, -8.0, -1.5, -1e-6, 1e-6, 1.5, 8.0, 45.0}) {
     INFO(a);

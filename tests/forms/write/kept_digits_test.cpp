@@ -14,9 +14,9 @@ namespace {
 
 std::string kept(const std::string& text) {
   const Expressions before = expressions_of({text});
-  const auto better = rewrite_to_keep_digits(before, Squares::whole);
+  const auto better = rewrite_to_keep_digits(before, SquareHandling::unfactored);
   if (better) return texts_of(*better).at(0);
-  const auto apart = rewrite_to_keep_digits(before, Squares::factored);
+  const auto apart = rewrite_to_keep_digits(before, SquareHandling::factored);
   return apart ? texts_of(*apart).at(0) : "none";
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("every rewriting has the value of the original") {
                            "d*(a^2 - b^2) + e"}) {
     INFO(text);
     const Expressions before = expressions_of({text});
-    const auto after = rewrite_to_keep_digits(before, Squares::factored);
+    const auto after = rewrite_to_keep_digits(before, SquareHandling::factored);
     REQUIRE(after);
     for (int i = 0; i < 4; ++i) {
       Arguments<Real> point;
@@ -146,7 +146,7 @@ TEST_CASE("a product with a repeated factor has the value of the sum") {
                            "cos(c) + a^2 - 2*a + 1", "4*a^3*b - 12*a^2*b + 9*a*b"}) {
     INFO(text);
     const Expressions before = expressions_of({text});
-    const auto after = rewrite_to_keep_digits(before, Squares::factored);
+    const auto after = rewrite_to_keep_digits(before, SquareHandling::factored);
     REQUIRE(after);
     Arguments<Real> point;
     for (const int k : {3, 5, 7, 11, 13}) point.q.push_back(Real(cln::cl_RA(k) / 17));
@@ -167,7 +167,7 @@ TEST_CASE("sums without common factors stay") {
 
 TEST_CASE("functions of one argument are computed from functions that keep digits") {
   const auto fewer = [](const std::string& text) {
-    const auto better = with_fewer_calls(expressions_of({text}));
+    const auto better = replace_redundant_calls(expressions_of({text}));
     return better ? texts_of(*better).at(0) : "none";
   };
   CHECK(fewer("a*expm1(b) + exp(b)") == "a*expm1(b) + (1 + expm1(b))");

@@ -25,15 +25,15 @@ const std::vector<std::string> names{"a", "b", "c", "d", "e"};
 const LeafNames leaves{{{}, {}, names, names, {}, {}, names, {}, {}, "t"}, false};
 
 /// True if `rewriting` is as precise as `reference`; their two graphs share no equal parts.
-bool is_precise(const char* rewriting, const char* reference, Leaves kind) {
+bool is_precise(const char* rewriting, const char* reference, LeafRounding kind) {
   return is_as_precise(expressions_of({rewriting}), expressions_of({reference}),
-                       mixed_points(leaves), kind);
+                       mixed_magnitude_points(leaves), kind);
 }
 
 /// The entries whose emitted closed form is less precise than the reference form, such as "bias 0".
 std::vector<std::string> imprecise(const std::string& text) {
   const Program program = chosen(text).choice.program;
-  const Points points = mixed_points(program.leaves);
+  const Points points = mixed_magnitude_points(program.leaves);
   std::vector<std::string> result;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
@@ -41,12 +41,13 @@ std::vector<std::string> imprecise(const std::string& text) {
     if (function.form != Form::closed || readable.fields.empty()) continue;
     const std::vector<std::uint32_t> entries = entries_of(readable);
     for (std::size_t e = 0; e < entries.size(); ++e) {
-      const Expressions emitted = from_program(program, function, {entries_of(function)[e]});
-      const Expressions judge = from_program(program, readable, {entries[e]});
+      const Expressions emitted =
+          expressions_from_program(program, function, {entries_of(function)[e]});
+      const Expressions judge = expressions_from_program(program, readable, {entries[e]});
       // The bound for rounded leaves, unlike the bound for exact leaves, includes the rounding of
       // angles in sums. An entry must satisfy one of the two bounds.
-      const bool is_precise = is_as_precise(emitted, judge, points, Leaves::exact) ||
-                              is_as_precise(emitted, judge, points, Leaves::rounded);
+      const bool is_precise = is_as_precise(emitted, judge, points, LeafRounding::exact) ||
+                              is_as_precise(emitted, judge, points, LeafRounding::rounded);
       if (!is_precise) result.push_back(function.name + " " + std::to_string(e));
     }
   }
@@ -112,34 +113,34 @@ mass = "m"
 TEST_CASE("cancelling terms are detected, and other orders of equal roundings are accepted") {
   const char* const plain = "b + a*d";
   const char* const cancelling = "b + 2*a*(c + 1/2*d) - 2*a*c";
-  CHECK_FALSE(is_precise(cancelling, plain, Leaves::exact));
-  CHECK_FALSE(is_precise(cancelling, plain, Leaves::rounded));
-  CHECK(is_precise(plain, cancelling, Leaves::exact));
+  CHECK_FALSE(is_precise(cancelling, plain, LeafRounding::exact));
+  CHECK_FALSE(is_precise(cancelling, plain, LeafRounding::rounded));
+  CHECK(is_precise(plain, cancelling, LeafRounding::exact));
   const char* const square = "(a - sqrt(c^2 + d^2))^2";
   const char* const multiplied_out = "a^2 + c^2 + d^2 - 2*a*sqrt(c^2 + d^2)";
-  CHECK(is_precise(square, multiplied_out, Leaves::exact));
-  CHECK(is_precise(square, multiplied_out, Leaves::rounded));
-  CHECK(is_precise("sin(2*c)", "2*sin(c)*cos(c)", Leaves::exact));
-  CHECK(is_precise("2*sin(c)*cos(c)", "sin(2*c)", Leaves::exact));
+  CHECK(is_precise(square, multiplied_out, LeafRounding::exact));
+  CHECK(is_precise(square, multiplied_out, LeafRounding::rounded));
+  CHECK(is_precise("sin(2*c)", "2*sin(c)*cos(c)", LeafRounding::exact));
+  CHECK(is_precise("2*sin(c)*cos(c)", "sin(2*c)", LeafRounding::exact));
 }
 
 TEST_CASE("a sum of angles is less precise only if the angles are exact") {
   const char* const shifted = "cos(c + 1)";
   const char* const apart = "cos(c)*cos(1) - sin(c)*sin(1)";
-  CHECK_FALSE(is_precise(shifted, apart, Leaves::exact));
-  CHECK(is_precise(shifted, apart, Leaves::rounded));
+  CHECK_FALSE(is_precise(shifted, apart, LeafRounding::exact));
+  CHECK(is_precise(shifted, apart, LeafRounding::rounded));
 }
 
 TEST_CASE("a difference of angles is less precise only if the angles are exact") {
   const char* const whole = "a + cos(c - d)";
   const char* const apart = "a + cos(c)*cos(d) + sin(c)*sin(d)";
-  CHECK_FALSE(is_precise(whole, apart, Leaves::exact));
-  CHECK(is_precise(whole, apart, Leaves::rounded));
-  CHECK(is_precise(whole, whole, Leaves::exact));
+  CHECK_FALSE(is_precise(whole, apart, LeafRounding::exact));
+  CHECK(is_precise(whole, apart, LeafRounding::rounded));
+  CHECK(is_precise(whole, whole, LeafRounding::exact));
 }
 
 TEST_CASE("without any value no rewriting is accepted") {
-  CHECK_FALSE(is_precise("sqrt(-(1 + c^2))", "sqrt(-(1 + c^2))", Leaves::exact));
+  CHECK_FALSE(is_precise("sqrt(-(1 + c^2))", "sqrt(-(1 + c^2))", LeafRounding::exact));
 }
 
 TEST_CASE("the code of a closed form is as precise as the reference form") {

@@ -77,7 +77,7 @@ TEST_CASE("the shortest rewriting is chosen") {
 TEST_CASE("circular atoms form the angle of a monomial, other atoms its powers") {
   Algebra algebra;
   algebra.atoms = {{.kind = AtomKind::leaf}, {.kind = AtomKind::circular}};
-  const auto [powers, angle] = split(algebra, {{0, 2}, {1, -6}});
+  const auto [powers, angle] = split_monomial(algebra, {{0, 2}, {1, -6}});
   CHECK(powers == Monomial{{0, 2}});
   CHECK(angle == Monomial{{1, -6}});
 }
@@ -89,8 +89,8 @@ TEST_CASE("a direction has no common divisor, and its first component is positiv
 }
 
 TEST_CASE("(c + i s)(c - i s) = c^2 + s^2") {
-  const TwoPowers one{{{0, 0}, Gaussian{1, 0}}};
-  const TwoPowers square = times_exponential(times_exponential(one, 1), -1);
+  const CircularPolynomial one{{{0, 0}, GaussianRational{1, 0}}};
+  const CircularPolynomial square = multiply_by_exponential(multiply_by_exponential(one, 1), -1);
   REQUIRE(square.size() == 2);
   CHECK(square.at({2, 0}).real == 1);
   CHECK(square.at({0, 2}).real == 1);

@@ -12,9 +12,9 @@ using namespace elgen::test;
 
 namespace {
 
-std::vector<std::string> texts(const std::vector<Collected>& rewritings) {
+std::vector<std::string> texts(const std::vector<CollectedForm>& rewritings) {
   std::vector<std::string> all;
-  for (const Collected& rewriting : rewritings) {
+  for (const CollectedForm& rewriting : rewritings) {
     all.push_back(texts_of(rewriting.expressions).at(0));
   }
   return all;
@@ -64,8 +64,8 @@ TEST_CASE("sums of sines and cosines in homogeneous terms") {
   const ClosedForms forms = present(program_of(Texts{row.sum}));
   Expressions expressions;
   const auto value =
-      closed_graph(expressions.graph, forms.algebra, *forms.functions[0].fields[0].entries[0],
-                   {Trigonometry::homogeneous, Grouping::none}, 100);
+      build_closed_graph(expressions.graph, forms.algebra, *forms.functions[0].fields[0].entries[0],
+                         {Trigonometry::homogeneous, Grouping::none}, 100);
   if (value) expressions.values = {*value};
   CHECK((value ? texts_of(expressions).at(0) : "none") == row.written);
 }

@@ -76,16 +76,16 @@ double in_ulps(Scalar value, const Real& truth) {
 
 /// The larger error of sine and cosine at an angle, for single numbers.
 template <class Scalar>
-double worst_ulps(const Sines<Scalar>& numbers, Scalar angle) {
+double worst_ulps(const SineEvaluator<Scalar>& numbers, Scalar angle) {
   const Real exact{exact_value(static_cast<double>(angle))};
-  const auto [sine, cosine] = numbers.of(angle);
+  const auto [sine, cosine] = numbers.evaluate(angle);
   return std::max(in_ulps(sine, sin(exact)), in_ulps(cosine, cos(exact)));
 }
 
 /// The largest error in ulps next to k pi/4 in the domain, k = first, first + stride, ...
 template <class Scalar>
 double worst_beside(std::size_t first, std::size_t stride) {
-  const Sines<Scalar> numbers(scene_for<Scalar>(), SineArithmetic::numbers);
+  const SineEvaluator<Scalar> numbers(scene_for<Scalar>(), SineArithmetic::numbers);
   const double domain = angle_reduction(scalar_kind<Scalar>).domain;
   const double eighth = std::acos(-1.0) / 4;
   double worst = 0;
@@ -102,7 +102,7 @@ double worst_beside(std::size_t first, std::size_t stride) {
 /// The largest error of sine and cosine of packs, over random angles.
 template <class Scalar>
 double largest_error(const Numerics& numerics) {
-  const Sines<Scalar> packs(scene_of(numerics), SineArithmetic::packs);
+  const SineEvaluator<Scalar> packs(scene_of(numerics), SineArithmetic::packs);
   const double domain = angle_reduction(scalar_kind<Scalar>).domain;
   Random random(7);
   double most = 0;
@@ -110,7 +110,7 @@ double largest_error(const Numerics& numerics) {
     const double magnitude = i % 2 == 0 ? 4 : domain;
     const auto angle = static_cast<Scalar>(random.uniform(-magnitude, magnitude));
     const Real exact{exact_value(static_cast<double>(angle))};
-    const auto [sine, cosine] = packs.of(angle);
+    const auto [sine, cosine] = packs.evaluate(angle);
     for (const auto& [value, truth] :
          {std::pair(sine, sin(exact)), std::pair(cosine, cos(exact))}) {
       const Real error = Real(exact_value(static_cast<double>(value))) - truth;
@@ -142,8 +142,8 @@ TEST_CASE("the table has the errors of its polynomials, rounded up") {
 
 TEST_CASE("the lowest sufficient degree is selected") {
   const auto degrees = [](const cl_RA& error, ScalarKind scalar) {
-    return std::pair(cheapest(sine_polynomials(), error, scalar).degree,
-                     cheapest(cosine_polynomials(), error, scalar).degree);
+    return std::pair(lowest_degree_polynomial(sine_polynomials(), error, scalar).degree,
+                     lowest_degree_polynomial(cosine_polynomials(), error, scalar).degree);
   };
   constexpr ScalarKind in_float = ScalarKind::single_precision;
   constexpr ScalarKind in_double = ScalarKind::double_precision;
@@ -158,8 +158,12 @@ TEST_CASE("the polynomials reach the best accuracy of each scalar type") {
   for (const ScalarKind scalar : {ScalarKind::single_precision, ScalarKind::double_precision}) {
     const cl_RA least = trigonometry_error({}, scalar);
     const cl_RA rounding = exact_value(angle_reduction(scalar).rounding);
-    CHECK(exact_value(cheapest(sine_polynomials(), least, scalar).error) + rounding <= least);
-    CHECK(exact_value(cheapest(cosine_polynomials(), least, scalar).error) + rounding <= least);
+    CHECK(exact_value(lowest_degree_polynomial(sine_polynomials(), least, scalar).error) +
+              rounding <=
+          least);
+    CHECK(exact_value(lowest_degree_polynomial(cosine_polynomials(), least, scalar).error) +
+              rounding <=
+          least);
   }
 }
 
@@ -197,19 +201,19 @@ TEST_CASE("sines and cosines have at most the permitted error, and not much less
 }
 
 TEST_CASE("packs have no value for angles outside the domain") {
-  const Sines<float> packs(Scene{}, SineArithmetic::packs);
-  CHECK(std::isnan(packs.of(1001.0F).sine));
-  CHECK(std::isnan(packs.of(-1001.0F).cosine));
-  CHECK(std::isnan(packs.of(std::nanf("")).sine));
-  CHECK_FALSE(std::isnan(packs.of(1000.0F).sine));
+  const SineEvaluator<float> packs(Scene{}, SineArithmetic::packs);
+  CHECK(std::isnan(packs.evaluate(1001.0F).sine));
+  CHECK(std::isnan(packs.evaluate(-1001.0F).cosine));
+  CHECK(std::isnan(packs.evaluate(std::nanf("")).sine));
+  CHECK_FALSE(std::isnan(packs.evaluate(1000.0F).sine));
 }
 
 TEST_CASE("quarter turns are exact") {
-  const Sines<double> packs(Scene{}, SineArithmetic::packs);
-  CHECK(packs.of(0).sine == 0);
-  CHECK(packs.of(0).cosine == 1);
-  CHECK(packs.of(std::acos(-1.0)).cosine == -1);
-  CHECK(packs.of(std::acos(-1.0) / 2).sine == 1);
+  const SineEvaluator<double> packs(Scene{}, SineArithmetic::packs);
+  CHECK(packs.evaluate(0).sine == 0);
+  CHECK(packs.evaluate(0).cosine == 1);
+  CHECK(packs.evaluate(std::acos(-1.0)).cosine == -1);
+  CHECK(packs.evaluate(std::acos(-1.0) / 2).sine == 1);
 }
 
 TEST_CASE("sines of single numbers have errors of 1.5 ulp, float 0.9 ulp, and 0.5 ulp near zeros") {
@@ -218,7 +222,7 @@ TEST_CASE("sines of single numbers have errors of 1.5 ulp, float 0.9 ulp, and 0.
   CHECK(worst_beside<double>(1, 62) <= 1.5);  // odd multiples of pi/4, where polynomials are worst
   CHECK(worst_beside<float>(1, 2) <= 0.9);
   Random random(3);
-  const Sines<double> numbers(Scene{}, SineArithmetic::numbers);
+  const SineEvaluator<double> numbers(Scene{}, SineArithmetic::numbers);
   double worst = 0;
   for (int i = 0; i < 4000; ++i) {
     const double angle = random.uniform(-1, 1) * std::pow(10, random.uniform(-20, 5));
@@ -228,40 +232,40 @@ TEST_CASE("sines of single numbers have errors of 1.5 ulp, float 0.9 ulp, and 0.
 }
 
 TEST_CASE("the numbers nearest to multiples of pi/2 keep their digits") {
-  const Sines<double> in_double(scene_for<double>(), SineArithmetic::numbers);
+  const SineEvaluator<double> in_double(scene_for<double>(), SineArithmetic::numbers);
   CHECK(worst_ulps(in_double, 0x1.6c6cbc45dc8dep+5) <= 0.5001);  // 29 pi/2
-  const Sines<float> in_float(scene_for<float>(), SineArithmetic::numbers);
+  const SineEvaluator<float> in_float(scene_for<float>(), SineArithmetic::numbers);
   CHECK(worst_ulps(in_float, 0x1.f9cbe2p+7F) <= 0.5001);  // 161 pi/2
 }
 
 TEST_CASE("single numbers outside the domain use the library's sines") {
-  const Sines<double> numbers(Scene{}, SineArithmetic::numbers);
-  CHECK(numbers.of(1.1e5).sine == std::sin(1.1e5));
-  CHECK(numbers.of(-1e300).cosine == std::cos(-1e300));
-  CHECK(std::isnan(numbers.of(std::numeric_limits<double>::infinity()).sine));
-  const Sines<float> floats(Scene{}, SineArithmetic::numbers);
-  CHECK(floats.of(1.1e3F).sine == std::sin(1.1e3F));
+  const SineEvaluator<double> numbers(Scene{}, SineArithmetic::numbers);
+  CHECK(numbers.evaluate(1.1e5).sine == std::sin(1.1e5));
+  CHECK(numbers.evaluate(-1e300).cosine == std::cos(-1e300));
+  CHECK(std::isnan(numbers.evaluate(std::numeric_limits<double>::infinity()).sine));
+  const SineEvaluator<float> floats(Scene{}, SineArithmetic::numbers);
+  CHECK(floats.evaluate(1.1e3F).sine == std::sin(1.1e3F));
 }
 
 TEST_CASE("a scene may select the library's sines for single numbers") {
   Scene scene;
   scene.numerics.has_library_sines = true;
-  const Sines<double> numbers(scene, SineArithmetic::numbers);
-  const Sines<double> packs(scene, SineArithmetic::packs);
-  const Sines<double> in_line(Scene{}, SineArithmetic::packs);
+  const SineEvaluator<double> numbers(scene, SineArithmetic::numbers);
+  const SineEvaluator<double> packs(scene, SineArithmetic::packs);
+  const SineEvaluator<double> in_line(Scene{}, SineArithmetic::packs);
   for (int i = 0; i < 100; ++i) {
     const double angle = 0.7 * i;
-    CHECK(numbers.of(angle).cosine == std::cos(angle));
-    CHECK(packs.of(angle).cosine == in_line.of(angle).cosine);
+    CHECK(numbers.evaluate(angle).cosine == std::cos(angle));
+    CHECK(packs.evaluate(angle).cosine == in_line.evaluate(angle).cosine);
   }
 }
 
 TEST_CASE("the sine of a signed zero keeps the sign") {
   for (const SineArithmetic arithmetic : {SineArithmetic::packs, SineArithmetic::numbers}) {
-    const Sines<double> sines(Scene{}, arithmetic);
-    CHECK(std::signbit(sines.of(-0.0).sine));
-    CHECK_FALSE(std::signbit(sines.of(0.0).sine));
-    CHECK(sines.of(-0.0).cosine == 1);
-    CHECK(sines.of(5e-324).sine == 5e-324);
+    const SineEvaluator<double> sines(Scene{}, arithmetic);
+    CHECK(std::signbit(sines.evaluate(-0.0).sine));
+    CHECK_FALSE(std::signbit(sines.evaluate(0.0).sine));
+    CHECK(sines.evaluate(-0.0).cosine == 1);
+    CHECK(sines.evaluate(5e-324).sine == 5e-324);
   }
 }

@@ -22,7 +22,7 @@ double conditioning(const std::string& text, const State& state,
   const auto arguments = map_leaves([](const cln::cl_R& x) { return Real(x); }, state);
   const Conditioning all(program, function, evaluate_instructions(program, function, arguments),
                          std::move(parameters));
-  const Real k = all.of(function.fields[0].entries[0]);
+  const Real k = all.absolute_condition(function.fields[0].entries[0]);
   return k.is_defined() ? to_double(k.value()) : std::numeric_limits<double>::infinity();
 }
 
@@ -65,28 +65,28 @@ TEST_CASE("a state is described by its variables and changed parameters") {
   const System system = cart_pole_system();
   State state = nominal_state(system.model, system.scene);
   state.q = {cln::cl_R("1/2"), cln::cl_R("-1/3")};
-  CHECK(describe(system.subject(), state) ==
+  CHECK(describe_state(system.subject(), state) ==
         "q = (0.5, -0.333333), v = (0, 0), a = (0, 0), u = (0)");
   state.parameters[0] = 1000;
-  CHECK(describe(system.subject(), state) ==
+  CHECK(describe_state(system.subject(), state) ==
         "q = (0.5, -0.333333), v = (0, 0), a = (0, 0), u = (0), M = 1000");
 }
 
 TEST_CASE("long states are abbreviated") {
   System system;
   system.model = chain(9).model;
-  CHECK(describe(system.subject(), nominal_state(system.model, {})) ==
+  CHECK(describe_state(system.subject(), nominal_state(system.model, {})) ==
         "q = (0, 0, 0, 0, 0, 0, 0, 0, …), v = (0, 0, 0, 0, 0, 0, 0, 0, …), "
         "a = (0, 0, 0, 0, 0, 0, 0, 0, …)");
 }
 
 TEST_CASE("numbers beyond double are printed too") {
-  CHECK(short_text(cln::cl_R("0")) == "0");
-  CHECK(short_text(cln::cl_R("22/7")) == "3.14286");
-  CHECK(mentions(short_text(cln::expt(cln::cl_RA(10), 400) * 3 / 2), "e400"));
+  CHECK(short_number_text(cln::cl_R("0")) == "0");
+  CHECK(short_number_text(cln::cl_R("22/7")) == "3.14286");
+  CHECK(mentions(short_number_text(cln::expt(cln::cl_RA(10), 400) * 3 / 2), "e400"));
   // As a fraction this has 10^12 digits.
   const cln::cl_R absurd = cln::scale_float(cln::cl_float(1, cln::float_format(60)), 1L << 42);
-  CHECK(short_text(absurd) == "4.21e1323943922167");
+  CHECK(short_number_text(absurd) == "4.21e1323943922167");
 }
 
 TEST_CASE("functions are found by kind") {
@@ -97,8 +97,8 @@ TEST_CASE("functions are found by kind") {
 }
 
 TEST_CASE("values exist only if all entries are defined") {
-  CHECK(defined_values({Real(1), Real(2)})->size() == 2);
-  CHECK(defined_values({Real(1), Real::undefined()}) == std::nullopt);
+  CHECK(to_oracle_values({Real(1), Real(2)})->size() == 2);
+  CHECK(to_oracle_values({Real(1), Real::undefined()}) == std::nullopt);
 }
 
 TEST_CASE("m (x - y): each input contributes, despite cancellation") {

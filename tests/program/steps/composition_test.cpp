@@ -29,19 +29,19 @@ TEST_CASE("a call copies the instructions of its entries, with its leaves replac
   program.leaves.h = "h";
   Function function;
   Composition compose(program, function);
-  const std::uint32_t h = compose.leaf(Opcode::step);
-  const Places q = compose.leaves(Opcode::coordinate, 1);
-  const Places v = compose.leaves(Opcode::velocity, 1);
-  const Places add_scaled = compose.add_scaled(q, h, v);
-  compose.name(add_scaled, Opcode::coordinate, 2);
-  compose.name(q, Opcode::coordinate, 1);  // no effect: a leaf keeps its own name
-  Places entries = compose.call(from, from.functions[0], from.functions[0].fields[0],
-                                {.q = add_scaled, .v = v, .number = 2});
+  const std::uint32_t h = compose.add_leaf(Opcode::step);
+  const InstructionIndices q = compose.add_leaves(Opcode::coordinate, 1);
+  const InstructionIndices v = compose.add_leaves(Opcode::velocity, 1);
+  const InstructionIndices add_scaled = compose.add_scaled(q, h, v);
+  compose.set_name(add_scaled, Opcode::coordinate, 2);
+  compose.set_name(q, Opcode::coordinate, 1);  // no effect: a leaf keeps its own name
+  InstructionIndices entries = compose.inline_call(
+      from, from.functions[0], from.functions[0].fields[0], {.q = add_scaled, .v = v, .number = 2});
   function.kind = OutputKind::bias;
   function.name = "bias";
   function.fields = {{"", 2, 1, std::move(entries)}};
   program.functions.push_back(std::move(function));
-  CHECK(check_invariants(program).empty());
+  CHECK(find_invariant_violation(program).empty());
   CHECK(dump(program) == R"(parameters k
 coordinates q
 inputs u
@@ -65,11 +65,12 @@ TEST_CASE("two calls at the same point are shared") {
   Program program{from.leaves};
   Function function;
   Composition compose(program, function);
-  const Places q = compose.leaves(Opcode::coordinate, 1);
-  const Places once = compose.call(from, from.functions[0], from.functions[0].fields[0], {.q = q});
+  const InstructionIndices q = compose.add_leaves(Opcode::coordinate, 1);
+  const InstructionIndices once =
+      compose.inline_call(from, from.functions[0], from.functions[0].fields[0], {.q = q});
   const std::size_t size = function.instructions.size();
-  CHECK(compose.call(from, from.functions[0], from.functions[0].fields[0], {.q = q, .number = 2}) ==
-        once);
+  CHECK(compose.inline_call(from, from.functions[0], from.functions[0].fields[0],
+                            {.q = q, .number = 2}) == once);
   CHECK(function.instructions.size() == size);
 }
 
@@ -92,12 +93,13 @@ function momentum
   Program program{from.leaves};
   Function function{.kind = OutputKind::momentum, .name = "momentum"};
   Composition compose(program, function);
-  const std::uint32_t zero = compose.number(0);
-  const CallPoint at_rest{.q = compose.leaves(Opcode::coordinate, 1), .v = {zero}};
-  Places entries = compose.call(from, from.functions[0], from.functions[0].fields[0], at_rest);
-  entries.push_back(compose.add(Opcode::multiply, compose.number(1), entries[0]));
+  const std::uint32_t zero = compose.add_number(0);
+  const CallPoint at_rest{.q = compose.add_leaves(Opcode::coordinate, 1), .v = {zero}};
+  InstructionIndices entries =
+      compose.inline_call(from, from.functions[0], from.functions[0].fields[0], at_rest);
+  entries.push_back(compose.add(Opcode::multiply, compose.add_number(1), entries[0]));
   function.fields = {{"", 4, 1, std::move(entries)}};
-  program.functions.push_back(pruned(function));
+  program.functions.push_back(eliminate_dead_code(function));
   CHECK(dump(program) == R"(parameters k m
 coordinates q
 function momentum

@@ -60,7 +60,7 @@ TEST_CASE("a projected step is the step followed by `projected`, bit by bit") {
     const OracleValues slow = oracle_values(
         whole.model(), {.kind = OutputKind::step, .step = whole.function().step}, state);
     REQUIRE(slow);
-    const std::vector<cln::cl_R> exact_values = *defined_values(whole.values<Real>(state));
+    const std::vector<cln::cl_R> exact_values = *to_oracle_values(whole.values<Real>(state));
     REQUIRE(slow->size() == exact_values.size());
     for (std::size_t i = 0; i < slow->size(); ++i) CHECK(agree((*slow)[i], exact_values[i], 40));
   }

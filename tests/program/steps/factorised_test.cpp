@@ -25,13 +25,14 @@ class LinearSolution {
     Function function{.kind = OutputKind::bias, .name = "bias"};
     program_.leaves.parameters.resize(numbers_.size(), "m");
     Composition compose(program_, function);
-    Places all;
+    InstructionIndices all;
     for (std::uint32_t i = 0; i < numbers_.size(); ++i) {
-      all.push_back(numbers_[i] == 0 ? compose.number(0) : compose.leaf(Opcode::parameter, i));
+      all.push_back(numbers_[i] == 0 ? compose.add_number(0)
+                                     : compose.add_leaf(Opcode::parameter, i));
     }
     const auto middle = all.begin() + static_cast<std::ptrdiff_t>(n * n);
     const MassFactorisation mass(compose, elimination_order(model), {all.begin(), middle});
-    Places x = mass.solve({middle, all.end()});
+    InstructionIndices x = mass.solve({middle, all.end()});
     function.fields = {{"", static_cast<std::uint32_t>(n), 1, std::move(x)}};
     program_.functions.push_back(std::move(function));
   }
@@ -97,24 +98,25 @@ struct Columns {
     Function function{.kind = OutputKind::bias, .name = "bias"};
     Composition compose(program, function);
     const auto place = [&](int number) {
-      return number == 0 ? compose.number(0)
-                         : compose.leaf(Opcode::parameter, static_cast<std::uint32_t>(number + 2));
+      return number == 0
+                 ? compose.add_number(0)
+                 : compose.add_leaf(Opcode::parameter, static_cast<std::uint32_t>(number + 2));
     };
-    Places mass;
+    InstructionIndices mass;
     for (const int entry : {4, coupling, coupling, coupling, 5, coupling, coupling, coupling, 6})
       mass.push_back(place(entry));
-    std::vector<Places> right;
+    std::vector<InstructionIndices> right;
     for (const std::vector<int>& column : columns) {
-      Places& places = right.emplace_back();
+      InstructionIndices& places = right.emplace_back();
       for (const int entry : column) places.push_back(place(entry));
     }
     const MassFactorisation factors(compose, {2, 1, 0}, mass);
-    Places entries;
-    for (const Places& x : factors.solve_columns(right)) {
+    InstructionIndices entries;
+    for (const InstructionIndices& x : factors.solve_columns(right)) {
       entries.insert(entries.end(), x.begin(), x.end());
     }
     function.fields = {{"", static_cast<std::uint32_t>(columns.size()), 3, std::move(entries)}};
-    program.functions.push_back(pruned(function));
+    program.functions.push_back(eliminate_dead_code(function));
   }
 
   [[nodiscard]] std::uint32_t repetitions() const { return program.functions[0].repeated.count; }
@@ -137,7 +139,7 @@ TEST_CASE("many columns become repetitions, even if some have zeros") {
   right.insert(right.begin() + 4, {0, 0, 0});
   const Columns many(right, 1);
   CHECK(many.repetitions() == 20);
-  CHECK(check_invariants(many.program) == "");
+  CHECK(find_invariant_violation(many.program) == "");
   Arguments<double> at;
   at.parameters = many.numbers;
   const std::vector<double> x = evaluate(many.program, many.program.functions[0], at);

@@ -97,7 +97,7 @@ TEST_CASE("time advances if the model depends on it") {
     const StepContext step(checked, request, program, compose);
     CHECK(step.iterations == 3);
     const std::size_t size = function.instructions.size();
-    const std::uint32_t later = step.time_after(step.half);
+    const std::uint32_t later = step.time_after(step.half_step);
     CHECK(function.instructions.size() == size + (moves ? 1 : 0));
     if (moves) CHECK(function.instructions[later].opcode == Opcode::add);
   }

@@ -59,7 +59,7 @@ class StepProgram {
     const cln::cl_R whole = state.h;
     state.h = whole / count;
     for (int i = 0; i < count; ++i) {
-      const std::vector<cln::cl_R> next = *defined_values(values<Real>(state));
+      const std::vector<cln::cl_R> next = *to_oracle_values(values<Real>(state));
       const auto middle = next.begin() + static_cast<std::ptrdiff_t>(state.q.size());
       state.q.assign(next.begin(), middle);
       state.v.assign(middle, middle + static_cast<std::ptrdiff_t>(state.v.size()));
@@ -83,7 +83,7 @@ inline State generic_state(const StepProgram& step) {
   for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] = 1 - part * (3 * i);
   for (std::size_t i = 0; i < state.u.size(); ++i) state.u[i] = part * (5 + i);
   state.t = part * 2;
-  make_unit_quaternions(step.model(), state);
+  set_rational_quaternions(step.model(), state);
   return state;
 }
 

@@ -44,7 +44,7 @@ class CompiledSystem {
   }
 
   [[nodiscard]] Result<Trajectory> run(const SimulationOptions& options) const {
-    const std::optional<StepSpec> step = step_of_run(options);
+    const std::optional<StepSpec> step = step_for_run(options);
     if (!step) return simulate(checked(), program(), &functions(), options);
     const Products products = derived(step);
     if (!products.program) return products.diagnostics;
@@ -62,7 +62,7 @@ class CompiledSystem {
     PipelineOptions options;
     options.scene = given_;
     const Model model = checked_model(text_, given_).model;
-    options.scene.outputs = {make_source("outputs", outputs_of_run(model))};
+    options.scene.outputs = {make_source("outputs", outputs_for_run(model))};
     options.scene.step = step;
     options.goals = {Goal::emit};
     return run_pipeline({make_source("test.toml", text_), nullptr}, options);
@@ -76,7 +76,7 @@ class CompiledSystem {
 
 /// Options for a method with constant steps.
 inline SimulationOptions steps_of(const std::string& method, double step, double time) {
-  return {.method = method, .time = time, .step = step};
+  return {.method = method, .duration = time, .step = step};
 }
 
 /// The period 2 pi/agm(1, cos(1/2)) of q'' = -sin(q) from rest at 1 rad.

@@ -61,7 +61,7 @@ const std::string free_in_plane = "[energy]\nT = \"1/2*m*(dot(x)^2 + dot(y)^2)\"
 }  // namespace
 
 TEST_CASE("a pendulum in x and y agrees after 10 s with a pendulum in its angle") {
-  const SimulationOptions options{.time = 10, .tolerance = 1e-12};
+  const SimulationOptions options{.duration = 10, .tolerance = 1e-12};
   const Trajectory rod = CompiledSystem(bob_on_rod).trajectory(options);
   const Trajectory angle = CompiledSystem(bob_by_angle).trajectory(options);
   CHECK(std::abs(rod.last[1] - 1.3 * std::sin(angle.last[1])) < 1e-8);
@@ -78,7 +78,7 @@ TEST_CASE("rows contain the multiplier of each constraint, after the inputs") {
   const CompiledSystem system(bob_on_rod + "[[input]]\nname = \"u\"\non = \"x\"\n",
                               start_options("", "u=8*t"));
   SimulationOptions options = steps_of("rk4", 0.01, 1);
-  options.every = options.hold = 0.25;
+  options.row_interval = options.input_hold_time = 0.25;
   const Trajectory run = evaluated(system, options);
   REQUIRE(run.columns.size() == 8);
   CHECK(run.columns[6].name == "lambda_rod");
@@ -98,13 +98,13 @@ TEST_CASE("rows contain the multiplier of each constraint, after the inputs") {
 TEST_CASE("a run stays on its constraints only with a projection after every step") {
   const CompiledSystem system(bob_on_rod);
   for (SimulationOptions options : {steps_of("rk4", 0.02, 10), steps_of("dopri5", 0.05, 10),
-                                    SimulationOptions{.time = 10, .tolerance = 1e-7}}) {
+                                    SimulationOptions{.duration = 10, .tolerance = 1e-7}}) {
     INFO(options.method);
-    const ConstraintOffset kept = evaluated(system, options).constraints->largest;
+    const ConstraintViolation kept = evaluated(system, options).constraints->largest;
     CHECK(kept.position <= 1e-12);
     CHECK(kept.rate <= 1e-12);
-    options.project = false;
-    const ConstraintOffset left = evaluated(system, options).constraints->largest;
+    options.projects = false;
+    const ConstraintViolation left = evaluated(system, options).constraints->largest;
     CHECK(left.position > 1e-10);
     CHECK(left.rate > 1e-10);
   }
@@ -118,11 +118,11 @@ TEST_CASE("a start off the constraints is moved onto them, and the report states
   // Positions change along the rod; the rate along the rod becomes zero.
   const double stretch = 1.3 / std::sqrt(1.8);
   CHECK(start[0].name == "x");
-  CHECK(start[0].by == Approx(0.6 * (stretch - 1)));
-  CHECK(start[1].by == Approx(-1.2 * (stretch - 1)));
+  CHECK(start[0].change == Approx(0.6 * (stretch - 1)));
+  CHECK(start[1].change == Approx(-1.2 * (stretch - 1)));
   CHECK(start[2].name == "dot(x)");
-  CHECK(start[2].by == Approx(-0.08));
-  CHECK(start[3].by == Approx(0.16));
+  CHECK(start[2].change == Approx(-0.08));
+  CHECK(start[3].change == Approx(0.16));
   CHECK(mentions(
       to_text(run),
       "\n  start projected onto the constraints: x by -1.862e-02, y by +3.724e-02, dot(x) by "
@@ -132,7 +132,7 @@ TEST_CASE("a start off the constraints is moved onto them, and the report states
 
 TEST_CASE("stated values are fixed, and the others are solved for") {
   const CompiledSystem system(bob_on_rod, start_options("x=0.6, dot(y)=0.5"));
-  const Numbers start = stated_start(assemble_model(system.checked(), 0)->model);
+  const Numbers start = stated_start(assemble_start(system.checked(), 0)->model);
   CHECK(start[0] == 0.6);
   CHECK(std::abs(start[1] + std::sqrt(1.69 - 0.36)) < 1e-15);
   CHECK(std::abs(start[2] - 0.5 * std::sqrt(1.69 - 0.36) / 0.6) < 1e-15);
@@ -142,7 +142,7 @@ TEST_CASE("stated values are fixed, and the others are solved for") {
 TEST_CASE("joints of parallel robots are found from their platform or their motors") {
   const CompiledSystem platform(read_text(ELGEN_SOURCE_DIR "/tests/run/simulate/rrr.toml"),
                                 start_options("x=0.05, y=0.02, phi=0.1, dot(x)=0.3"));
-  const Trajectory run = evaluated(platform, {.time = 1e-6, .every = 1e-6});
+  const Trajectory run = evaluated(platform, {.duration = 1e-6, .row_interval = 1e-6});
   const std::vector<double>& start = run.rows.front();
   CHECK(start[1] == 0.05);
   CHECK(start[2] == 0.02);
@@ -160,7 +160,7 @@ TEST_CASE("joints of parallel robots are found from their platform or their moto
   }
   const CompiledSystem motors(model_file("five_bar"),
                               start_options("a1=2.2, a2=1, dot(a1)=1, dot(a2)=-2"));
-  const Trajectory bars = evaluated(motors, {.time = 1e-6, .every = 1e-6});
+  const Trajectory bars = evaluated(motors, {.duration = 1e-6, .row_interval = 1e-6});
   CHECK(bars.rows.front()[1] == 2.2);
   CHECK(bars.rows.front()[3] == 1);
   CHECK(bars.rows.front()[5] == 1);
@@ -189,13 +189,13 @@ kind = "velocity"
 equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
 )toml");
   const CompiledSystem named(disc, start_options("dot(roll)=6, dot(head)=0.3"));
-  const Numbers start = stated_start(assemble_model(named.checked(), 0)->model);
+  const Numbers start = stated_start(assemble_start(named.checked(), 0)->model);
   CHECK(start[4] == Approx(2.4 * std::cos(0.2)).epsilon(1e-14));
   CHECK(start[5] == Approx(2.4 * std::sin(0.2)).epsilon(1e-14));
   CHECK(start[6] == 6);
   CHECK(start[7] == 0.3);
   const CompiledSystem torn(disc, start_options("dot(roll)=6, dot(x)=1"));
-  const Result<CheckedModel> refused = assemble_model(torn.checked(), 0);
+  const Result<CheckedModel> refused = assemble_start(torn.checked(), 0);
   REQUIRE_FALSE(refused);
   CHECK(
       refused.diagnostics.front().message ==
@@ -206,13 +206,13 @@ equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
 TEST_CASE("a printed state is accepted despite its rounded digits") {
   const CompiledSystem system(
       bob_on_rod, start_options("x=0.6, y=-1.1532562595, dot(x)=0.96104688289, dot(y)=0.5"));
-  const Result<CheckedModel> assembled = assemble_model(system.checked(), 0);
+  const Result<CheckedModel> assembled = assemble_start(system.checked(), 0);
   REQUIRE(assembled);
   const Numbers start = stated_start(assembled->model);
   CHECK(std::abs(std::hypot(start[0], start[1]) - 1.3) < 1e-15);
   CHECK(std::abs(start[0] - 0.6) < 1e-9);
   const CompiledSystem rounded(bob_on_rod, start_options("x=0.6, y=-1.153"));
-  CHECK_FALSE(assemble_model(rounded.checked(), 0));
+  CHECK_FALSE(assemble_start(rounded.checked(), 0));
 }
 
 TEST_CASE("the work of a rod of variable length is subtracted from the energy") {
@@ -223,10 +223,10 @@ V = "20*m*y"
 name = "rod"
 equation = "x^2 + y^2 = (1 + sin(3*t)/5)^2"
 )toml"));
-  const Trajectory run = evaluated(system, {.time = 3, .tolerance = 1e-11, .every = 3});
+  const Trajectory run = evaluated(system, {.duration = 3, .tolerance = 1e-11, .row_interval = 3});
   REQUIRE(run.constraints->start.size() == 1);
   CHECK(run.constraints->start[0].name == "dot(x)");
-  CHECK(run.constraints->start[0].by == Approx(0.6));
+  CHECK(run.constraints->start[0].change == Approx(0.6));
   // Reference values: an independent Runge-Kutta method of order 4 with 20000 steps.
   CHECK(run.last[1] == Approx(0.3874429055).margin(1e-7));
   CHECK(run.last[2] == Approx(-1.0107072053).margin(1e-7));
@@ -244,7 +244,7 @@ name = "belt"
 kind = "velocity"
 equation = "dot(x) = 2"
 )toml"));
-  const Trajectory run = evaluated(system, {.time = 2, .tolerance = 1e-11});
+  const Trajectory run = evaluated(system, {.duration = 2, .tolerance = 1e-11});
   CHECK(run.last[1] == Approx(5));
   CHECK(run.energy.name == "E - E0 - work");
   CHECK(run.energy.worst < 1e-8);
@@ -255,10 +255,10 @@ TEST_CASE("a start is assembled at the start time") {
 name = "belt"
 equation = "x = 3*t"
 )toml"));
-  const Trajectory run = evaluated(system, {.from = 2, .time = 1});
+  const Trajectory run = evaluated(system, {.from = 2, .duration = 1});
   REQUIRE(run.constraints->start.size() == 2);
-  CHECK(run.constraints->start[0].by == Approx(6));
-  CHECK(run.constraints->start[1].by == Approx(3));
+  CHECK(run.constraints->start[0].change == Approx(6));
+  CHECK(run.constraints->start[1].change == Approx(3));
   CHECK(run.last[1] == Approx(9));
 }
 
@@ -273,7 +273,7 @@ name = "bore"
 equation = "x^2 + y^2 = 1"
 )toml"),
                               start_options("dot(y)=1"));
-  const Trajectory run = evaluated(system, {.time = 3});
+  const Trajectory run = evaluated(system, {.duration = 3});
   REQUIRE(run.momenta.size() == 1);
   CHECK(run.momenta.front().name == "z");
   CHECK(run.momenta.front().worst < 1e-12);
@@ -308,7 +308,7 @@ name = "grip"
 kind = "velocity"
 equation = ["dot(x) = R*cos(head)*dot(roll)", "dot(y) = R*sin(head)*dot(roll)"]
 )toml"));
-  const Trajectory run = evaluated(system, {.time = 5, .tolerance = 1e-11});
+  const Trajectory run = evaluated(system, {.duration = 5, .tolerance = 1e-11});
   CHECK(std::abs(run.last[1] - 0.8 * std::sin(3.75)) < 1e-8);
   CHECK(std::abs(run.last[2] - 0.8 * (1 - std::cos(3.75))) < 1e-8);
   CHECK(run.energy.name == "E - E0");
@@ -346,7 +346,7 @@ equation = "z(P) = 0"
 )toml"));
   for (const bool projects : {true, false}) {
     const Trajectory run =
-        evaluated(system, {.method = "rk4", .time = 10, .step = 0.02, .project = projects});
+        evaluated(system, {.method = "rk4", .duration = 10, .step = 0.02, .projects = projects});
     double square = 0;
     for (std::size_t i = 1; i <= 4; ++i) square += run.last[i] * run.last[i];
     CHECK(std::abs(square - 1) < 2e-15);
@@ -357,8 +357,8 @@ equation = "z(P) = 0"
 TEST_CASE("a reference run meets the constraints in long double") {
   const CompiledSystem rod(bob_on_rod);
   const CompiledSystem angle(bob_by_angle);
-  const Result<ReferenceRun> in_plane = reference_run(rod.checked(), rod.program(), 3);
-  const Result<ReferenceRun> by_angle = reference_run(angle.checked(), angle.program(), 3);
+  const Result<ReferenceRun> in_plane = run_reference(rod.checked(), rod.program(), 3);
+  const Result<ReferenceRun> by_angle = run_reference(angle.checked(), angle.program(), 3);
   REQUIRE(in_plane);
   REQUIRE(by_angle);
   CHECK(std::abs(in_plane->last[0] - 1.3 * std::sin(by_angle->last[0])) < 1e-13);
@@ -369,7 +369,7 @@ TEST_CASE("E538: no pose near the start meets the constraints") {
   const CheckedModel checked = checked_model(
       plane("{ value = 1 }",
             free_in_plane + "[[constraint]]\nname = \"rod\"\nequation = \"x^2 + y^2 = -1\"\n"));
-  const Result<CheckedModel> assembled = assemble_model(checked, 0);
+  const Result<CheckedModel> assembled = assemble_start(checked, 0);
   REQUIRE_FALSE(assembled);
   CHECK(assembled.diagnostics.front().code == Code::E538);
 }

@@ -118,7 +118,7 @@ TEST_CASE("a changed entry of `conserved` is reported, but the run does not fail
 
 TEST_CASE("runs with adaptive steps are judged by their tolerance") {
   const CompiledSystem system(orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n"));
-  const auto run = system.run({.time = 5});
+  const auto run = system.run({.duration = 5});
   CHECK(loss_message(run).empty());
   CHECK_FALSE(run->loses_energy);
 }

@@ -100,9 +100,9 @@ struct Rest {
 /// The first time at which the only rate is 0, and the position there.
 Rest rest_of(const std::string& text) {
   const CompiledSystem compiled(text);
-  System system(compiled.checked(), compiled.program(), nullptr);
-  const auto stepper = make_dopri5(system, {.tolerance = 1e-11, .shortest = 2e-12});
-  Numbers state = system.start();
+  SimulatedSystem system(compiled.checked(), compiled.program(), nullptr);
+  const auto stepper = make_dopri5(system, {.tolerance = 1e-11, .shortest_step = 2e-12});
+  Numbers state = system.start_state();
   stepper->set_interval(0, 2);
   double t = 0;
   while (t < 2 && state[1] != 0) {
@@ -124,10 +124,10 @@ TEST_CASE("two-sided Coulomb friction stops a joint and holds it") {
   CHECK(rest.q == Approx(q).margin(1e-8));
   CHECK(rest.t == Approx(0.25222).margin(1e-5));
   CHECK(rest.q == Approx(0.25191).margin(1e-5));
-  const std::vector<double> last = end_of(coulomb, {.time = 2});
+  const std::vector<double> last = end_of(coulomb, {.duration = 2});
   CHECK(last[1] == Approx(q).margin(1e-8));
   CHECK(last[2] == 0);
-  const std::vector<double> back = end_of(coulomb, {.time = 2}, start_options("dot(q)=-2"));
+  const std::vector<double> back = end_of(coulomb, {.duration = 2}, start_options("dot(q)=-2"));
   CHECK(back[1] > -0.2519);
   CHECK(back[2] == 0);
 }
@@ -136,21 +136,22 @@ TEST_CASE("Stribeck friction stops a joint") {
   const Rest rest = rest_of(stribeck);
   CHECK(rest.t == Approx(0.30614303618).margin(1e-8));
   CHECK(rest.q == Approx(0.30596137282).margin(1e-8));
-  CHECK(end_of(stribeck, {.time = 2})[2] == 0);
+  CHECK(end_of(stribeck, {.duration = 2})[2] == 0);
 }
 
 TEST_CASE("an input law overcomes friction as soon as it exceeds the friction") {
   // At rest until t = 1/2, then x'' = t - 1/2.
-  const std::vector<double> last = end_of(block, {.time = 2}, start_options("", "u=t"));
+  const std::vector<double> last = end_of(block, {.duration = 2}, start_options("", "u=t"));
   CHECK(last[1] == Approx(std::pow(1.5, 3) / 6).margin(1e-8));
   CHECK(last[2] == Approx(1.5 * 1.5 / 2).margin(1e-8));
-  CHECK(end_of(block, {.time = 2}, start_options("", "u=-t"))[1] == Approx(-last[1]));
-  const std::vector<double> rest = end_of(block, {.time = 9}, start_options("", "u=0.49*sin(t)"));
+  CHECK(end_of(block, {.duration = 2}, start_options("", "u=-t"))[1] == Approx(-last[1]));
+  const std::vector<double> rest =
+      end_of(block, {.duration = 9}, start_options("", "u=0.49*sin(t)"));
   CHECK(rest[1] == 0);
   CHECK(rest[2] == 0);
   // Sampled inputs (`hold`) overcome the friction at a sampling time.
   const std::vector<double> held =
-      end_of(block, {.time = 2, .hold = 0.8}, start_options("", "u=t"));
+      end_of(block, {.duration = 2, .input_hold_time = 0.8}, start_options("", "u=t"));
   CHECK(held[2] == Approx(0.8 * 0.3 + 0.4 * 1.1).margin(1e-8));
 }
 
@@ -166,10 +167,10 @@ value = "-2*sign(dot(x) - 1)"
 name = "u"
 on = "x"
 )toml");
-  CHECK(end_of(belt, {.time = 1})[1] == Approx(0.75).margin(1e-8));
-  CHECK(end_of(belt, {.time = 1})[2] == 1);
+  CHECK(end_of(belt, {.duration = 1})[1] == Approx(0.75).margin(1e-8));
+  CHECK(end_of(belt, {.duration = 1})[2] == 1);
   const std::vector<double> last =
-      end_of(block, {.time = 2}, start_options("dot(x)=1", "u=-3/2*sign(dot(x))"));
+      end_of(block, {.duration = 2}, start_options("dot(x)=1", "u=-3/2*sign(dot(x))"));
   CHECK(last[1] == Approx(0.25).margin(1e-8));
   CHECK(last[2] == 0);
 }
@@ -177,7 +178,7 @@ on = "x"
 TEST_CASE("two joints coupled by M stick one after the other, then together, and break away") {
   // a sticks at t = 0.4467, both stick at 0.5238; a breaks away at 2.7499, b at 2.9255.
   const auto at = [](double time) {
-    return end_of(arm, {.time = time, .tolerance = 1e-11}, start_options("", "u=3*sin(t)"));
+    return end_of(arm, {.duration = time, .tolerance = 1e-11}, start_options("", "u=3*sin(t)"));
   };
   const std::vector<double> both = at(2);
   CHECK(both[1] == Approx(0.536318450805).margin(1e-8));
@@ -207,7 +208,7 @@ value = "-sign(dot(a))"
 on = "b"
 value = "-sign(dot(b))"
 )toml"),
-                                          {.time = 5});
+                                          {.duration = 5});
   CHECK(last[1] == Approx(1.5).margin(1e-8));
   CHECK(last[2] == Approx(1.5).margin(1e-8));
   CHECK(last[3] == 0);
@@ -230,7 +231,7 @@ equation = "x = y"
 on = "x"
 value = "-sign(dot(x))"
 )toml"),
-                                          {.time = 4});
+                                          {.duration = 4});
   CHECK(last[1] == Approx(1).margin(1e-8));
   CHECK(last[2] == Approx(1).margin(1e-8));
   CHECK(last[3] == 0);
@@ -249,7 +250,7 @@ value = "1000*max(0, -x)"
 )toml");
   // Half a period of the spring.
   const double back = 1 + M_PI / std::sqrt(1000.0);
-  CHECK(end_of(wall, {.time = 3})[1] == Approx(3 - back).margin(1e-7));
+  CHECK(end_of(wall, {.duration = 3})[1] == Approx(3 - back).margin(1e-7));
   const std::string jump = model_text("jump", R"toml([[coordinate]]
 name = "x"
 start = { value = 1, rate = 0 }
@@ -260,15 +261,15 @@ on = "x"
 value = "-sign(x)"
 )toml");
   // The period is 4 sqrt(2).
-  const std::vector<double> last = end_of(jump, {.time = 8 * std::sqrt(2)});
+  const std::vector<double> last = end_of(jump, {.duration = 8 * std::sqrt(2)});
   CHECK(last[1] == Approx(1).margin(1e-7));
   CHECK(last[2] == Approx(0).margin(1e-7));
 }
 
 TEST_CASE("kinks are crossed at t = 1e7, where adjacent doubles are 2e-9 apart") {
   const SceneOptions given = start_options("x=0.47", "u=-30*x");
-  const double right = end_of(block, {.time = 3}, given)[1];
-  const Result<Trajectory> far = run(block, {.from = 1e7, .time = 3}, given);
+  const double right = end_of(block, {.duration = 3}, given)[1];
+  const Result<Trajectory> far = run(block, {.from = 1e7, .duration = 3}, given);
   INFO(format(far.diagnostics));
   REQUIRE(far);
   CHECK(far->last[1] == Approx(right).margin(1e-6));
@@ -287,7 +288,7 @@ name = "u"
 on = "x"
 )toml");
   const auto slides = [](const std::string& text, const std::string& law, const std::string& kink) {
-    const Result<Trajectory> ended = run(text, {.time = 2}, start_options("", "u=" + law));
+    const Result<Trajectory> ended = run(text, {.duration = 2}, start_options("", "u=" + law));
     REQUIRE_FALSE(ended);
     const Diagnostic& end = ended.diagnostics.front();
     CHECK(end.code == Code::E624);
@@ -308,5 +309,5 @@ TEST_CASE("constant steps creep through friction and report their energy loss") 
   REQUIRE(creeps);
   REQUIRE(creeps.diagnostics.size() == 1);
   CHECK(creeps.diagnostics.front().code == Code::E648);
-  CHECK(run(coulomb, {.time = 2})->steps < 300);
+  CHECK(run(coulomb, {.duration = 2})->steps < 300);
 }

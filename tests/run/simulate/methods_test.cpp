@@ -87,34 +87,36 @@ TEST_CASE("compositions have the requested order") {
 }
 
 TEST_CASE("runs of verlet and midpoint use the output `step`") {
-  CHECK(step_of_run({.method = "verlet"}) == default_step(StepMethod::verlet));
-  CHECK(step_of_run({.method = "verlet", .order = 2}) == default_step(StepMethod::verlet));
-  CHECK(step_of_run({.method = "midpoint", .order = 8}) == default_step(StepMethod::midpoint, 8));
-  for (const char* name : {"rk4", "dopri5", "rk5"}) CHECK_FALSE(step_of_run({.method = name}));
+  CHECK(step_for_run({.method = "verlet"}) == default_step(StepMethod::verlet));
+  CHECK(step_for_run({.method = "verlet", .order = 2}) == default_step(StepMethod::verlet));
+  CHECK(step_for_run({.method = "midpoint", .order = 8}) == default_step(StepMethod::midpoint, 8));
+  for (const char* name : {"rk4", "dopri5", "rk5"}) CHECK_FALSE(step_for_run({.method = name}));
 }
 
 TEST_CASE(
     "times, steps and tolerances must be positive, and only one of step and tolerance is given") {
-  CHECK(rule_of({.time = 1}).empty());
-  CHECK(step_rule(*find_method({}), {.time = 1})->tolerance == 1e-9);
-  CHECK(rule_of({.time = -1}) == "E621 `--time -1` is not a positive number");
-  CHECK(rule_of({.from = 1.0 / 0.0, .time = 1}) == "E621 `--from inf` is not a number");
-  CHECK(rule_of({.time = 1, .step = 0}) == "E621 `--step 0` is not a positive number");
-  CHECK(rule_of({.time = 1, .tolerance = 0}) == "E621 `--tolerance 0` is not a positive number");
-  CHECK(rule_of({.time = 1, .hold = -2}) == "E621 `--hold -2` is not a positive number");
-  CHECK(rule_of({.time = 1, .step = 0.1, .tolerance = 0.1}) ==
+  CHECK(rule_of({.duration = 1}).empty());
+  CHECK(step_rule(*find_method({}), {.duration = 1})->tolerance == 1e-9);
+  CHECK(rule_of({.duration = -1}) == "E621 `--time -1` is not a positive number");
+  CHECK(rule_of({.from = 1.0 / 0.0, .duration = 1}) == "E621 `--from inf` is not a number");
+  CHECK(rule_of({.duration = 1, .step = 0}) == "E621 `--step 0` is not a positive number");
+  CHECK(rule_of({.duration = 1, .tolerance = 0}) ==
+        "E621 `--tolerance 0` is not a positive number");
+  CHECK(rule_of({.duration = 1, .input_hold_time = -2}) ==
+        "E621 `--hold -2` is not a positive number");
+  CHECK(rule_of({.duration = 1, .step = 0.1, .tolerance = 0.1}) ==
         "E621 give `--step` or `--tolerance`, not both");
-  CHECK(rule_of({.time = 1, .every = 2}) ==
+  CHECK(rule_of({.duration = 1, .row_interval = 2}) ==
         "E621 `--every 2` is longer than the whole run, `--time 1`");
-  CHECK(rule_of({.method = "rk4", .time = 1}) == "E621 `rk4` needs a step | give it `--step`");
-  CHECK(rule_of({.method = "rk4", .time = 1, .tolerance = 1e-3}) ==
+  CHECK(rule_of({.method = "rk4", .duration = 1}) == "E621 `rk4` needs a step | give it `--step`");
+  CHECK(rule_of({.method = "rk4", .duration = 1, .tolerance = 1e-3}) ==
         "E621 `rk4` does not choose its steps by a tolerance | give `--step`, or use `dopri5`");
 }
 
 TEST_CASE("a smaller tolerance gives a smaller error with more steps") {
   const CompiledSystem pendulum(read_model("free_pendulum"));
   const auto run = [&](double tolerance) {
-    return pendulum.trajectory({.time = pendulum_period, .tolerance = tolerance});
+    return pendulum.trajectory({.duration = pendulum_period, .tolerance = tolerance});
   };
   const auto error = [](const Trajectory& t) { return std::hypot(t.last[1] - 1, t.last[2]); };
   const Trajectory rough = run(1e-6);
@@ -143,10 +145,10 @@ start = { value = 1, rate = 0 }
 T = "1/2*dot(x)^2"
 V = "-1/x^2"
 )toml"));
-  const Result<Trajectory> run = compiled.run({.time = 2});
+  const Result<Trajectory> run = compiled.run({.duration = 2});
   REQUIRE_FALSE(run);
   CHECK(run.diagnostics.front().code == Code::E624);
-  const Result<ReferenceRun> reference = reference_run(compiled.checked(), compiled.program(), 2);
+  const Result<ReferenceRun> reference = run_reference(compiled.checked(), compiled.program(), 2);
   REQUIRE_FALSE(reference);
   CHECK(reference.diagnostics.front().code == Code::E624);
 }
@@ -168,7 +170,7 @@ frame = "F"
 inertia = ["2*J", "J", "3*J"]
 )toml"));
   for (const SimulationOptions& options :
-       {steps_of("rk4", 0.01, 20), SimulationOptions{.time = 20}}) {
+       {steps_of("rk4", 0.01, 20), SimulationOptions{.duration = 20}}) {
     const Trajectory run = compiled.trajectory(options);
     INFO(run.method);
     double square = 0;
@@ -176,7 +178,7 @@ inertia = ["2*J", "J", "3*J"]
     CHECK(std::abs(square - 1) < 1e-15);
     CHECK(run.energy.worst < 1e-7);
   }
-  const Result<ReferenceRun> reference = reference_run(compiled.checked(), compiled.program(), 20);
+  const Result<ReferenceRun> reference = run_reference(compiled.checked(), compiled.program(), 20);
   REQUIRE(reference);
   double square = 0;
   for (std::size_t i = 0; i < 4; ++i) square += reference->last[i] * reference->last[i];

@@ -52,7 +52,7 @@ Result<Trajectory> in_evaluator(const CompiledSystem& system, const SimulationOp
 
 /// The message for the last of these states; no earlier state has one.
 std::string message_of(const CompiledSystem& system, const std::vector<Numbers>& states) {
-  System evaluator(system.checked(), system.program(), nullptr);
+  SimulatedSystem evaluator(system.checked(), system.program(), nullptr);
   RankWatch ranks(evaluator, "go elsewhere");
   Diagnostics said;
   for (const Numbers& state : states) {
@@ -129,8 +129,8 @@ TEST_CASE("runs into a singular state stop for every tolerance and step") {
     CHECK(mentions(stop.hint, "`--through singular`"));
   };
   for (const double tolerance : {1e-3, 1e-6, 1e-7, 1e-9, 1e-12}) {
-    stops(bars, {.time = 0.3, .tolerance = tolerance}, "loop_x");
-    stops(with_guide, {.time = 1, .tolerance = tolerance}, "guide");
+    stops(bars, {.duration = 0.3, .tolerance = tolerance}, "loop_x");
+    stops(with_guide, {.duration = 1, .tolerance = tolerance}, "guide");
   }
   for (const double step : {1e-2, 1e-3}) {
     stops(bars, steps_of("rk4", step, 0.3), "loop_x");
@@ -140,7 +140,7 @@ TEST_CASE("runs into a singular state stop for every tolerance and step") {
 
 TEST_CASE("runs with constant steps pass a singular state on request") {
   SimulationOptions options = steps_of("rk4", 1e-4, 0.3);
-  options.through_singular = true;
+  options.continues_at_singularity = true;
   const Result<Trajectory> run = in_evaluator(CompiledSystem(model_file("five_bar")), options);
   REQUIRE(run);
   CHECK(run->last[1] == Approx(3.385315865).margin(1e-9));
@@ -149,11 +149,11 @@ TEST_CASE("runs with constant steps pass a singular state on request") {
 
 TEST_CASE("a reference run never passes a singular state") {
   const CompiledSystem bars(model_file("five_bar"));
-  const Result<ReferenceRun> through = reference_run(bars.checked(), bars.program(), 0.3);
+  const Result<ReferenceRun> through = run_reference(bars.checked(), bars.program(), 0.3);
   REQUIRE_FALSE(through);
   CHECK(through.diagnostics.front().code == Code::E624);
   CHECK(mentions(through.diagnostics.front().message, " of `loop_x` in A "));
-  CHECK(reference_run(bars.checked(), bars.program(), 0.2));
+  CHECK(run_reference(bars.checked(), bars.program(), 0.2));
 }
 
 TEST_CASE("if a step becomes too short, the small pivot is named") {
@@ -163,7 +163,7 @@ start = { value = 1, rate = -1 }
 [energy]
 T = "1/2*(1 + cos(x))*dot(x)^2"
 )toml"));
-  const Result<Trajectory> run = in_evaluator(system, {.time = 10});
+  const Result<Trajectory> run = in_evaluator(system, {.duration = 10});
   REQUIRE_FALSE(run);
   const std::string& message = run.diagnostics.front().message;
   CHECK(mentions(message, "a step that is too short after t = 3.37159, where x = -3.141"));
@@ -181,12 +181,12 @@ T = "1/2*dot(x)^2"
   const CompiledSystem hill(model_text("hill", start + "V = \"exp(-1e6*x^2)\"\n"));
   const CompiledSystem wall(model_text("wall", start + "V = \"exp(-5*x)\"\n"));
   for (const double tolerance : {1e-6, 1e-9, 1e-12}) {
-    const Result<Trajectory> lost = in_evaluator(hill, {.time = 2, .tolerance = tolerance});
+    const Result<Trajectory> lost = in_evaluator(hill, {.duration = 2, .tolerance = tolerance});
     REQUIRE(lost);
     REQUIRE(lost.diagnostics.size() == 1);
     CHECK(lost.diagnostics.front().code == Code::E648);
     CHECK(mentions(lost.diagnostics.front().message, "E - E0 is -1.0e+00 at t = 0.02, beyond "));
-    const Result<Trajectory> kept = in_evaluator(wall, {.time = 2, .tolerance = tolerance});
+    const Result<Trajectory> kept = in_evaluator(wall, {.duration = 2, .tolerance = tolerance});
     REQUIRE(kept);
     CHECK(kept.diagnostics.empty());
   }

@@ -29,15 +29,15 @@ T = "1/2*J*dot(turn)^2 + 1/2*m*dot(x)^2"
 
 TEST_CASE("rows contain wrapped angles, and momenta of cyclic coordinates") {
   const CompiledSystem compiled(wheel, start_options("dot(turn)=3"));
-  System system(compiled.checked(), compiled.program(), &compiled.functions());
-  const SimulationOptions options{.time = 1, .every = 1};
-  const TrajectorySample start{0, 0, true, system.start(), {}};
+  SimulatedSystem system(compiled.checked(), compiled.program(), &compiled.functions());
+  const SimulationOptions options{.duration = 1, .row_interval = 1};
+  const TrajectorySample start{0, 0, true, system.start_state(), {}};
   Recorder recorder(system, options, start);
-  CHECK(recorder.add(start).empty());
-  CHECK(recorder.add({0.5, 0.5, false, {4, 1, 3, 0, 0}, {}}).empty());
-  CHECK(recorder.add({1, 0.5, true, {-4, 1, 3.5, 0, 0}, {}}).empty());
+  CHECK(recorder.add_sample(start).empty());
+  CHECK(recorder.add_sample({0.5, 0.5, false, {4, 1, 3, 0, 0}, {}}).empty());
+  CHECK(recorder.add_sample({1, 0.5, true, {-4, 1, 3.5, 0, 0}, {}}).empty());
   Trajectory trajectory;
-  std::move(recorder).finish(trajectory);
+  std::move(recorder).move_results(trajectory);
   REQUIRE(trajectory.rows.size() == 2);
   CHECK(trajectory.rows[1][1] == Approx(2 * M_PI - 4));
   CHECK(trajectory.last == trajectory.rows[1]);
@@ -54,15 +54,15 @@ TEST_CASE("entries of `conserved` are recorded with their text and unit") {
           "[[expect]]\nconserved = [\"E\", \"p(turn)\", \"\"\"\n  x -\n  t*dot(x)\"\"\", "
           "\"dot(dot(x))\"]\n",
       start_options("dot(turn)=3"));
-  System system(compiled.checked(), compiled.program(), &compiled.functions());
-  const SimulationOptions options{.time = 1};
-  const TrajectorySample start{0, 0, false, system.start(), {}};
+  SimulatedSystem system(compiled.checked(), compiled.program(), &compiled.functions());
+  const SimulationOptions options{.duration = 1};
+  const TrajectorySample start{0, 0, false, system.start_state(), {}};
   Recorder recorder(system, options, start);
-  CHECK(recorder.add(start).empty());
-  CHECK(recorder.add({0.5, 0.5, false, {4, 1, 3.5, 0, 0}, {}}).empty());
-  CHECK(recorder.add({1, 0.5, false, {4, 1, 3, 2, 0}, {}}).empty());
+  CHECK(recorder.add_sample(start).empty());
+  CHECK(recorder.add_sample({0.5, 0.5, false, {4, 1, 3.5, 0, 0}, {}}).empty());
+  CHECK(recorder.add_sample({1, 0.5, false, {4, 1, 3, 2, 0}, {}}).empty());
   Trajectory trajectory;
-  std::move(recorder).finish(trajectory);
+  std::move(recorder).move_results(trajectory);
   REQUIRE(trajectory.conserved.size() == 4);
   CHECK(trajectory.conserved[0].unit == "J");
   CHECK(trajectory.conserved[0].start == 9);
@@ -79,12 +79,12 @@ TEST_CASE("entries of `conserved` are recorded with their text and unit") {
 
 TEST_CASE("a number that is not finite ends the run, with the last finite state") {
   const CompiledSystem compiled(wheel, start_options("dot(turn)=3"));
-  System system(compiled.checked(), compiled.program(), &compiled.functions());
-  const SimulationOptions options{.time = 1};
-  const TrajectorySample start{0, 0, false, system.start(), {}};
+  SimulatedSystem system(compiled.checked(), compiled.program(), &compiled.functions());
+  const SimulationOptions options{.duration = 1};
+  const TrajectorySample start{0, 0, false, system.start_state(), {}};
   Recorder recorder(system, options, start);
-  CHECK(recorder.add(start).empty());
-  const Diagnostics ended = recorder.add({0.5, 0.5, false, {INFINITY, 1, 3, 0, 0}, {}});
+  CHECK(recorder.add_sample(start).empty());
+  const Diagnostics ended = recorder.add_sample({0.5, 0.5, false, {INFINITY, 1, 3, 0, 0}, {}});
   REQUIRE(ended.size() == 1);
   CHECK(ended.front().code == Code::E624);
   CHECK(ended.front().message ==

@@ -24,7 +24,7 @@ name = "phi"
 T = "1/2*dot(theta)^2 + 1/2*sin(theta)^2*dot(phi)^2"
 )toml"),
                                 start_options(start));
-  const Diagnostics refused = compiled.run({.time = 1e-3}).diagnostics;
+  const Diagnostics refused = compiled.run({.duration = 1e-3}).diagnostics;
   return refused.empty() ? "" : refused.front().message;
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("reference runs of fourteen systems end at their known states") {
       INFO(one["id"] << " at " << known["t"]);
       sensitivity = std::max(sensitivity, known["sensitivity"].get<double>());
       const Result<ReferenceRun> run =
-          reference_run(compiled.checked(), compiled.program(), known["t"].get<double>());
+          run_reference(compiled.checked(), compiled.program(), known["t"].get<double>());
       REQUIRE(run);
       double error = 0;
       double rougher = 0;
@@ -64,8 +64,8 @@ TEST_CASE("reference runs of fourteen systems end at their known states") {
 
 TEST_CASE("rows are at their times, including the start and the end") {
   const CompiledSystem pendulum(read_model("free_pendulum"));
-  const Trajectory run =
-      pendulum.trajectory({.method = "rk4", .from = 2, .time = 1, .step = 0.04, .every = 0.3});
+  const Trajectory run = pendulum.trajectory(
+      {.method = "rk4", .from = 2, .duration = 1, .step = 0.04, .row_interval = 0.3});
   REQUIRE(run.rows.size() == 5);
   for (std::size_t i = 0; i < 4; ++i) CHECK(run.rows[i][0] == 2 + 0.3 * static_cast<double>(i));
   CHECK(run.rows.back()[0] == 3);
@@ -91,8 +91,8 @@ vector = ["0", "-9"]
 )toml"));
   const auto run = [&bob](std::vector<std::string> show, const std::string& path) {
     SimulationOptions options = steps_of("rk4", 0.1, 0.2);
-    options.every = 0.1;
-    options.show = std::move(show);
+    options.row_interval = 0.1;
+    options.panel_columns = std::move(show);
     options.path = path;
     return simulate(bob.checked(), bob.program(), nullptr, options);
   };
@@ -124,8 +124,8 @@ vector = ["0", "-9"]
 TEST_CASE("a sampled input is constant from one sampling time to the next") {
   // x'' = -1 until 1/4, then -31/32.
   const CompiledSystem held(read_model("spring"), start_options("", "u=-x", "k=0"));
-  SimulationOptions options{.method = "rk4", .time = 0.5, .step = 0.25};
-  options.hold = 0.25;
+  SimulationOptions options{.method = "rk4", .duration = 0.5, .step = 0.25};
+  options.input_hold_time = 0.25;
   const Trajectory run = held.trajectory(options);
   CHECK(run.last[1] == Approx(0.8759765625).epsilon(1e-14));
   CHECK(run.last[2] == Approx(-0.25 - 0.96875 / 4).epsilon(1e-14));
@@ -164,7 +164,7 @@ TEST_CASE("locks and fixed parameters of a scene apply to its runs") {
   SceneOptions options = start_options("x=1/2");
   options.fixed = {make_source("command line", "k=9")};
   const CompiledSystem fixed(read_model("spring"), options);
-  const Trajectory run = fixed.trajectory({.time = M_PI, .tolerance = 1e-12});
+  const Trajectory run = fixed.trajectory({.duration = M_PI, .tolerance = 1e-12});
   CHECK(run.last[1] == Approx(-0.5));
 }
 

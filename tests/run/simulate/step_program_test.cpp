@@ -109,7 +109,7 @@ TEST_CASE("during a step an input has its law's value at the start of the step")
   for (const char* method : {"verlet", "midpoint"}) {
     INFO(method);
     const Trajectory run =
-        held.trajectory({.method = method, .time = 0.5, .step = 0.25, .every = 0.25});
+        held.trajectory({.method = method, .duration = 0.5, .step = 0.25, .row_interval = 0.25});
     CHECK(run.last[1] == Approx(0.8759765625).epsilon(1e-14));
     CHECK(run.last[2] == Approx(-0.25 - 0.96875 / 4).epsilon(1e-14));
     // A row contains the input of the step that starts there.

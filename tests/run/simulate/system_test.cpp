@@ -67,25 +67,25 @@ on = "x"
 
 TEST_CASE("a system starts at the model's start") {
   const CompiledSystem compiled(cart, start_options("y=1/4,dot(y)=-1"));
-  System system(compiled.checked(), compiled.program(), &compiled.functions());
-  CHECK(system.start() == Numbers{2, 0.25, 3, -1, 0});
+  SimulatedSystem system(compiled.checked(), compiled.program(), &compiled.functions());
+  CHECK(system.start_state() == Numbers{2, 0.25, 3, -1, 0});
 }
 
 TEST_CASE("momenta, energies, and the power of forces and of time are right") {
   const CompiledSystem compiled(cart, start_options("", "u=dot(x)/6"));
-  System system(compiled.checked(), compiled.program(), &compiled.functions());
+  SimulatedSystem system(compiled.checked(), compiled.program(), &compiled.functions());
   const Numbers state{2, 0.25, 3, -1, 0};
   const double* const q = state.data();
   const double* const v = system.v_of(state);
   const double t = 0.5;
   Numbers values(2);
-  system.momentum(q, v, t, values.data());
+  system.find_momentum(q, v, t, values.data());
   CHECK(values == Numbers{6, -1});
   CHECK(system.energy(q, v, t) == Approx(9 + 0.5 + std::cos(t) / 16));
   CHECK(system.energy_parts(q, v, t).magnitude() == Approx(9 + 0.5 + std::cos(t) / 16));
   // F = 5 x + u - dot(y)/2 = 10 + 0.5 + 0.5, -dL/dt = dV/dt = -sin(t) y^2
   CHECK(system.power(q, v, t) == Approx(-1 * 11 - std::sin(t) / 16));
-  system.acceleration(q, v, t, values.data());
+  system.find_acceleration(q, v, t, values.data());
   CHECK(values[1] == Approx(11 - 2 * std::cos(t) * 0.25));
   CHECK(system.relative_pivots()[0] == 1);
   CHECK(system.does_work());
@@ -93,8 +93,8 @@ TEST_CASE("momenta, energies, and the power of forces and of time are right") {
 
 TEST_CASE("momenta of cyclic coordinates without forces are conserved") {
   const CompiledSystem compiled(cart);
-  const System system(compiled.checked(), compiled.program(), &compiled.functions());
-  CHECK(system.cyclic() == std::vector<std::uint32_t>{0});
+  const SimulatedSystem system(compiled.checked(), compiled.program(), &compiled.functions());
+  CHECK(system.cyclic_velocities() == std::vector<std::uint32_t>{0});
   const CompiledSystem pushed(model_text("cart", R"toml([[coordinate]]
 name = "x"
 [energy]
@@ -104,32 +104,34 @@ name = "u"
 on = "x"
 )toml"),
                               start_options("", "u=1"));
-  CHECK(System(pushed.checked(), pushed.program(), &pushed.functions()).cyclic().empty());
+  CHECK(SimulatedSystem(pushed.checked(), pushed.program(), &pushed.functions())
+            .cyclic_velocities()
+            .empty());
 }
 
 TEST_CASE("inputs are clamped to their limits, and held inputs are constant") {
   const CompiledSystem compiled(cart, start_options("", "u=3*x + t"));
-  System system(compiled.checked(), compiled.program(), &compiled.functions());
+  SimulatedSystem system(compiled.checked(), compiled.program(), &compiled.functions());
   const double q[] = {0.1, 0};
   const double far[] = {2, 0};
   const double v[] = {0, 0};
-  CHECK(system.inputs(q, v, 0.2).front() == Approx(0.5));
-  CHECK(system.inputs(far, v, 0).front() == 1);
-  system.hold(q, v, 0.2);
-  CHECK(system.inputs(far, v, 0).front() == Approx(0.5));
+  CHECK(system.update_inputs(q, v, 0.2).front() == Approx(0.5));
+  CHECK(system.update_inputs(far, v, 0).front() == 1);
+  system.hold_inputs(q, v, 0.2);
+  CHECK(system.update_inputs(far, v, 0).front() == Approx(0.5));
 }
 
 TEST_CASE("a constant law is not clamped") {
   const CompiledSystem compiled(cart, start_options("", "u=2*2"));
-  System system(compiled.checked(), compiled.program(), &compiled.functions());
+  SimulatedSystem system(compiled.checked(), compiled.program(), &compiled.functions());
   const double q[] = {0.1, 0};
   const double v[] = {0, 0};
-  CHECK(system.inputs(q, v, 0.2).front() == 4);
+  CHECK(system.update_inputs(q, v, 0.2).front() == 4);
 }
 
 TEST_CASE("power uses the laws at the state, held_power the inputs of the last call") {
   const CompiledSystem compiled(cart, start_options("", "u=x/10"));
-  System system(compiled.checked(), compiled.program(), nullptr);
+  SimulatedSystem system(compiled.checked(), compiled.program(), nullptr);
   const double q[] = {2, 0};
   const double v[] = {0, 1};
   // 5 x + u - dot(y)/2
@@ -154,24 +156,24 @@ unit = "N*m"
 on = "turn"
 )toml"),
                                 start_options("", "u=-turn"));
-  System system(compiled.checked(), compiled.program(), nullptr);
+  SimulatedSystem system(compiled.checked(), compiled.program(), nullptr);
   const double q[] = {4};
   const double v[] = {0};
   CHECK(system.displayed_position(q).front() == Approx(4 - 2 * M_PI));
-  CHECK(system.inputs(q, v, 0).front() == Approx(2 * M_PI - 4));
+  CHECK(system.update_inputs(q, v, 0).front() == Approx(2 * M_PI - 4));
 }
 
 TEST_CASE("the evaluator and the compiled code give the same values") {
   const CompiledSystem compiled(cart, start_options("", "u=dot(x)/6"));
-  System code(compiled.checked(), compiled.program(), &compiled.functions());
-  System evaluator(compiled.checked(), compiled.program(), nullptr);
+  SimulatedSystem code(compiled.checked(), compiled.program(), &compiled.functions());
+  SimulatedSystem evaluator(compiled.checked(), compiled.program(), nullptr);
   const Numbers state{2, 0.25, 3, -1, 0};
   const double* const q = state.data();
   const double* const v = code.v_of(state);
   Numbers expected(2);
   Numbers found(2);
-  code.acceleration(q, v, 0.5, expected.data());
-  evaluator.acceleration(q, v, 0.5, found.data());
+  code.find_acceleration(q, v, 0.5, expected.data());
+  evaluator.find_acceleration(q, v, 0.5, found.data());
   CHECK(found == expected);
   CHECK(evaluator.energy(q, v, 0.5) == code.energy(q, v, 0.5));
   CHECK(evaluator.power(q, v, 0.5) == code.power(q, v, 0.5));
@@ -184,10 +186,10 @@ name = "x"
 [energy]
 L = "-sqrt(1 - dot(x)^2) - x"
 )toml"));
-  System system(compiled.checked(), compiled.program(), &compiled.functions());
+  SimulatedSystem system(compiled.checked(), compiled.program(), &compiled.functions());
   const double q[] = {2};
   const double v[] = {0.6};
-  CHECK_FALSE(system.has_energies());
+  CHECK_FALSE(system.has_separate_energies());
   CHECK(system.energy_parts(q, v, 0).magnitude() == Approx(0.6 * 0.75 + 2.8));
 }
 

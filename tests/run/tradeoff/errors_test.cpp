@@ -26,7 +26,7 @@ ReferenceRun ending(double q, double v) { return {.last = {q, v}, .largest = {4,
 
 Model one_angle(bool wraps) {
   Model model;
-  append_coordinate(model, {.name = "q", .identifier = "q", .wrap = wraps});
+  append_coordinate(model, {.name = "q", .identifier = "q", .wraps = wraps});
   return model;
 }
 
@@ -51,14 +51,15 @@ TEST_CASE("NaN, or a non-zero value instead of 0, has an infinite error") {
   TradeoffStates states = three_states();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(std::isinf(state_errors({1, nan, -4, 0, 0, 1, 10, 20, 30}, states)[1]));
-  for (std::vector<ExactNumber>& exact : states.exact) exact[2] = {0, 0};
+  for (std::vector<TwoDoubleNumber>& exact : states.exact) exact[2] = {0, 0};
   CHECK(std::isinf(state_errors({1, 2, -4, 0, 0, 1, 0, 1e-30, 0}, states)[1]));
   CHECK(state_errors({1, 2, -4, 0, 0, 1, 0, 0, 0}, states)[1] == 0);
 }
 
 TEST_CASE(
     "worst and least of three samples are the largest and smallest error, each with a margin") {
-  const DesignErrors errors = errors_of({{3e-7, 2e-8, {}}, {2e-7, 1e-8, {}}, {4e-7, 3e-8, {}}});
+  const DesignErrors errors =
+      combine_errors({{3e-7, 2e-8, {}}, {2e-7, 1e-8, {}}, {4e-7, 3e-8, {}}});
   CHECK(errors.worst == Approx(1.5 * 4e-7));
   CHECK(errors.least == Approx(1.5 * 2e-7));
   CHECK(errors.median == 2e-8);
@@ -91,15 +92,15 @@ TEST_CASE("runs are planned with the requested step sizes") {
 }
 
 TEST_CASE("final errors are relative to the largest magnitude of each number during the run") {
-  const DesignErrors errors = errors_of({1.4, 5.1}, ending(1, 5), one_angle(false));
+  const DesignErrors errors = run_errors({1.4, 5.1}, ending(1, 5), one_angle(false));
   CHECK(errors.worst == Approx(0.1));
   CHECK(errors.median == Approx(0.1));
-  CHECK(errors_of({1, 5}, ending(1, 5), one_angle(false)).worst == 0);
+  CHECK(run_errors({1, 5}, ending(1, 5), one_angle(false)).worst == 0);
 }
 
 TEST_CASE("wrapped angles on both sides of the jump are close") {
-  CHECK(errors_of({3.1, 5}, ending(-3.1, 5), one_angle(true)).worst < 0.03);
-  CHECK(errors_of({3.1, 5}, ending(-3.1, 5), one_angle(false)).worst > 1);
+  CHECK(run_errors({3.1, 5}, ending(-3.1, 5), one_angle(true)).worst < 0.03);
+  CHECK(run_errors({3.1, 5}, ending(-3.1, 5), one_angle(false)).worst > 1);
 }
 
 TEST_CASE("loops of steps go from the start to the ends of runs") {
@@ -124,12 +125,12 @@ on = "x"
       }
     }
   };
-  const StepLoops loops{.one = advance, .in_packs = advance, .entries = 3};
+  const StepLoops loops{.one_state_loop = advance, .pack_loop = advance, .entries = 3};
   const CheckedModel& checked = *products.checked;
   const PlannedRun run{{}, {}, 2};
   // x = 1 + 2, v = 2 + 0; then x = 3 + 2, v = 2 - 1.
-  CHECK(end_of_run(checked, *products.program, loops, run, 2) == std::vector<double>{5, 1});
-  const TimedWork packs = timed_steps(checked, *products.program, loops, true, 0.01);
+  CHECK(run_to_end(checked, *products.program, loops, run, 2) == std::vector<double>{5, 1});
+  const TimedWork packs = make_step_work(checked, *products.program, loops, true, 0.01);
   packs.run();
   CHECK(packs.parts == 256 * 8);
 }

@@ -25,7 +25,7 @@ TEST_CASE("alternatives take turns in at least nine rounds") {
     };
   };
   std::vector<Quartiles> spreads(2);
-  find_costs({{work('a'), 1, spreads.data()}, {work('b'), 50, &spreads.back()}}, 0);
+  measure_costs({{work('a'), 1, spreads.data()}, {work('b'), 50, &spreads.back()}}, 0);
   CHECK(calls ==
         "aabb"
         "abababababababab"
@@ -42,11 +42,11 @@ TEST_CASE("alternatives take turns in at least nine rounds") {
 TEST_CASE("work shorter than a clock tick is repeated") {
   std::size_t calls = 0;
   Quartiles spread;
-  find_costs({{[&calls] { ++calls; }, 1, &spread}}, 0);
+  measure_costs({{[&calls] { ++calls; }, 1, &spread}}, 0);
   CHECK(calls > 100);
 }
 
 TEST_CASE("without work no time passes") {
-  find_costs({}, 1e6);
+  measure_costs({}, 1e6);
   SUCCEED();
 }

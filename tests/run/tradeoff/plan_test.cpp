@@ -14,7 +14,7 @@ using Texts = std::vector<std::string>;
 TradeoffPlan planned(const std::string& text, const std::string& output,
                      const DesignChoices& choices = {}) {
   const Products products = derived(text, output);
-  const Result<TradeoffPlan> result = plan(*products.checked, *products.program, choices);
+  const Result<TradeoffPlan> result = plan_designs(*products.checked, *products.program, choices);
   REQUIRE(result);
   return *result;
 }
@@ -26,7 +26,7 @@ bool has(const TradeoffPlan& plan, const Texts& values) {
 /// The refusal as "message; hint".
 std::string refusal(const std::string& text, const DesignChoices& choices) {
   const Products products = derived(text, "momentum");
-  const auto refused = plan(*products.checked, *products.program, choices);
+  const auto refused = plan_designs(*products.checked, *products.program, choices);
   if (refused || refused.diagnostics.size() != 1) return "";
   return refused.diagnostics.front().message + "; " + refused.diagnostics.front().hint;
 }

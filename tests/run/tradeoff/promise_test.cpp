@@ -20,7 +20,7 @@ std::vector<CertificateRow> rows_of(const std::string& numeric, double factor) {
   CompiledHeaders headers;
   headers.push_back({"", false, std::make_unique<Changed>(code)});
   headers.push_back({"Eigen", false, std::make_unique<Changed>(code)});
-  headers.push_back({"", false, std::make_unique<Changed>(code), Build::user_flags});
+  headers.push_back({"", false, std::make_unique<Changed>(code), BuildFlags::user_flags});
   return check_max_error(*products.checked, *products.program, headers, {});
 }
 
@@ -34,16 +34,16 @@ TEST_CASE("rows hold for code within the scene's max_error") {
   CHECK(rows[1].subject == "gravity (double, as users compile)");
   for (const CertificateRow& row : rows) {
     CHECK(row.verdict == Verdict::holds);
-    CHECK(row.worst == "9.00e-07 of the largest value");
+    CHECK(row.worst_value == "9.00e-07 of the largest value");
     CHECK(row.samples == 1000);
-    CHECK(mentions(row.where, "q = ("));
+    CHECK(mentions(row.worst_state, "q = ("));
   }
 }
 
 TEST_CASE("rows fail for code with a larger error") {
   for (const CertificateRow& row : rows_of("max_error = 1e-6\n", 1 + 2e-6)) {
     CHECK(row.verdict == Verdict::fails);
-    CHECK(row.worst == "2.00e-06 of the largest value");
+    CHECK(row.worst_value == "2.00e-06 of the largest value");
   }
 }
 
@@ -66,7 +66,7 @@ TEST_CASE("max_error applies to the ranges of the scene") {
   const std::vector<CertificateRow> rows =
       rows_of("max_error = 1\nranges = { q = [0.25, 0.25] }\n", 2);
   REQUIRE(rows.size() == 2);
-  CHECK(mentions(rows[0].where, "q = (0.25)"));
+  CHECK(mentions(rows[0].worst_state, "q = (0.25)"));
 }
 
 TEST_CASE("an output without values at most states is skipped") {

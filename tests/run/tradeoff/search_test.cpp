@@ -17,8 +17,8 @@ class Searched {
  public:
   Searched(const std::string& text, const std::string& output)
       : products_(derived(text, output)),
-        states_(*tradeoff_states(*products_.checked, *products_.program, {})) {
-    for (const std::vector<ExactNumber>& exact : states_.exact) {
+        states_(*sample_tradeoff_states(*products_.checked, *products_.program, {})) {
+    for (const std::vector<TwoDoubleNumber>& exact : states_.exact) {
       scale_ = std::max(scale_, std::abs(exact.front().high));
     }
   }
@@ -27,7 +27,7 @@ class Searched {
 
   /// The design's values with the error mistake(q), relative to the largest value.
   template <class Scalar = double, class Mistake>
-  [[nodiscard]] DesignValues with(const Mistake& mistake) const {
+  [[nodiscard]] DesignEvaluator with(const Mistake& mistake) const {
     return [this, mistake](const std::vector<Arguments<double>>& states) {
       const Program& program = *products_.program;
       std::vector<double> values;
@@ -40,11 +40,11 @@ class Searched {
     };
   }
 
-  [[nodiscard]] FoundErrors found(const DesignValues& design) const {
+  [[nodiscard]] FoundErrors found(const DesignEvaluator& design) const {
     return find_errors(*products_.checked, *products_.program, states_, design);
   }
 
-  [[nodiscard]] double worst_of_states(const DesignValues& design) const {
+  [[nodiscard]] double worst_of_states(const DesignEvaluator& design) const {
     const std::vector<double> errors = state_errors(design(states_.states), states_);
     return *std::max_element(errors.begin(), errors.end());
   }
@@ -78,18 +78,18 @@ Gap widest_gap(const TradeoffStates& states) {
 TEST_CASE("the search climbs a peak between the states, reproducibly") {
   const Searched searched(read_model("pushed_pendulum"), "gravity");
   const Gap gap = widest_gap(searched.states());
-  const DesignValues peak = searched.with([gap](double q) {
+  const DesignEvaluator peak = searched.with([gap](double q) {
     const double x = 40 * (q - gap.middle) / gap.width;
     return 1e-3 / (1 + x * x);
   });
   CHECK(searched.worst_of_states(peak) < 1e-5);
   const FoundErrors found = searched.found(peak);
   CHECK(found.worst == Approx(1e-3).epsilon(0.01));
-  CHECK(std::abs(found.where.q[0] - gap.middle) < gap.width / 100);
+  CHECK(std::abs(found.worst_state.q[0] - gap.middle) < gap.width / 100);
   CHECK(found.median < 1e-5);
   const FoundErrors again = searched.found(peak);
   CHECK(again.worst == found.worst);
-  CHECK(again.where.q == found.where.q);
+  CHECK(again.worst_state.q == found.worst_state.q);
 }
 
 TEST_CASE("the search reaches the ends of ranges but not further, and keeps parameters") {
@@ -98,17 +98,18 @@ TEST_CASE("the search reaches the ends of ranges but not further, and keeps para
                           "gravity");
   const FoundErrors found =
       searched.found(searched.with([](double q) { return 1e-3 * std::abs(q); }));
-  CHECK(std::abs(found.where.q[0]) == searched.states().high.q[0]);
+  CHECK(std::abs(found.worst_state.q[0]) == searched.states().high.q[0]);
   CHECK(found.worst == Approx(1e-3 * searched.states().high.q[0]));
-  CHECK(found.where.parameters == searched.states().states.front().parameters);
+  CHECK(found.worst_state.parameters == searched.states().states.front().parameters);
 }
 
 TEST_CASE("the number of visited states is proportional to the sample") {
   const Products products = derived(read_model("pushed_pendulum"), "inverse_dynamics");
   const auto visited = [&products](std::size_t count) {
-    const auto states = tradeoff_states(*products.checked, *products.program, {.count = count});
+    const auto states =
+        sample_tradeoff_states(*products.checked, *products.program, {.count = count});
     std::size_t all = 0;
-    const DesignValues design = [&all](const std::vector<Arguments<double>>& asked) {
+    const DesignEvaluator design = [&all](const std::vector<Arguments<double>>& asked) {
       all += asked.size();
       return std::vector<double>(asked.size());
     };
@@ -139,7 +140,7 @@ V = "sqrt(x)"
                           "potential_energy");
   const FoundErrors found = searched.found(searched.with([](double) { return 1e-9; }));
   CHECK(found.worst == Approx(1e-9));
-  CHECK(found.where.q[0] >= 0);
+  CHECK(found.worst_state.q[0] >= 0);
 }
 
 TEST_CASE("an output that depends on no state has its constant error") {

@@ -13,7 +13,7 @@ namespace {
 Result<TradeoffStates> states_in(const std::string& ranges, std::size_t count = 50) {
   const Products products = derived(read_model("pushed_pendulum"), "inverse_dynamics", {},
                                     {make_source("command line", ranges)});
-  return tradeoff_states(*products.checked, *products.program, {.count = count});
+  return sample_tradeoff_states(*products.checked, *products.program, {.count = count});
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ TEST_CASE("the scene's ranges narrow the model's, and given ranges narrow the sc
   const Products products = derived(read_model("pushed_pendulum"), "inverse_dynamics",
                                     "[numeric]\nranges = { q = [-0.2, 0.1], t = [2, 2] }\n",
                                     {make_source("command line", "q=-0.1..0.3")});
-  const auto states = tradeoff_states(*products.checked, *products.program, {.count = 5});
+  const auto states = sample_tradeoff_states(*products.checked, *products.program, {.count = 5});
   REQUIRE(states);
   CHECK(states->low.q == std::vector<double>{-0.1});
   CHECK(states->high.q == std::vector<double>{0.3});
@@ -60,7 +60,7 @@ T = "dot(x)^2"
 V = "sqrt(x - 9/10)"
 )toml"),
                                     "potential_energy");
-  const auto states = tradeoff_states(*products.checked, *products.program, {.count = 50});
+  const auto states = sample_tradeoff_states(*products.checked, *products.program, {.count = 50});
   REQUIRE_FALSE(states);
   CHECK(states.diagnostics.front().code == Code::E521);
 }

@@ -149,7 +149,7 @@ TEST_CASE("a row below the reference is not on the front, but may be picked") {
     CHECK((!row.is_on_pareto_front || row.cost.median < 2 || row.error.worst < 1e-13));
   }
   CHECK(mentions(to_text(table), "below the reference\n"));
-  CHECK(name_of(*cheapest_within(table, 1e-12)) == "double, 1");
+  CHECK(name_of(*cheapest_accurate_row(table, 1e-12)) == "double, 1");
   const auto json = nlohmann::json::parse(to_json(table))["designs"];
   CHECK(json[0]["error"]["below_reference"] == true);
   CHECK_FALSE(json[1]["error"].contains("below_reference"));
@@ -157,11 +157,11 @@ TEST_CASE("a row below the reference is not on the front, but may be picked") {
 
 TEST_CASE("cheapest_within and most_accurate select rows") {
   const TradeoffTable table = rank_rows(sample_table());
-  CHECK(name_of(*cheapest_within(table, 1e-6)) == "float, packs");
-  CHECK(name_of(*cheapest_within(table, 1e-15)) == "double, packs");
-  CHECK(cheapest_within(table, 1e-17) == nullptr);
-  CHECK(name_of(*most_accurate(table)) == "double, one");
-  CHECK(most_accurate(TradeoffTable{.rows = {failed_row({}, "E705")}}) == nullptr);
+  CHECK(name_of(*cheapest_accurate_row(table, 1e-6)) == "float, packs");
+  CHECK(name_of(*cheapest_accurate_row(table, 1e-15)) == "double, packs");
+  CHECK(cheapest_accurate_row(table, 1e-17) == nullptr);
+  CHECK(name_of(*most_accurate_row(table)) == "double, one");
+  CHECK(most_accurate_row(TradeoffTable{.rows = {failed_row({}, "E705")}}) == nullptr);
 }
 
 TEST_CASE("of designs with equal cost the most accurate is picked") {

@@ -15,12 +15,12 @@ namespace {
 
 /// Checks that count, list and single lines along an extent agree, and that all texts differ.
 void check_lines(const Model& model, Extent extent, std::uint32_t user) {
-  const std::vector<Line> lines = lines_along(model, extent, user);
-  CHECK(lines.size() == extent_of(model, extent, user));
+  const std::vector<FieldLine> lines = extent_lines(model, extent, user);
+  CHECK(lines.size() == extent_size(model, extent, user));
   CHECK_FALSE(line_at(model, extent, lines.size(), user));
   std::set<std::string> texts;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::optional<Line> line = line_at(model, extent, i, user);
+    const std::optional<FieldLine> line = line_at(model, extent, i, user);
     REQUIRE(line);
     CHECK(line->text() == lines[i].text());
     CHECK(line->unit == lines[i].unit);
@@ -30,7 +30,7 @@ void check_lines(const Model& model, Extent extent, std::uint32_t user) {
 
 /// Checks labels and values of every output: as many values as labels, no duplicate labels.
 void check_labels(const CheckedModel& checked) {
-  const ValueTable table = table_of(checked, 17);
+  const ValueTable table = make_value_table(checked, 17);
   const State start = start_state(checked.model, checked.scene);
   for (const ValueFunction& function : table.functions) {
     INFO(function.output.name);
@@ -60,9 +60,10 @@ CheckedModel with_all_outputs(const std::string& text, const FileSyntax* scene) 
   const CheckedModel checked = checked_model(text, scene, options);
   std::string names;
   for (const OutputRow& row : output_table()) {
-    for (std::uint32_t user = 0; user < (row.of_user ? checked.model.outputs.size() : 1); ++user) {
-      const OutputRequest request = request_of(checked.model, row.kind, user);
-      if (row.is_summary || row.steps || !is_available(checked.model, request)) continue;
+    for (std::uint32_t user = 0; user < (row.is_user_output ? checked.model.outputs.size() : 1);
+         ++user) {
+      const OutputRequest request = make_request(checked.model, row.kind, user);
+      if (row.is_summary || row.is_step || !is_available(checked.model, request)) continue;
       names += (names.empty() ? "" : ",") + request.name;
     }
   }
@@ -89,7 +90,7 @@ TEST_CASE("rows and columns of all outputs of all models and scenes have distinc
     INFO(path.filename());
     const SourcePointer source = source_of(path);
     const Result<FileSyntax> scene = parse_scene(source, Limits{});
-    const std::optional<Span> named = model_key(*source);
+    const std::optional<Span> named = find_model_key(*source);
     REQUIRE((scene && named));
     const std::string quoted(covered_text(*named));
     const std::string model = quoted.substr(1, quoted.size() - 2);
@@ -127,7 +128,7 @@ jacobian = true
   const Model model = checked_model(arm).model;
   const auto rows_of = [&model](OutputKind kind, std::uint32_t user) {
     std::vector<std::string> names;
-    for (const Line& line : lines_along(model, output_row(kind).fields.front().rows, user)) {
+    for (const FieldLine& line : extent_lines(model, output_row(kind).fields.front().rows, user)) {
       names.push_back(line.text());
     }
     return names;
@@ -205,7 +206,7 @@ V = "x + y"
 )toml";
   const CheckedModel held = checked_scene(
       plane, "[outputs]\nreaction = true\n[lock]\ny = { value = 0, reaction = true }\n");
-  const ValueTable table = table_of(held, 17);
+  const ValueTable table = make_value_table(held, 17);
   REQUIRE(table.functions.size() == 1);
   CHECK(table.functions[0].fields[0].rows == std::vector<std::string>{"y"});
 }

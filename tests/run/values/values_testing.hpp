@@ -40,7 +40,7 @@ inline Json evaluated(const std::string& text, const SceneOptions& given,
 /// Derives a model and computes its test vectors.
 class Vectors {
  public:
-  explicit Vectors(const std::string& text, const VectorOptions& options = {},
+  explicit Vectors(const std::string& text, const TestVectorOptions& options = {},
                    const std::string& outputs = {})
       : products_(derived(text, outputs)),
         table(test_vectors(*products_.checked, *products_.program, options)) {}
