@@ -125,7 +125,7 @@ Diagnostics diagnostics_of(const std::vector<FileDifference>& differences) {
         difference.state == FileState::orphaned ? ": " + difference.detail : std::string();
     all.push_back({Code::E715,
                    {file.get(), 0, 0},
-                   fmt::format("{} is {}{}", quote_for_shell(difference.path), name_of(difference.state),
+                   fmt::format("{} is {}{}", quote_text(difference.path), name_of(difference.state),
                                reason)});
   }
   return all;
