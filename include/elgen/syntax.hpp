@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "elgen/diagnostic.hpp"
@@ -121,6 +122,16 @@ enum class KeyType : std::uint8_t {
   latex_symbol,           ///< string: LaTeX of a symbol
 };
 
+/// A default that is no constant: "made from the name".
+struct DefaultInWords {
+  std::string_view text;
+};
+
+/// The value of a key that a file omits. Empty if the key is required, or if its name is free
+/// ("*").
+using KeyDefault =
+    std::variant<std::monostate, DefaultInWords, bool, std::int64_t, double, std::string_view>;
+
 /// One row of the key table.
 struct KeyRow {
   std::string_view entry;  ///< "coordinate", "" for the top level, "coordinate.start" for a table
@@ -130,9 +141,9 @@ struct KeyRow {
   bool required = false;
   bool supported = true;  ///< false: E108 "not yet supported"
   std::string_view doc = {};
-  bool is_for_drawings = false;        ///< only drawings use the key: stamps and `diff` ignore it
-  std::string_view default_text = {};  ///< a TOML value, or words; "" if required or "*"
-  std::string_view details = {};       ///< up to three sentences: signs, units, exclusions
+  bool is_for_drawings = false;  ///< only drawings use the key: stamps and `diff` ignore it
+  KeyDefault default_value = {};
+  std::string_view details = {};  ///< up to three sentences: signs, units, exclusions
 };
 
 /// One permitted word of a key of KeyType::choice or choice_list.
@@ -159,8 +170,8 @@ struct EntryRow {
 [[nodiscard]] bool is_drawing_key(std::string_view entry, std::string_view key);
 /// The permitted words of a key of KeyType::choice or choice_list; empty for other types.
 [[nodiscard]] std::vector<std::string_view> choice_words(const KeyRow& row);
-/// True if the default is a TOML value (`1`, `true`, `"rod"`), false if it is words.
-[[nodiscard]] bool has_default_value(const KeyRow& row);
+/// The default as in a file (`1`, `true`, `"rod"`), or in words; "" if the key has none.
+[[nodiscard]] std::string default_text(const KeyRow& row);
 /// A type in words: "expression", "one of".
 [[nodiscard]] std::string_view type_text(KeyType type);
 /// The header of an entry in a file: "[[frame]]", "[outputs]" of "scene.outputs".

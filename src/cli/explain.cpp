@@ -46,10 +46,10 @@ std::string choices_text(const KeyRow& key) {
 }
 
 Json json_of(const KeyRow& key) {
-  Json json{{"entry", key.entry},          {"key", key.key},
-            {"type", type_text(key.type)}, {"doc", key.doc},
-            {"default", key.default_text}, {"details", key.details},
-            {"required", key.required},    {"supported", key.supported}};
+  Json json{{"entry", key.entry},           {"key", key.key},
+            {"type", type_text(key.type)},  {"doc", key.doc},
+            {"default", default_text(key)}, {"details", key.details},
+            {"required", key.required},     {"supported", key.supported}};
   const std::vector<std::string_view> words = choice_words(key);
   if (!words.empty()) json["words"] = words;
   return json;
@@ -78,7 +78,8 @@ Json json_of(const ExpectNameRow& row) { return {{"name", row.name}, {"doc", row
 
 std::string text_of(const CodeRow& row) {
   const std::vector<std::string_view> reasons = reasons_of(row.code);
-  std::string text = fmt::format("{}: {}\n\n{}\n", row.name, row.title, row.explanation);
+  std::string text = fmt::format("{}: {}\n\n{}\n", row.name, row.title,
+                                 break_lines(row.explanation, page_width, ""));
   if (!reasons.empty()) text += "\nReasons:\n";
   for (const std::string_view reason : reasons) {
     text += "- " + break_lines(reason, page_width - 2, "  ") + "\n";
@@ -112,8 +113,8 @@ std::string details_text(std::string_view details, const std::string& indent) {
 
 std::string key_line(const KeyRow& key) {
   const std::string_view name = key.key == "*" ? "NAME" : key.key;
-  const std::string otherwise =
-      key.default_text.empty() ? "" : fmt::format("; default: {}", key.default_text);
+  const std::string value = default_text(key);
+  const std::string otherwise = value.empty() ? "" : fmt::format("; default: {}", value);
   return fmt::format("  {:<14} {:<24} {}{}{}{}\n{}", name, type_text(key.type), key.doc,
                      choices_text(key), key.required ? "; required" : otherwise,
                      key.supported ? "" : "; not yet supported",

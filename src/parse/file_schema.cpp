@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/ascii.hpp"
 #include "base/json.hpp"
 #include "elgen/outputs.hpp"
 #include "parse/entry_reader.hpp"
@@ -188,15 +187,17 @@ struct TableKeys {
   Json additional = false;
 };
 
-/// The default as JSON; null if the table describes it in words.
+/// The default as JSON; null if it is no constant.
 Json default_json(const KeyRow& row) {
-  const std::string_view text = row.default_text;
-  if (!has_default_value(row)) return nullptr;
-  if (text[0] == '"') return text.substr(1, text.size() - 2);
-  if (!is_digit(text[0])) return text == "true";
-  const double number = std::stod(std::string(text));
-  const auto whole = static_cast<std::int64_t>(number);
-  return static_cast<double>(whole) == number ? Json(whole) : Json(number);
+  return std::visit(
+      []<class Value>(const Value& value) -> Json {
+        if constexpr (std::same_as<Value, std::monostate> || std::same_as<Value, DefaultInWords>) {
+          return nullptr;
+        } else {
+          return value;
+        }
+      },
+      row.default_value);
 }
 
 /// The documentation of a key or entry, with its details.
@@ -211,7 +212,7 @@ TableKeys table_keys(std::string_view entry) {
     if (row.entry != entry || !row.supported) continue;
     Json schema = key_schema(row);
     schema["description"] = description_of(row);
-    if (has_default_value(row)) schema["default"] = default_json(row);
+    if (const Json value = default_json(row); !value.is_null()) schema["default"] = value;
     if (row.key == "*") {
       keys.additional = std::move(schema);
     } else {

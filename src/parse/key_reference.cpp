@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
+#include <variant>
 
-#include "base/ascii.hpp"
 #include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
 
@@ -76,7 +77,9 @@ std::string type_cell(const KeyRow& key) {
 
 std::string default_cell(const KeyRow& key) {
   if (key.required) return "required";
-  return fmt::format(fmt::runtime(has_default_value(key) ? "`{}`" : "{}"), key.default_text);
+  const bool is_worded = std::holds_alternative<DefaultInWords>(key.default_value);
+  const std::string text = default_text(key);
+  return is_worded || text.empty() ? text : fmt::format("`{}`", text);
 }
 
 std::string entry_section(const std::string& heading, const EntryRow& entry) {
@@ -102,11 +105,20 @@ std::string entry_section(const std::string& heading, const EntryRow& entry) {
 
 std::string_view type_text(KeyType type) { return type_words[static_cast<std::size_t>(type)]; }
 
-bool has_default_value(const KeyRow& row) {
-  const std::string_view text = row.default_text;
-  if (text == "true" || text == "false") return true;
-  const bool is_word = text.empty() || text.find(' ') != std::string_view::npos;
-  return !is_word && (text[0] == '"' || is_digit(text[0]));
+std::string default_text(const KeyRow& row) {
+  return std::visit(
+      []<class Value>(const Value& value) -> std::string {
+        if constexpr (std::same_as<Value, std::monostate>) {
+          return {};
+        } else if constexpr (std::same_as<Value, DefaultInWords>) {
+          return std::string(value.text);
+        } else if constexpr (std::same_as<Value, std::string_view>) {
+          return fmt::format("\"{}\"", value);
+        } else {
+          return fmt::to_string(value);
+        }
+      },
+      row.default_value);
 }
 
 std::string header_text(const EntryRow& row) {

@@ -287,9 +287,11 @@ constexpr std::array former_choices{
 struct KeyText {
   std::string_view entry;
   std::string_view key;
-  std::string_view default_text;
+  KeyDefault default_value;
   std::string_view details;
 };
+
+constexpr KeyDefault words(std::string_view text) { return DefaultInWords{text}; }
 
 constexpr bool single = false;
 constexpr bool repeated = true;
@@ -351,7 +353,7 @@ static_assert(std::ranges::equal(entry_rows, entry_texts, {}, &EntryRow::entry,
 constexpr auto documented_keys = [] {
   auto rows = key_rows;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].default_text = key_texts[i].default_text;
+    rows[i].default_value = key_texts[i].default_value;
     rows[i].details = key_texts[i].details;
   }
   return rows;

@@ -155,7 +155,8 @@ TEST_CASE("no key has two rows", "[parse]") {
     CHECK(seen.emplace(row.entry, row.key).second);
     CHECK_FALSE(row.doc.empty());
     CHECK((row.supported || !row.required));
-    if (row.key != "*") CHECK(row.default_text.empty() == row.required);
+    if (row.key != "*")
+      CHECK(std::holds_alternative<std::monostate>(row.default_value) == row.required);
   }
 }
 
