@@ -1,6 +1,6 @@
-// Base parameters. Ranks come from an independent regressor: panda7 43, with armatures 48, with
-// armatures and dampings 55; ur5 36, 40, 46. Also: base parameters alone reproduce all forces, and
-// the factors of the regroupings have closed forms.
+// Base parameters. The expected number is the rank of the regressor by an independent program.
+// The base parameters alone reproduce all forces, and the factors of regrouped parameters equal
+// factors derived by hand.
 #include <catch2/catch.hpp>
 
 #include "analyse/residues.hpp"
@@ -17,7 +17,7 @@ BaseParameters base_of(const std::string& text) {
   return std::move(*products.base_parameters);
 }
 
-/// Adds an armature to each coordinate.
+/// The model `text` with an armature of 1 at each coordinate.
 std::string with_armatures(std::string text) {
   std::size_t at = 0;
   while ((at = text.find("[[coordinate]]\n", at)) != std::string::npos) {
@@ -27,7 +27,7 @@ std::string with_armatures(std::string text) {
   return text;
 }
 
-/// Adds an armature and linear friction to each coordinate.
+/// The model `text` with an armature of 1 and linear friction at each of the `joints` coordinates.
 std::string with_friction(const std::string& text, int joints) {
   std::string result = with_armatures(text);
   std::string parameters;
@@ -47,7 +47,7 @@ std::string with_friction(const std::string& text, int joints) {
   return result + "\n[energy]\nD = \"" + sum + "\"\n";
 }
 
-/// A pendulum with three point masses on a line.
+/// A pendulum of three point masses on a line, which is vertical at q = -`tilt`.
 std::string pendulum(const std::string& tilt) {
   std::string text = R"toml(format = 1
 [model]

@@ -56,7 +56,7 @@ bool all_are_proved(const ExpectationReport& report) {
   });
 }
 
-/// `integral` + F instead of the conserved I = `integral` - F, for every symmetry with F != 0.
+/// `integral` + F for every symmetry with F != 0; the conserved integral is I = `integral` - F.
 std::vector<std::string> negated_integrals(const FoundSymmetries& found) {
   std::vector<std::string> result;
   const nlohmann::json page = found.json();

@@ -1,5 +1,5 @@
-// The dimension of the space of symmetries: expected values, and agreement of closed forms with
-// samples.
+// The number of independent symmetries is as expected, and closed forms and samples give the same
+// number.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,7 +22,8 @@ struct Dimension {
   std::vector<std::string> fixed = {};
 };
 
-/// Symmetries counted by hand and, as a null space of the conditions, by an independent program.
+/// Numbers of symmetries, counted by hand, and by an independent program as the dimension of the
+/// null space of the conditions.
 std::vector<Dimension> dimensions() {
   return {
       {"line", 3},
@@ -104,8 +105,8 @@ std::string name_of_row(const Dimension& row) {
   return fmt::format("{} {}", row.model, fmt::join(row.fixed, " "));
 }
 
-/// A line for each row with another number of symmetries, and a line for each row without proofs.
-/// Only panda7, which has no closed forms, must be without proofs.
+/// A line for each row with another number of symmetries than `count`, and a line for each row with
+/// an unproved symmetry. For panda7, which has no closed forms, a line if all are proved.
 std::string differing_rows(const std::vector<Dimension>& rows) {
   std::string lines;
   for (const Dimension& row : rows) {

@@ -135,7 +135,8 @@ V = "m*g*z"
   CHECK(shown(fall).ends_with(
       "  x is cyclic: a scene with [routh] x = true holds its momentum and may have steady motions"
       "\n"));
-  // V depends on z. x is damped, driven or forced, or the force on z depends on the rate of x.
+  // z is not cyclic because V depends on z; x is not cyclic if x is damped, driven or forced, or if
+  // the force on z depends on the rate of x.
   for (const char* const acting :
        {"D = \"1/2*d*dot(x)^2\"\n", "[[input]]\nname = \"u\"\non = \"x\"\n",
         "[[force]]\non = \"x\"\nvalue = \"-d*dot(z)\"\n",
@@ -208,8 +209,8 @@ mass = "m"
                  "beta in [-1, 1]; alpha and beta modulo 2*pi\n"
                  "  the chart is singular at beta = +-1/2*pi\n"
                  "  the list is complete at the parameters' values (proved)\n"));
-  // Polar coordinates are singular at r = 0. An angle with range [2, 4] has its equilibrium at pi,
-  // not at 0.
+  // Polar coordinates are singular at r = 0. Of the equilibria 0 and pi of V = cos(x), only pi is
+  // in the range [2, 4].
   const std::string polar =
       "format = 1\n[model]\nname = \"polar\"\n" + coordinate("r", "[-1, 1]") +
       "[[coordinate]]\nname = \"phi\"\n[energy]\nT = \"1/2*r^2*dot(phi)^2\"\nV = \"r^2\"\n";

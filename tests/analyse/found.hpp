@@ -56,7 +56,7 @@ inline Products modes_products(const PipelineSources& inputs, const std::string&
   return run_pipeline(inputs, options);
 }
 
-/// A model of a point mass of 1 kg with these coordinates and this potential V.
+/// A model with V = `potential`. `coordinates` are [[coordinate]] tables of armature 1.
 inline std::string potential_model(const std::string& coordinates, const std::string& potential) {
   return "format = 1\n[model]\nname = \"drawn\"\n" + coordinates + "[energy]\nV = \"" + potential +
          "\"\n";

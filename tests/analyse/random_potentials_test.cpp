@@ -126,8 +126,8 @@ std::size_t dense_count_of_one(const Potential& v) {
 
 double reduce_angle(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
-/// The solutions of Newton's method with numeric slopes from a grid of starts; solutions closer
-/// than 1e-6 are equal.
+/// The zeros of the gradient that Newton's method with numeric derivatives finds from a grid of
+/// 3600 starts. Zeros closer than 1e-6 count once.
 std::vector<Place> dense_solutions_of_two(const Potential& v) {
   std::vector<Place> found;
   constexpr int steps = 60;

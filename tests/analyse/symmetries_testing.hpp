@@ -49,7 +49,7 @@ class FoundSymmetries {
     return nlohmann::json::parse(symmetries_json(checked_, found_));
   }
 
-  /// A formula over the leaves of the model, its momenta p and its energy E.
+  /// The closed form of `formula`, which may contain leaves of the model, momenta p and energy E.
   Fraction form(const std::string& formula) {
     const CheckedModel reading =
         checked_model(ending(text_, "[[expect]]\nconserved = [\"" + formula + "\"]\n"), options_);
@@ -65,7 +65,7 @@ class FoundSymmetries {
     return x && is_proved_equal(found_.forms, *x, form(formula));
   }
 
-  /// The symmetry with this integral I + F.
+  /// The symmetry with I + F = `integral`.
   const Symmetry& symmetry_with(const std::string& integral) {
     const Fraction wanted = form(integral);
     const Symmetry* result = nullptr;

@@ -14,7 +14,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// The generators of a model with `scalars` coordinates of armature 1, and optionally a rotation.
+/// The layout of the generators of a model with `scalars` coordinates of armature 1 and, if
+/// `has_rotation`, a rotation.
 GeneratorLayout class_of(std::size_t scalars, bool has_rotation = false) {
   std::string text;
   for (std::size_t i = 1; i <= scalars; ++i) {

@@ -11,7 +11,7 @@ namespace {
 
 using Library = nlohmann::ordered_json;
 
-/// The same value, built as a Json or an nlohmann::json.
+/// An example of all kinds of JSON values; `Value` is Json or Library.
 template <class Value>
 Value example() {
   const std::vector<std::vector<double>> rows{{1, -0.0}, {1e300, 1.0 / 3}};

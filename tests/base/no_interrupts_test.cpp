@@ -9,7 +9,7 @@ volatile std::sig_atomic_t arrived = 0;
 
 void count(int /*signal*/) { arrived = arrived + 1; }
 
-/// Sets the handler of a signal for the duration of a test.
+/// Sets the handler of a signal, and restores the previous handler on destruction.
 class Disposition {
  public:
   Disposition(int signal, void (*handler)(int))

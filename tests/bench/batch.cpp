@@ -1,5 +1,5 @@
-// Inverse dynamics of panda7, in time per state: one state at a time in double with the library's
-// sine, and in batches. Prints rows of a Markdown table.
+// Nanoseconds per state of the inverse dynamics of panda7: one state at a time in double, and in
+// batches of 128 states in double and in float. Prints rows of a Markdown table.
 #include <cmath>
 #include <cstdio>
 

@@ -1,6 +1,6 @@
 // before ROUNDS [any]: times the functions of two emitted headers in turn. Prints "FUNCTION
 // NANOSECONDS_BEFORE NANOSECONDS_NOW", the minima of all rounds, or "FUNCTION - REASON" if the two
-// versions of a function cannot be compared. With `any` the results may differ in type.
+// versions of a function cannot be compared. With `any` the results may differ in size.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -15,7 +15,7 @@ using bench::Timed;
 /// Nanoseconds; 50 microseconds are much longer than a clock reading and shorter than a time slice.
 constexpr double length_of_repetition = 5e4;
 
-/// The calls in a repetition: a multiple of state_count, which visits all states equally often.
+/// The calls in a repetition: a multiple of state_count, the same number for each state.
 int calls_of(const Timed& function) {
   const double visit =
       bench::state_count * bench::minima({function.repeat}, bench::state_count, 3)[0];

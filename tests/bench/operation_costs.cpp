@@ -12,7 +12,7 @@ namespace {
 
 volatile double sink = 0.0;
 
-/// Repeats x <- step(x): dependent operations.
+/// A function of n that computes x <- step(x) n times; each call depends on the previous call.
 template <class Step>
 std::function<void(int)> in_a_row(Step step) {
   return [step](int calls) {
@@ -22,7 +22,7 @@ std::function<void(int)> in_a_row(Step step) {
   };
 }
 
-/// Repeats the step on eight independent numbers.
+/// A function of n that calls `step` n times, on eight independent numbers in turn.
 template <class Step>
 std::function<void(int)> side_by_side(Step step) {
   return [step](int calls) {

@@ -14,7 +14,8 @@ struct OtherProgram {
   Evaluate mass_matrix, bias, inverse_dynamics;
 };
 
-/// The robot in each installed program; only MuJoCo reads URDF.
+/// M, bias and inverse dynamics of the robot in the file `description` by each installed program.
+/// Only MuJoCo reads URDF.
 [[nodiscard]] std::vector<OtherProgram> other_programs(const std::filesystem::path& description);
 
 }  // namespace bench

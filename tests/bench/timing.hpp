@@ -9,7 +9,7 @@
 
 namespace bench {
 
-/// Forces the compiler to compute `value` and to assume that it changes.
+/// Forces the compiler to compute `value` and to assume that `value` changes.
 template <class Value>
 void keep(const Value& value) {
   asm volatile("" : : "r"(&value) : "memory");
@@ -18,8 +18,8 @@ void keep(const Value& value) {
 /// The number of states through which an alternative cycles if its function takes a state.
 inline constexpr int state_count = 16;
 
-/// Nanoseconds per call of each alternative in every repetition. A repetition calls each
-/// alternative `calls` times; alternatives take turns.
+/// Nanoseconds per call, indexed [alternative][repetition]. A repetition calls each alternative
+/// `calls` times; alternatives take turns.
 inline std::vector<std::vector<double>> samples(
     const std::vector<std::function<void(int)>>& alternatives, int calls, int repetitions) {
   using Clock = std::chrono::steady_clock;

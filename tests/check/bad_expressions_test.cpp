@@ -23,8 +23,8 @@ struct Row {
   std::string value;
 };
 
-/// Expands `\xHH` to a byte, and `\<N*text>` to N copies of the text with # replaced by the copy's
-/// number.
+/// `input` with `\xHH` replaced by a byte, and `\<N*text>` by N copies of the text, in which # is
+/// replaced by the number of the copy, from 0.
 std::string expand_escapes(const std::string& input) {
   std::string result;
   for (std::size_t i = 0; i < input.size();) {
@@ -69,7 +69,7 @@ std::vector<Row> read_rows() {
   return rows;
 }
 
-/// A model with one force, whose value is this expression.
+/// A model with one [[force]] on x, whose value is `value`.
 FileSyntax model_with_force(const ExpressionSyntax& value) {
   std::string text = "format = 1\n[model]\nname = \"hostile\"\n";
   std::string energy;
@@ -88,7 +88,8 @@ FileSyntax model_with_force(const ExpressionSyntax& value) {
   return syntax;
 }
 
-/// The value of `id` at the state of the table, with enough digits to reduce the largest angle.
+/// The value of `id` at the state that bad_expressions.tsv assumes; 700 digits suffice to reduce
+/// the largest angle.
 EnclosedNumber value_at_state(const Model& model, ExpressionId id) {
   static const std::map<std::string, cln::cl_RA> state{
       {"x", cln::cl_RA(3) / 4}, {"y", cln::cl_RA(5) / 4}, {"z", cln::cl_RA(-1) / 2},

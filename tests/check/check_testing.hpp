@@ -25,24 +25,24 @@ struct CheckOptions {
 /// A scene of the model `block`, named `fast`; the text `more` starts on line 4.
 [[nodiscard]] std::string scene_of_block(const std::string& more);
 
-/// Parses and checks; fails the test on syntax errors.
+/// The result of check() on the text `model`; fails the test on syntax errors.
 [[nodiscard]] Result<CheckedModel> run_check(const std::string& model,
                                              const CheckOptions& wanted = {});
 
 /// One line per diagnostic: "E201 12:6 unknown name `z` | did you mean `x`? (coordinate, line 5)".
 [[nodiscard]] std::string messages(const std::string& model, const CheckOptions& wanted = {});
 
-/// The model and scene of texts without errors.
+/// The checked model and scene; fails the test on errors.
 [[nodiscard]] CheckedModel checked(const std::string& model, const CheckOptions& wanted = {});
 
-/// A model of a mass m on a spring k at x, eleven lines; `more` starts on line 12, inside [energy].
+/// A model in eleven lines: a mass m at x on a spring k. `more` starts on line 12, inside [energy].
 [[nodiscard]] std::string block(const std::string& more = {});
 
 /// The scene of `block` with the lines `more`; fails the test on errors.
 [[nodiscard]] Scene block_scene(const std::string& more);
 [[nodiscard]] std::string block_scene_messages(const std::string& more);
 
-/// The messages about `block` with this potential V.
+/// The messages about `block` with V = `potential`.
 [[nodiscard]] std::string potential_messages(const std::string& potential,
                                              const CheckOptions& wanted = {});
 

@@ -12,7 +12,7 @@ namespace elgen::test {
 
 namespace {
 
-/// The value of a parameter c defined by this text.
+/// The value of the parameter c = `text`, printed as a number.
 std::string parameter_value(const std::string& text) {
   const Model model = checked(block("[define]\none = \"1\"\n[parameters.c]\nvalue = \"" + text +
                                     "\"\nunit = \"1\"\n"))

@@ -163,7 +163,8 @@ inline bool close(const std::vector<double>& a, const std::vector<double>& b) {
 
 inline std::vector<double> listed(const Triple& x) { return {x.begin(), x.end()}; }
 
-/// An angle q, a length s, parameters and an energy in fifteen lines; `entries` start on line 16.
+/// A model with an angle q, a length s, parameters and an energy in fifteen lines; `entries` start
+/// on line 16.
 inline std::string with_frames(const std::string& entries) { return read_model("arm") + entries; }
 
 /// A state of the model `with_frames`, and the value of the parameter l.

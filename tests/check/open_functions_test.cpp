@@ -31,8 +31,8 @@ gravity = ["V_1", "V_2"]
 potential_energy = "V"
 )toml");
 
-/// A mass in a plane, and two sliding masses, with a function U of `arguments` and the `sample` of
-/// U on line 14. `far` is a definition that uses y, P the point (x, y), s a function of t.
+/// A model of a mass in a plane and two sliding masses. Its function U has `arguments` and, on line
+/// 14, `sample`. `far` is a definition that uses y, P is the point (x, y), and s is sin(t).
 std::string sampled(const std::string& arguments, const std::string& sample) {
   return model_text("sampled", R"toml([[coordinate]]
 name = "x"

@@ -8,7 +8,7 @@ namespace elgen::test {
 
 namespace {
 
-/// The pose of a frame `f` relative to the world, at q and s.
+/// The pose in the world of a frame with `keys`, at q and s: the rotation by rows, then the origin.
 std::vector<double> pose_of(const std::string& keys) {
   const Model model =
       checked(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\n" + keys)).model;

@@ -232,7 +232,7 @@ TEST_CASE("terms of a sum that differ only in a numeric factor are combined") {
         "energy V = 6*c*x^2 + (-11/12*c*x*y)\n");
   CHECK(points_potential("sum(i, 1, 10000, i*c*x^2)") == "energy V = 50005000*c*x^2\n");
   CHECK(points_potential("sum(i, 1, 3, (i - 2)*c*x^2)") == "energy V = c*x^2 - c*x^2\n");
-  // Other terms stay as typed.
+  // Terms that differ in the argument of a function are not combined.
   CHECK(points_potential("sum(i, 1, 2, c*x^2*sin(i*x/y))") ==
         "energy V = c*x^2*sin(1*x/y) + c*x^2*sin(2*x/y)\n");
 }
@@ -245,8 +245,8 @@ TEST_CASE("errors in combined terms of a sum are reported, even if the terms can
                "E315 21:22 `abs(x)` is a function with a kink, but V takes none | a smooth "
                "approximation is tanh(x/width)\n"}},
              points_error);
-  // Numbers with more digits than the limit of constants are not added, and neither are quotients
-  // with divisor 0.
+  // Factors whose sum has more than largest_exact_digits digits are not added, and neither are
+  // quotients with divisor 0.
   const Model model =
       checked(two_points + "V = \"sum(i, 1, 2, c*x^2*1e300^10 + c*x^2/1e300^10)\"\n").model;
   CHECK(model.expressions[*model.energies.V].operands.size() == 2);

@@ -47,7 +47,7 @@ const CheckedModel& locked_model() {
   return model;
 }
 
-/// A model with x and y in m, a rotation, and a time constant.
+/// A model with x, q[1] and q[2] in m, a rotation, and a time constant T.
 const std::string body = R"toml(format = 1
 [model]
 name = "body"

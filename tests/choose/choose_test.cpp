@@ -138,8 +138,8 @@ vector = ["0", "-9.81"]
     if (!costs.closed) continue;
     INFO(costs.function);
     ++closed;
-    // Calls for at most q1, q2 and q2/2. The call for q2 is kept besides the call for q2/2, because
-    // sin(q2) and cos(q2) of a call have all digits.
+    // At most three calls: for q1, q2 and q2/2. The call for q2 is kept besides the call for q2/2,
+    // because sin(q2) and cos(q2) of a call have all digits.
     CHECK(costs.closed->sincos <= 3);
   }
   CHECK(closed > 1);

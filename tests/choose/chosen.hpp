@@ -46,7 +46,7 @@ inline std::vector<std::string> readable(const ChosenForms& chosen, const std::s
   return {};
 }
 
-/// A state at rest; parameters have their declared values.
+/// The state `q` at rest and without inputs; parameters have their declared values.
 inline Arguments<double> state_at_rest(const ChosenForms& c, const std::vector<double>& q) {
   Arguments<double> point =
       domain_of({c.checked.model, c.checked.scene, c.recursive.leaves}).states.front();

@@ -146,7 +146,7 @@ inline double sum_of(const std::string& text, const std::map<std::string, double
   return sum;
 }
 
-/// A point near `place`: the step is relative if the place is not 0; near infinity it is 1/step.
+/// `place` (1 + `step`); `step` if `place` is 0; 1/`step` if `place` is infinite.
 inline double displaced(double place, double step) {
   if (std::isinf(place)) return 1 / step;
   return place == 0 ? step : place * (1 + step);

@@ -25,7 +25,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// An error up to this multiple of another form's error counts as equally accurate.
+/// A form counts as accurate as another form if the ratio of their errors is at most this.
 constexpr double max_error_ratio = 64;
 /// In u; a larger error of a stable form would disqualify it as a reference.
 constexpr double max_stable_error = 32;
@@ -202,7 +202,8 @@ std::string figure(std::optional<double> error) {
   return *error < 1e4 ? fmt::format("{:.1f}", *error) : fmt::format("{:.1e}", *error);
 }
 
-/// One line for each entry.
+/// A line for each entry: its errors in u, and "*" if the emitted error exceeds max_error_ratio
+/// times the error of the stable form.
 std::string table_rows(const TypedEnergy& energy, const EnergyErrors& errors) {
   std::string rows;
   for (std::size_t i = 0; i < errors.entries.size(); ++i) {

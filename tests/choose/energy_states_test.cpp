@@ -21,11 +21,11 @@ using namespace elgen::test;
 namespace {
 
 /// The bound on |x - x*|/u of an emitted entry, as a multiple of E + R. E is the running error of
-/// the text, R is |x*| + K (accuracy/conditioning.hpp).
+/// the text. R is |x*| plus the absolute condition of the entry (accuracy/conditioning.hpp).
 constexpr double max_multiple = 16;
 constexpr std::size_t min_states = 10'000;
 
-/// The entry with the largest multiple over all states.
+/// The largest multiple of all entries at all states, and a description of the entry and state.
 struct WorstEntry {
   double multiple = 0;
   std::string words = {};

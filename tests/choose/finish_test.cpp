@@ -1,5 +1,5 @@
-// The last passes over a function: NaN pivots at zero diagonal entries, normalised quaternions of
-// any length, and sines and cosines first.
+// The last passes over a function: pivots at zero diagonal entries become NaN, quaternions of any
+// length are normalised, and sines and cosines are moved to the front.
 #include "choose/finish.hpp"
 
 #include <catch2/catch.hpp>
@@ -38,7 +38,7 @@ std::vector<double> pivots_at(double r) {
   return {entries.begin() + 3, entries.end()};
 }
 
-/// The result: x, and the normalised quaternion w, i, j, k.
+/// A program with the result x, w/r, i/r, j/r and k/r; r = sqrt(w^2 + i^2 + j^2 + k^2).
 Program quaternion() {
   const std::string text =
       "coordinates x w i j k\nfunction normalized\n  0 = coordinate x\n  1 = coordinate w\n"

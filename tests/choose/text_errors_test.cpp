@@ -21,7 +21,7 @@ Arguments<double> at(double a, double b) {
   return point;
 }
 
-/// True if a rewriting is less accurate than the text at this point.
+/// True if `rewriting` is less accurate than `text` at the point (`a`, `b`).
 bool is_inaccurate(const std::string& rewriting, const std::string& text, double a, double b) {
   const Program program = program_of(Texts{text});
   const FormErrors errors(program, program.functions[0], {at(a, b)});
@@ -73,7 +73,7 @@ std::size_t index_of(const Program& program, const std::string& name) {
                                   program.functions.begin());
 }
 
-/// The bound on the error of the force at x, in u of the magnitude of the force.
+/// The bound on the relative error of the force at `x`, in u.
 double error_of_force(const ChosenForms& model, double x) {
   const Program& program = model.choice.program;
   const Function& gravity = program.functions[index_of(program, "gravity")];

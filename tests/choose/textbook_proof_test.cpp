@@ -1,6 +1,6 @@
-// Proves every entry of every output equal to the textbook derivation: L written out in full,
-// differentiated, and compared as canonical sums. Covers every committed model with up to three
-// coordinates, or two if the model has constraints.
+// Proves derived outputs equal to the outputs of class Textbook, which writes L out in full and
+// differentiates, and proves residuals of forward dynamics equal to 0. Covers every committed model
+// with up to three coordinates, or two if the model has constraints.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <map>

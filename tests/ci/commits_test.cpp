@@ -13,8 +13,8 @@ const std::string rooms =
     " is no room of src/layers.txt, no folder of the project or of tests/, and none of all, build, "
     "ci, bootstrap, README, CHANGELOG\n";
 
-/// A repository with two folders, one with a room, and a first commit on `main`, tagged `base`. Git
-/// reads only the configuration file of this folder.
+/// A repository with src/check, tests/cli, models, three rooms in src/layers.txt, and one commit on
+/// `main`, tagged `base`. The user's configuration of git is home/.gitconfig.
 class Project : public Workspace {
  public:
   Project() {
@@ -61,7 +61,7 @@ class Project : public Workspace {
     return without_hashes(outcome(commits + " base").output);
   }
 
-  /// Replaces "error: 1234abcd" by "error: HASH".
+  /// `text` with HASH in place of the hash in "error: 1234abcd" and "warning: 1234abcd".
   [[nodiscard]] std::string without_hashes(const std::string& text) const {
     write("home/text", text);
     return run("sed -E 's/^(error|warning): [0-9a-f]{8} /\\1: HASH /' home/text").output;

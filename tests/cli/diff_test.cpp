@@ -6,7 +6,8 @@
 namespace elgen::test {
 namespace {
 
-/// A folder with the cart and its scene, and a copy `new` with gravity reversed.
+/// Folder `old` with the cart, its scene and a pendulum, and a copy `new` with the cart's gravity
+/// reversed.
 class TwoFolders : public Workspace {
  public:
   TwoFolders() {

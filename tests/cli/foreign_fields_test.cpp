@@ -6,7 +6,7 @@
 namespace elgen::test {
 namespace {
 
-/// A bob on a rod; `stabilise` sets the gains.
+/// A model of a bob on a rod; `stabilise` is empty or the key that stabilises the constraint.
 std::string rod(const std::string& stabilise = "") {
   return R"toml(format = 1
 [model]
@@ -35,8 +35,8 @@ equation = "x^2 + y^2 = l^2"
 )toml" + stabilise;
 }
 
-/// A program that prints `answer`, an expression in p, x, y, vx, vy and k, for each state. k is
-/// computed with `length`, an expression for the square of the rod's length.
+/// A program that prints `answer`, an expression in p, x, y, vx, vy and k, for each state.
+/// k = (vx^2 + vy^2 - g y)/`length`; `length` is an expression for the square of the rod's length.
 std::string on_the_rod(const std::string& length, const std::string& answer) {
   return "import json, sys\n"
          "for line in sys.stdin:\n"

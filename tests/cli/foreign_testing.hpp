@@ -22,7 +22,7 @@ void my_fd(const double *p, const double *q, const double *v, const double *u, d
 }
 )c";
 
-/// The same accelerations as a command.
+/// A Python program that computes the same accelerations, and the mass matrix.
 inline const std::string script = R"py(import json, math, sys
 
 def forward_dynamics(p, q, v, u):

@@ -6,7 +6,8 @@
 namespace elgen::test {
 namespace {
 
-/// The first line of the header that the command writes.
+/// The first line of the file `header` after `command`, in a folder with the cart and its scene in
+/// a/.
 std::string first_line(const std::string& command, const std::string& header) {
   const Workspace workspace;
   workspace.prepare("mkdir -p a/scenes b/deep && cp " + models + "/cart_pole.toml a && cp " +

@@ -21,8 +21,8 @@ class JavaScript : public ModuleFolder {
   }
 };
 
-/// A model whose names are words of strict mode and of modules or an object of the library, with an
-/// array parameter, kinks, a series, and texts that could end strings, comments and scripts.
+/// A model with names that are reserved words or library objects of JavaScript, an array parameter,
+/// kinks, a series, and texts that could end strings, comments and scripts.
 const std::string model_of_words = R"text(format = 1
 [model]
 name = "odd"

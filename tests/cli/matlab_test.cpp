@@ -104,7 +104,7 @@ TEST_CASE("matlab: functions that a module or its driver calls may name values, 
   }
   if (!has_octave()) return;
   folder.write("values.toml", rotor("rotor", "size", "numel"));
-  // No model can have the name of the driver's file or of its functions.
+  // No model can have the name of the driver's file or of a driver's function, such as flat__.
   folder.write("elgen_driver.toml", rotor("elgen_driver", "q", "J"));
   folder.write("flat.toml", rotor("flat", "q", "J"));
   folder.write("functions.toml", rotor("functions", "q", "J"));

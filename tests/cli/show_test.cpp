@@ -265,7 +265,7 @@ TEST_CASE("outputs of a model have a cost and a time") {
 TEST_CASE("a scene is compared with its full model") {
   const std::string text = costs("scenes/two_link_arm_elbow.scene.toml");
   CHECK(mentions(text, "cost  full model   share"));
-  // M has one entry of four: 3 operations replace 10 operations and a sine with its cosine.
+  // M has 1 entry instead of 4, and costs 3 operations instead of 10, a sine and a cosine.
   CHECK(mentions(text, "\nmass_matrix              3  "));
   CHECK(mentions(text, "reaction                41           -"));
   CHECK(mentions(text, "ms, the full model in "));
@@ -297,7 +297,7 @@ TEST_CASE("the page names the limit that ended the search, by default from the s
     const std::size_t at = text.find("; the limit ");
     return at == std::string::npos ? text : text.substr(at, text.find(':', at) - at);
   };
-  // A second suffices for 28e6 enclosures without a sanitizer, so no search is ended by its time.
+  // Without a sanitizer 28e6 enclosures take at most a second, so the limit of 60 s ends no search.
   CHECK(ending("--limit seconds=60 --limit enclosures=1000000") ==
         "; the limit enclosures=1000000 ended the search");
   CHECK(ending("--limit enclosures=1000000 --limit seconds=60") ==

@@ -82,8 +82,8 @@ TEST_CASE("verify: an equation solved for an acceleration is compared with the a
   CHECK(mentions(judged.errors, "has the opposite sign"));
 }
 
-/// Two pulleys and three masses. The second equation is an acceleration with 4*M*m2 in its
-/// denominator; a test replaces it by 2*M*m2.
+/// Two pulleys and three masses. The second equation is an acceleration with the term 4*M*m2 in the
+/// denominator; a test replaces this term by 2*M*m2.
 const std::string three_masses = R"toml(format = 1
 [model]
 name = "three_masses"

@@ -15,7 +15,8 @@ nlohmann::json table_in(const Outcome& outcome) {
   return nlohmann::json::parse(outcome.output);
 }
 
-/// A compiler that logs every library, and fails if the source contains the word `refused`.
+/// Writes a compiler that adds a line to the file `made` for each library, and that fails if the
+/// source contains `refused`.
 void write_compiler(const Workspace& workspace, const std::string& refused) {
   workspace.write("compiler.sh",
                   "for word; do case $word in */timing_driver.cpp)\n"
@@ -24,7 +25,7 @@ void write_compiler(const Workspace& workspace, const std::string& refused) {
                       "' \"$word\" && exit 1 ;; esac; done\nexec c++ \"$@\"\n");
 }
 
-/// A model, a scene, and a compiler that fails.
+/// A model, a scene, and a compiler that only answers --version.
 class RotorWorkspace : public Workspace {
  public:
   RotorWorkspace() {
@@ -131,7 +132,7 @@ TEST_CASE("requested dimensions are tried, expansions about the point of the sce
     CHECK_FALSE(design.contains("failure"));
     if (design["design"]["order"] != "1") continue;
     ++expanded;
-    // 1.5 times 0.01^2/6 at the end of the range.
+    // search_margin = 1.5 times theta^2/6, the relative error of theta for sin(theta) at 0.01 rad.
     CHECK(design["error"]["worst"] == Approx(2.5e-5).epsilon(0.01));
   }
   CHECK(expanded > 0);

@@ -135,7 +135,7 @@ TEST_CASE("every emitted file is compiled and run, in every storage order") {
 
 TEST_CASE("a rounding error beyond its bound is a note, and the exit code is 0") {
   const Workspace workspace;
-  // A square root of squares, as typed. The code loses digits if b is far from a and c.
+  // A square root of a sum of squares. Code that multiplies out the squares loses digits.
   workspace.write("egg.toml", R"toml(format = 1
 [model]
 name = "egg"
@@ -290,7 +290,7 @@ TEST_CASE(
 
 TEST_CASE("skipped checks are counted with their reason, and fail with --strict") {
   const Workspace workspace;
-  // M is regular in exact arithmetic, but singular up to 1e-18 of its entries.
+  // M = [[m, m], [m, m + d]] is regular, but det M = m d is only 1e-18 m^2.
   workspace.write(
       "light.toml",
       "format = 1\n[model]\nname = \"light\"\n[[coordinate]]\nname = \"x\"\nunit = \"m\"\n"

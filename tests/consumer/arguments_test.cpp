@@ -324,7 +324,8 @@ TEST_CASE("a cross-compiled project runs the elgen of the host", "[.all]") {
   CHECK_FALSE(builds(finding_elgen()));
   CHECK(builds("'-Delgen_DIR=" + package + "'"));
 
-  // The package of the target machine is found in its root, but its elgen does not run on the host.
+  // CMake finds the package of the target machine in root/, but root/usr/bin/elgen does not run on
+  // the host.
   project.prepare("mkdir -p root/usr/bin root/usr/share/cmake && cp -r '" + package +
                   "' root/usr/share/cmake && echo foreign > root/usr/bin/elgen");
   CHECK_FALSE(builds(""));

@@ -16,14 +16,14 @@ namespace elgen::test {
 
 namespace {
 
-/// The distinct matches of the pattern, sorted; "-" if there are none.
+/// The distinct matches of `pattern` in `log`, sorted, with blanks between; "-" if there are none.
 std::string found(const std::string& log, const std::string& pattern) {
   const std::vector<std::string> matches = all_matches(log, std::regex(pattern));
   const std::set<std::string> names(matches.begin(), matches.end());
   return names.empty() ? "-" : fmt::format("{}", fmt::join(names, " "));
 }
 
-/// An edit of a project, and the expected row.
+/// An edit of a project. `row`: "INPUTS | SOURCES" or "INPUTS | SOURCES | PLACE OF THE ERROR".
 struct Edit {
   const char* title;
   const char* command;

@@ -21,7 +21,8 @@ class Firmware : public Example {
       : Example("firmware", "-G Ninja -DCMAKE_TOOLCHAIN_FILE=cortex-m4.cmake '-Delgen_DIR=" +
                                 (installed() / "share/cmake/elgen").string() + "'") {}
 
-  /// The output of the target, run by ctest with the emulator of the toolchain file.
+  /// The firmware's lines that begin with angle or control. ctest runs the firmware in the emulator
+  /// of the toolchain file.
   [[nodiscard]] std::string test_output() const {
     const Outcome tested = run("ctest --test-dir build --verbose --timeout 60");
     CHECK(tested.status == 0);

@@ -18,7 +18,7 @@ class Planner : public Example {
  public:
   Planner() : Example("plan") {}
 
-  /// The output of the program after an edit of `file` by sed.
+  /// The outcome of build/plan, rebuilt after `file` is edited by the sed command `edit`.
   [[nodiscard]] Outcome run_edited(const std::string& file, const std::string& edit,
                                    const std::string& arguments = "") const {
     const std::string before = read(file);

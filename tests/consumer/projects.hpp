@@ -11,7 +11,7 @@ namespace elgen::test {
 
 inline const std::string models = ELGEN_SOURCE_DIR "/models";
 
-/// The number after these words; throws if the words are missing.
+/// The number after `words` in `text`; throws if `text` does not contain `words`.
 [[nodiscard]] double number_after(const std::string& text, const std::string& words);
 
 /// Writes the Debian package of this build into the workspace and returns its path; empty if

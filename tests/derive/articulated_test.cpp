@@ -12,8 +12,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// A boom on a turntable, a carriage on a parabola of the boom, a reel with an armature about an
-/// oblique axis, a spring, damping, and a lamp on a separate limb.
+/// A boom on a turntable, a carriage that moves along a parabola on the boom, a reel with an
+/// armature that rotates about an oblique axis, a spring, damping, and a lamp on a separate limb.
 const std::string& crane_text() {
   static const std::string text = frame_model("crane", "q r s p", R"toml(
 [[input]]

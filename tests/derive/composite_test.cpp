@@ -1,5 +1,5 @@
-// Composite inertias compared with sums over bodies in the world; rates of momentum per unit twist;
-// and their transformation along the tree.
+// Composite inertias compared with sums over bodies in the world, rates of momentum per unit twist,
+// and the transformation of inertias and rates along the tree.
 #include "derive/tree/composite.hpp"
 
 #include <catch2/catch.hpp>
@@ -11,7 +11,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// The twist `before`, taken from the axes before the transform `step` to the axes after `step`.
+/// `before` in the axes after the transform `step`: a translation by r gives velocity + spin x r, a
+/// rotation expresses spin and velocity in the child's axes.
 Twist after(KinematicTree& tree, std::size_t step, const Twist& before) {
   Twist result = before;
   if (tree.transform(step).kind == TransformKind::translation) {
@@ -36,7 +37,7 @@ const Twist first{{GiNaC::numeric(2, 3), GiNaC::numeric(-1, 5), GiNaC::numeric(3
 const Twist second{{GiNaC::numeric(1, 4), GiNaC::numeric(6, 5), GiNaC::numeric(-2, 7)},
                    {GiNaC::numeric(5, 3), GiNaC::numeric(-1, 8), GiNaC::numeric(1, 2)}};
 
-/// The spatial force (A s; s x P).
+/// The spatial force with the moment A s and the force s x P; A is `rate.a`, P is `rate.momentum`.
 SpatialForce force_of_rate(VectorAlgebra& algebra, const CompositeRate& rate, const ExVector3& s) {
   SpatialForce result;
   result.moment = algebra.product(rate.a, s);

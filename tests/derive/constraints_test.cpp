@@ -174,7 +174,7 @@ TEST_CASE("a mass on a rod moves as derived by hand") {
   const ex square = x * x + y * y;
   const ex f = square - s.parameters[1] * s.parameters[1];
   const ex rate = 2 * (x * s.v[0] + y * s.v[1]);
-  // A M^-1 A^T lambda = -gamma - 2 zeta omega r - omega^2 f - A M^-1 F
+  // A M^-1 A^T lambda = -gamma - 2 zeta omega df/dt - omega^2 f - A M^-1 F
   const ex bias = 2 * (s.v[0] * s.v[0] + s.v[1] * s.v[1]) + GiNaC::numeric(42, 5) * rate + 49 * f;
   const ex free = 2 * x * s.u[0] / m - 2 * y * s.parameters[2];
   const ex lambda = -m * (bias + free) / (4 * square);

@@ -1,5 +1,5 @@
-// Directions and graded energies that the outputs share, and derivation steps compared with the
-// textbook derivation.
+// Time derivatives and energies split by degree in the rates, which the outputs share, and
+// derivation steps compared with the textbook derivation.
 #include "derive/lagrangian/derivation.hpp"
 
 #include <catch2/catch.hpp>

@@ -100,7 +100,7 @@ class Framed {
     return entries;
   }
 
-  /// The derived entries as numbers.
+  /// The derived entries of the output `name` at `state`, as numbers with 60 digits.
   [[nodiscard]] Reals derived(const std::string& name, const State& state) {
     const RealVector entries = derived(name);
     return NumbersAt(equations_.symbols, equations_.definitions, state)(entries);
@@ -145,7 +145,7 @@ class Framed {
     for (std::size_t i = 0; i < size(); ++i) values.push_back(mass[i * (size() + 1)]);
   }
 
-  /// The derivatives of `twist` by v: values at v_j = 1 minus the value at v = 0, caused by time.
+  /// The derivatives of `twist` by v, row by row: the value at v_j = 1 minus the value at v = 0.
   [[nodiscard]] Reals twist_slopes(const std::vector<ExpressionId>& twist, State state) const {
     Reals result;
     for (const ExpressionId entry : twist) {

@@ -1,4 +1,5 @@
-// Hamiltonian functions of textbooks, velocities of momenta, b = p - M v, and rotations.
+// Hamiltonian functions of textbooks, velocities as functions of momenta, the part b = p - M v of
+// the momenta, and rotations.
 #include <catch2/catch.hpp>
 
 #include "derive/outputs/outputs.hpp"
@@ -22,7 +23,7 @@ bool agree(const Derived& s, const ex& derived, const ex& expected) {
   return vanishes(written_out(s.derivation.definitions, derived) - expected, leaves);
 }
 
-/// A system in coordinates x and y with these energies, masses m and a parameter k.
+/// A system with coordinates x and y, parameters m and k, and the keys `energies` in [energy].
 Derived plane_system(const std::string& energies) {
   return Derived(model_text("plane",
                             "[[coordinate]]\nname = \"x\"\n[[coordinate]]\nname = \"y\"\n"

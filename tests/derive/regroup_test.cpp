@@ -48,7 +48,7 @@ inertia = [90, 80, 70, 1, 2, 3]
 inertia_about = "origin"
 )toml";
 
-/// A free body whose centre of mass is not its origin; `more` may add an arm.
+/// A model with a coordinate x and a rotation e; `more` has parameters, frames and bodies.
 std::string flying(const std::string& more) {
   return model_text("flying", R"toml([[coordinate]]
 name = "x"
@@ -76,8 +76,8 @@ com = ["c", "b/2", "-c"]
 inertia = ["J", "2*J", "5/2*J"]
 )toml";
 
-/// The largest error of momentum = M v, tau(a) - tau(0) = M a and p v = 2 T, with quaternions of
-/// length 1.1.
+/// The largest error of p = M v, tau(a) - tau(0) = M a and p v = 2 T with p = momentum, at a state
+/// with quaternions whose length is not 1.
 double error_off_sphere(const std::string& text) {
   Framed system(text);
   State state = some_state(system.checked, 1);
@@ -130,7 +130,7 @@ TEST_CASE("inertia that acts equally on the parent of a rotation moves to the pa
   Framed system(model_text("two_links", two_links));
   Derivation derivation(system.lagrangian);
   std::vector<RigidBody> bodies = tree_of(derivation).bodies();
-  // The first body is the world: a body that does not move has only a weight.
+  // bodies[0] is the world: it does not move, so its mass 3 + 5 has only a weight.
   REQUIRE(bodies.size() == 3);
   CHECK_FALSE(bodies[0].transform.has_value());
   CHECK(bodies[0].mass.is_equal(8));

@@ -33,7 +33,8 @@ std::size_t cost(const std::string& text, bool last_first) {
   return derivation.definitions.list.size() - before;
 }
 
-/// A base x with two arms of three revolute joints each, with coordinates in the given order.
+/// A base that slides along x with two arms of three revolute joints each. The order of the
+/// coordinates is x, a1, a2, a3, b1, b2, b3.
 std::string branched_text() {
   std::string text = model_text("branched", "[[coordinate]]\nname = \"x\"\n");
   std::string frames =

@@ -1,7 +1,7 @@
 // The textbook derivation: write out L, differentiate, expand. Slow, but simple enough to be
 // trusted.
 //
-//     tau = d/dt dL/dv - dL/dq + dD/dv - Q,    d/dt = sum v d/dq + sum a d/dv + d/dt
+//     tau = rate(dL/dv) - dL/dq + dD/dv - Q,    rate(f) = sum v df/dq + sum a df/dv + df/dt
 #pragma once
 
 #include <vector>

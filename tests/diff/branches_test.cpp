@@ -16,7 +16,7 @@ struct Forms {
   const char* after;
 };
 
-/// Equal in [-1, 1], different beyond; {} is replaced by a number above 1.
+/// Pairs that are equal in [-1, 1] and differ outside; {} is replaced by a number above 1.
 constexpr std::array different_beyond{
     Forms{"max(x - {}, 0)", "0*x"},
     Forms{"min(x, {})", "x"},
@@ -57,7 +57,7 @@ constexpr std::array equal_everywhere{
     Forms{"sqrt({}*exp(2*x))", "exp(x)*sqrt({})"},
 };
 
-/// Equal at all points, but of a shape for which equality is not proved.
+/// Pairs that agree at all sampled points, but of a shape for which equality is not proved.
 constexpr std::array not_told_apart{
     Forms{"abs(x)^2", "x^2"},
     Forms{"abs(x)", "sqrt(x^2)"},

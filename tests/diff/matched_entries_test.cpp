@@ -127,8 +127,7 @@ TEST_CASE("multipliers are compared even if pivots are not") {
   const auto alike = matched(lowered(held), lowered(held), OutputKind::forward_dynamics);
   const auto others =
       matched(lowered(held), lowered(exchanged(held)), OutputKind::forward_dynamics);
-  // Two accelerations, three pivots, a multiplier, and three entries of the diagonal of M, which no
-  // program keeps.
+  // Two accelerations, three pivots, a multiplier, and the three entries of the field `diagonal`.
   CHECK(alike.size() == 9);
   REQUIRE(others.size() == 6);
   CHECK(others[2].before == 5U);

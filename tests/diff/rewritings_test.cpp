@@ -43,7 +43,7 @@ g = 9.81
 )toml" + rest);
 }
 
-/// Checks that the second form is equal, and different with the error inserted.
+/// Checks that `after` is equal to `before`, and different if `wrong` replaces `part`.
 void check_pairs(const Rewriting& pair) {
   INFO(pair.what);
   const std::string before = text_of(pair, pair.before);

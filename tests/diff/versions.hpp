@@ -14,7 +14,7 @@
 
 namespace elgen::test {
 
-/// One version with its sources and products.
+/// The parsed model and scene of one version, and the products of the pipeline.
 struct LoweredVersion {
   FileSyntax model = {};
   std::optional<FileSyntax> scene = {};
@@ -26,7 +26,8 @@ struct LoweredVersion {
   }
 };
 
-/// The model `text` after the stage `goal`; `scene` is the text after the scene's name.
+/// The model `text` with its products up to the stage `goal`; `scene` is the text after the scene's
+/// name.
 inline LoweredVersion lowered(const std::string& text, const std::string& scene = {},
                               Goal goal = Goal::lower) {
   PipelineOptions options;

@@ -10,7 +10,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// The verdict for the only entry; without `positive` both leaves may be negative.
+/// The verdict on the only entry of `code`. If `positive`, m is positive; x may always be negative.
 ZeroVerdict zero_of(const std::string& code, bool positive = false) {
   const Program program = read_program(
       "parameters m\n" + std::string(positive ? "positive m\n" : "") +

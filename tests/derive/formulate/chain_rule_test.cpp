@@ -12,8 +12,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// Coordinates x and y, their rates v and w, time t, and definitions f.a to f.d that use each
-/// other.
+/// Coordinates x and y, their rates v and w, time t, and definitions a to d; b, c and d use earlier
+/// definitions.
 struct Fixture {
   Definitions definitions;
   GiNaC::realsymbol x{"x"}, y{"y"}, v{"v"}, w{"w"}, t{"t"};

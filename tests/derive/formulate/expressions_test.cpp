@@ -13,7 +13,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// The written-out potential energy V of a model with one coordinate x and one parameter k.
+/// V/E with definitions written out, in a model with V = E*(`text`), a coordinate x and parameters
+/// k and E. Sets `lagrangian`.
 ex translate_potential(const std::string& text, Lagrangian& lagrangian) {
   const auto result = formulate(checked_model(model_text("one", R"toml(
 [[coordinate]]

@@ -41,8 +41,8 @@ std::string text(const Lagrangian& lagrangian, const GiNaC::ex& value) {
   return out.str();
 }
 
-/// The transforms, such as "shift(l,0,0) turn(0,0,1;q)". "^world", or "^" and a number, is the
-/// parent of a transform that does not follow its parent.
+/// The transforms, such as "shift(l,0,0) turn(0,0,1;q)". If the parent of a transform is not the
+/// transform before, the parent is appended: "^world", or "^" and the number of the parent.
 std::string steps(const Lagrangian& lagrangian) {
   std::string result;
   const std::vector<TreeTransform>& list = lagrangian.tree.transforms;
@@ -107,7 +107,7 @@ TEST_CASE("a translation along the axis of a rotation comes after the rotation",
                  "translate = [\"l\", \"s\", \"0\"]\nrotate = [[\"x\", \"pi/2\"], [\"z\", "
                  "\"q\"]]\n" +
                  body) == "shift(l,0,0) turn(1,0,0;1/2*Pi) turn(0,0,1;q) shift(0,0,-s)");
-  // A translation passes only rotations by quarter turns.
+  // s does not move across the turn by 1 rad about x, because cos(1) and sin(1) are irrational.
   CHECK(steps_of(frame +
                  "translate = [\"l\", \"s\", \"0\"]\nrotate = [[\"x\", \"1\"], [\"z\", "
                  "\"q\"]]\n" +

@@ -17,7 +17,7 @@ inline GiNaC::ex written_out(const Definitions& definitions, GiNaC::ex value) {
   return value.subs(known, GiNaC::subs_options::no_pattern);
 }
 
-/// True if `difference` vanishes at exact points in 60-digit arithmetic. Points are small
+/// True if |`difference`| <= 1e-45 at three points in 60-digit arithmetic. The points are small
 /// rationals, so values are between 1 and 1e6. The tolerance 1e-45 is far above rounding errors and
 /// far below the effect of any mistake.
 inline bool vanishes(const GiNaC::ex& difference, const std::vector<GiNaC::ex>& symbols) {

@@ -18,7 +18,7 @@ struct Routes {
 
   [[nodiscard]] Function lowered() const { return lowered(equations); }
 
-  /// The function without its alternatives: lowered by elimination of M.
+  /// Forward dynamics lowered by elimination of M, without the alternative by articulated bodies.
   [[nodiscard]] Function lowered_by_elimination() const {
     EquationsOfMotion usual = equations;
     usual.alternatives.clear();

@@ -205,7 +205,7 @@ value = ["F", "0", "0"]
   const ex kinetic = (5 * m * l * l + s.parameters[2]) * s.v[0] * s.v[0] / 2;
   CHECK((e.kinetic - kinetic).expand().is_zero());
   CHECK((e.potential + 3 * m * s.parameters[3] * l * (1 - q * q / 2)).expand().is_zero());
-  // u - 2 l F cos(q), with F small as well.
+  // u - 2 l F cos(q) = u - 2 l F to order 2, because F counts as small like q.
   CHECK((force(e, 0) - s.u[0] + 2 * l * s.u[1]).expand().is_zero());
 }
 
