@@ -1,5 +1,5 @@
-// Commands: each command has a file with its name, its options and its action. This file has the
-// options that several commands share.
+// Commands: the functions that add the commands to the command line, and the options that several
+// commands share.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -26,8 +26,8 @@ using Action = std::function<ExitCode(const GlobalOptions&)>;
 #include "cli/commands.def"
 #undef ELGEN_COMMAND
 
-/// Makes the parse of `command` set `action`, which calls `run` with the `options` that CLI11 has
-/// filled.
+/// Registers a callback of CLI11: if the command line names `command`, `action` becomes a call of
+/// `run` with the parsed `options`.
 template <class Options>
 void set_action(CLI::App& command, Action& action, const std::shared_ptr<Options>& options,
                 ExitCode (*run)(const GlobalOptions&, const Options&)) {
@@ -65,7 +65,7 @@ inline CLI::Option* add_number_option(CLI::App& command, const char* name,
       name, [&value](double given) { value = given; }, doc);
 }
 
-/// An output file that its owner may edit, so only --force replaces it.
+/// An output file. Only --force replaces an existing file, which the owner may have edited.
 struct FileOption {
   std::string file = {};  ///< empty: no file
   bool force = false;

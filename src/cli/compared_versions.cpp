@@ -58,7 +58,7 @@ Result<std::vector<std::string>> list_disk_files(const std::string& folder) {
   for (auto at = fs::recursive_directory_iterator(folder, error);
        !error && at != fs::recursive_directory_iterator(); at.increment(error)) {
     last = at->path();
-    // is_directory() is false for a broken or circular link; its error code is ignored.
+    // is_directory() returns false for a broken or circular link; the error code is not needed.
     std::error_code unknown;
     if (at->is_directory(unknown) && is_hidden(last.filename())) at.disable_recursion_pending();
     if (!at->is_regular_file(unknown)) continue;
@@ -160,7 +160,7 @@ class VersionComparison {
   VersionComparison(const CompareOptions& options, const Limits& limits)
       : options_(options), limits_(limits) {}
 
-  /// Compares two files; their errors are kept for the result.
+  /// Adds the changes between two files to the report, or the errors of the files.
   void compare(const VersionReader& old_side, const std::string& old_path,
                const VersionReader& new_side, const std::string& new_path) {
     const Progress progress(new_path);
@@ -269,13 +269,13 @@ class VersionComparison {
     }
   }
 
-  /// Keeps the errors of a file that is not compared; true if it has none.
+  /// Adds to the report the errors of a file that is not compared; true if the file has none.
   bool keep_input_errors(const std::string& path, const PipelineSources& inputs) {
     return keep_errors(path, inspection_diagnostics(inputs, limits_));
   }
 
-  /// Keeps the errors among the diagnostics; true if there are none. Warnings are dropped, because
-  /// `generate` reports them.
+  /// Adds the errors in `found` to the report; true if there are none. Warnings are dropped,
+  /// because `generate` reports them.
   bool keep_errors(const std::string& path, const Diagnostics& found) {
     for (const Diagnostic& diagnostic : found) {
       if (code_row(diagnostic.code).severity != Severity::error) continue;

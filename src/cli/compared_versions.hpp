@@ -16,8 +16,8 @@ namespace elgen::cli {
 [[nodiscard]] Result<DiffReport> compare_paths(const std::string& before, const std::string& after,
                                                const CompareOptions& options, const Limits& limits);
 
-/// Compares files and folders (default: ".") with their versions in a revision of git. E713 if git
-/// does not know the revision, or cannot be run.
+/// Compares files and folders (default: ".") with their versions in the git revision `name`. E713
+/// if git does not know this revision, or if git cannot be run.
 [[nodiscard]] Result<DiffReport> compare_with_revision(const std::string& name,
                                                        std::vector<std::string> paths,
                                                        const CompareOptions& options,

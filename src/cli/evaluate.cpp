@@ -16,7 +16,7 @@ struct EvaluateOptions {
   std::string input = {};
   SceneOptions scene = {};
   StateOptions values = {};
-  std::string format = {};  ///< format; empty: follows --format
+  std::string format = {};  ///< format on stdout; empty: follows --format
 };
 
 constexpr std::array value_formats{DataFormat<ValueTable>{"csv", &to_csv},

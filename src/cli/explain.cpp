@@ -1,6 +1,6 @@
 // elgen explain NAME: explains an error code, an output, a function of the model language, or a
-// name in [[expect]]. For an entry of model and scene files (`coordinate`, `scene.outputs`), it
-// lists the keys.
+// name in [[expect]]. If NAME is an entry of model or scene files (`coordinate`, `scene.outputs`),
+// lists the keys of the entry.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -121,8 +121,8 @@ std::string key_line(const KeyRow& key) {
                      details_text(key.details, std::string(17, ' ')));
 }
 
-/// The header and doc of an entry: "[[frame]]: ..."; for a table inside an entry only its name,
-/// "frame.dh".
+/// The header and the doc of an entry: "[[frame]]: ...". For a table inside an entry, only the name
+/// of the table: "frame.dh".
 std::string entry_header(const std::string& name) {
   for (const EntryRow& entry : entry_table()) {
     if (entry.entry != name) continue;

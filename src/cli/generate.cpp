@@ -160,7 +160,7 @@ std::optional<std::string> find_other_source(const GlobalOptions& global, const 
   return is_other && may_have_name(global, *source, job.scene().base_name) ? source : std::nullopt;
 }
 
-/// E604 if files of another model or scene with the same name would be replaced.
+/// E604 if the job would replace the files of another model or scene that has the same name.
 Diagnostics occupied_name_errors(const GlobalOptions& global, const GenerateOptions& options,
                                  const std::vector<Job>& jobs) {
   Diagnostics errors;

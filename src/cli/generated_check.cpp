@@ -67,7 +67,8 @@ class OrphanSearch {
     }
   }
 
-  /// Why no input generates the files of the folder; "" if some input does, or if this is unknown.
+  /// The reason why no input generates the files of the folder; "" if an input generates the files,
+  /// or if the sources are unknown.
   std::string orphan_reason(const fs::path& folder) const {
     for (const fs::path& path : sorted_entries(folder)) {
       if (!path.filename().string().ends_with(sidecar_ending)) continue;
@@ -91,10 +92,10 @@ class OrphanSearch {
   std::vector<FileDifference> found_ = {};
 };
 
-/// Finds orphans, which are generated files that no input generates now. In the folders of `files`,
-/// all other generated files are orphans. In another folder below `directory`, all generated files
-/// are orphans if the sidecar names a source that does not exist, or one of `sources`: this source
-/// now generates files of another name.
+/// Finds orphans: generated files that no input generates now. In the folders of `files`, all
+/// generated files except `files` are orphans. In another folder below `directory`, all generated
+/// files are orphans if the source that the sidecar names does not exist, or is one of `sources`.
+/// In the second case this source now generates files of another name.
 std::vector<FileDifference> find_orphans(const std::string& directory, const EmittedFiles& files,
                                          const std::vector<SourcePaths>& sources) {
   return OrphanSearch(directory, files, sources)();

@@ -1,4 +1,4 @@
-// generated_check: compares and reports for `generate --check`.
+// generated_check: compares generated files for `generate --check`, and reports the differences.
 #pragma once
 
 #include <string>
@@ -19,9 +19,9 @@ struct GeneratedSystems {
   std::string comparison = {};  ///< the command that compares the equations; "" if there is none
 };
 
-/// Prints the files that differ from the generated text; with -v also the first lines of the
-/// difference. Then prints the commands that repair the files and compare the equations. In other
-/// formats than text, reports E715 for each file.
+/// Prints the files that differ from the generated text; with -v also the first lines of each
+/// difference. Then prints the commands that repair the files and the command that compares the
+/// equations. If the format is not text, only reports E715 for each file.
 [[nodiscard]] ExitCode check_generated(const GlobalOptions& global,
                                        const GeneratedSystems& systems);
 

@@ -107,7 +107,7 @@ std::string import_with_stated_names(const std::string& stated, const SourcePoin
   return model ? model->text : "";
 }
 
-/// E715 if the file differs from the imported model in more than the names of files.
+/// E715 if the checked file differs from the import in more than the names of model and file.
 ExitCode check_file(const GlobalOptions& global, const ImportCommandOptions& options,
                     const SourcePointer& source, const std::string& text) {
   const Result<SourcePointer> file = read_source(options.checked_file, global.limits);

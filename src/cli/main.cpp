@@ -1,5 +1,5 @@
-// elgen: parses the command line and runs its command; every command has its own file. Errors of
-// CLI11 become diagnostics that point into the command line.
+// elgen: parses the command line and runs the command that the command line names. Errors of CLI11
+// become diagnostics that point into the command line.
 #include <fmt/format.h>
 
 #include <charconv>
@@ -119,7 +119,7 @@ std::vector<std::string> without_help_command(std::vector<std::string> words) {
 /// files do not count as settings.
 std::vector<std::string> repeat_options(const std::vector<std::string>& words) {
   std::vector<std::string> all;
-  std::string option;  // to which the following settings belong
+  std::string option;  // the option to which the next settings belong
   bool is_first = false;
   for (std::string word : words) {
     const std::size_t equals = word.find('=');

@@ -12,10 +12,10 @@
 namespace elgen::cli {
 namespace {
 
-/// If writing to stderr fails, nothing can report it.
+/// Errors of fputs() are ignored, because only stderr could report them.
 void write_stderr(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
-/// Prints all diagnostics before the message of any limit that is exceeded meanwhile.
+/// Prints all diagnostics. If a limit is exceeded meanwhile, the message of this limit follows.
 void write_stderr(const Diagnostics& diagnostics, const DiagnosticStyle& style) {
   // All memory is allocated before the first byte is written. Signals are deferred until the last
   // byte is written.

@@ -33,7 +33,7 @@ struct ShowOptions {
   SceneOptions scene = {};
 };
 
-/// Calls `make` with the result of an analysis, to make a page or JSON.
+/// The page or JSON that `make` makes from the result `found` of an analysis.
 template <auto make, auto found>
 auto format_result(const Products& products, const PageOptions&) {
   return make(*products.checked, *(products.*found));
@@ -139,8 +139,8 @@ double generation_time(const Products& products) {
   return stage_seconds(products.times, "parse", "emit");
 }
 
-/// The sizes from options, and the sizes from the scene that no option overrides, as values of
-/// --size.
+/// The values of --size: the sizes in `options`, then the sizes of the scene that `options` do not
+/// override.
 std::vector<SourcePointer> sizes_of(const PipelineSources& inputs, const PipelineOptions& options) {
   std::vector<SourcePointer> sizes = options.scene.sizes;
   const auto is_given = [&options](const std::string& name) {
@@ -171,7 +171,8 @@ std::string percentage(double part, double whole) {
   return whole > 0 ? fmt::format("{:.0f} %", 100 * part / whole) : "";
 }
 
-/// The cost in the scene; if `full` is set, also the cost in the full model and their ratio.
+/// The columns of an output: its cost in `program`. If `full` is set, also its cost in the full
+/// model, and the ratio of the two costs in percent.
 std::vector<std::string> cost_columns(const OutputRequest& request, const Program& program,
                                       const Products* full) {
   const auto cost_in = [&request](const std::optional<Program>& of) -> std::optional<std::size_t> {
@@ -187,9 +188,9 @@ std::vector<std::string> cost_columns(const OutputRequest& request, const Progra
           percentage(static_cast<double>(own), static_cast<double>(*whole))};
 }
 
-/// A table of outputs: cost of one call, cost in the full model (if there is a scene), and time to
-/// derive this output by itself (formulate to choose). Derives each output of `products` again, and
-/// the full model. `products` must belong to `inputs`.
+/// A table of outputs: cost of one call, cost in the full model (if there is a scene), and time
+/// from formulate to choose if only this output is derived. Derives the full model, and each output
+/// of `products` again. `products` must belong to `inputs`.
 std::string cost_table(const PipelineSources& inputs, const PipelineOptions& options,
                        const Products& products) {
   PipelineOptions silent = options;
@@ -207,7 +208,7 @@ std::string cost_table(const PipelineSources& inputs, const PipelineOptions& opt
   rows[0].emplace_back("alone");
   columns.push_back({true, 12});
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (!has_equations(output_row(requests[i].kind))) continue;  // steps only call functions
+    if (!has_equations(output_row(requests[i].kind))) continue;  // an integration step has none
     std::vector<std::string>& row = rows.emplace_back(1, requests[i].name);
     const std::vector<std::string> costs = cost_columns(requests[i], *products.program, full);
     row.insert(row.end(), costs.begin(), costs.end());

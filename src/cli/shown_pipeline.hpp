@@ -1,4 +1,4 @@
-// The pipeline as commands run it: they show the progress, then the diagnostics.
+// Functions that run the pipeline for a command: they show the progress, then the diagnostics.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ namespace elgen::cli {
 [[nodiscard]] PipelineOptions pipeline_options(const GlobalOptions& global,
                                                std::vector<Goal> goals);
 
-/// Runs the pipeline and shows its stages. The line of progress is cleared before this returns, so
-/// that results can be printed.
+/// Runs the pipeline and shows its stages. Clears the line of progress at the end, so that results
+/// can be printed.
 [[nodiscard]] Products run_pipeline_with_progress(const std::string& subject,
                                                   const PipelineSources& inputs,
                                                   PipelineOptions options);
@@ -22,8 +22,8 @@ namespace elgen::cli {
 /// Prints the dump, if any, on stdout and the diagnostics on stderr.
 ExitCode report_products(const GlobalOptions& global, const Products& products);
 
-/// True if `path` is a model or scene of this name, or a model or scene with errors, because its
-/// name is then unknown. False if the file cannot be read.
+/// True if the model or scene in the file `path` is called `name`, or has errors, so that its name
+/// is unknown. False if the file cannot be read.
 [[nodiscard]] bool may_have_name(const GlobalOptions& global, const std::string& path,
                                  const std::string& name);
 

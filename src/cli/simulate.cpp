@@ -29,15 +29,15 @@ struct SimulateOptions {
   std::string input = {};
   SceneOptions scene = {};
   SimulationOptions run = {};
-  FileOption output = {};  ///< for the rows
+  FileOption output = {};  ///< file of the rows
 };
 
 /// The number of rows if --every is not set.
 constexpr double default_rows = 1000;
 
-/// A function for the progress of a run. After one second it estimates the duration of the whole
-/// run. If this is ten seconds or more, it shows the estimate once: in the line of progress on a
-/// terminal, otherwise as a message.
+/// The function for SimulationOptions::on_progress. After one second it estimates the duration of
+/// the run. If the estimate is ten seconds or more, the function shows it once: in the line of
+/// progress on a terminal, otherwise as a message.
 std::function<void(double)> make_duration_estimator(const GlobalOptions& global,
                                                     const Progress& progress, double from,
                                                     double time) {

@@ -32,7 +32,7 @@ struct TradeoffOptions {
   std::string input = {};
   std::string measured_output = {};  ///< the output to measure
   std::optional<double> time = {};   ///< duration of runs in s; none: an output is measured
-  std::vector<double> lengths = {};  ///< of steps in these runs, in s
+  std::vector<double> lengths = {};  ///< lengths of the steps of these runs, in s
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
   TradeoffOutput output = {};
@@ -59,7 +59,8 @@ Diagnostics no_design_errors(const TradeoffTable& table, double max_error) {
 }
 
 /// Picks the cheapest row within --max-error; E632 if there is none. If --write-scene is set,
-/// appends the scene of the row to `files`. The scene of an output requires this `max_error`.
+/// appends the scene of the row to `files`. If the rows are designs of an output, the scene also
+/// requires this `max_error`.
 ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
                     const PipelineSources& inputs, const TradeoffTable& table,
                     std::vector<OutputFile>& files) {

@@ -25,7 +25,7 @@ namespace {
 
 using Fields = std::vector<FieldEquations>;
 
-/// The entries of each field of an output, in the order of the table of outputs.
+/// The entries of each field of an output; one element per field, in the order of the table.
 using FieldEntries = std::vector<RealVector>;
 
 FieldEntries field_entries(RealVector x) { return {std::move(x)}; }
@@ -70,7 +70,8 @@ FieldEquations make_field(std::string_view name, const RealVector& entries, std:
 }
 
 /// The fields of an output. If an output has several fields, its empty fields are omitted, such as
-/// derivatives by u of a model without inputs. The table of outputs lacks the field `diagonal`.
+/// derivatives by u of a model without inputs. The field after the last row of the table is
+/// `diagonal`.
 Fields make_output_fields(const Derivation& derivation, const OutputRequest& request,
                           FieldEntries all) {
   if (request.omits_pivots) remove_pivots(all);
@@ -190,8 +191,9 @@ std::size_t count_ginac_operations(const ex& value) {
 
 /// Forward dynamics by the articulated-body algorithm. `is_shorter`: the algorithm needs fewer
 /// operations than the factorisation of M, so forward dynamics through M is not derived.
-/// articulated_route() returns none if the algorithm does not apply or exceeds the limit of
-/// definitions, or if a pivot is 0: the route through M then reports the singular M.
+/// articulated_route() returns none if the algorithm does not apply, if the definitions exceed
+/// their limit, or if a pivot is 0. In the last case, the route through M reports that M is
+/// singular.
 struct ArticulatedRoute {
   EquationsOfMotion equations = {};
   bool is_shorter = false;

@@ -17,8 +17,8 @@ using GiNaC::ex;
 
 namespace {
 
-/// A request for an output with `rows` entries. Equations are found by kind and `user`, so `user`
-/// distinguishes two outputs of one kind.
+/// A request for an output with `rows` entries. `user` distinguishes two outputs of one kind,
+/// because the equations of an output are found by kind and `user`.
 OutputRequest make_request(OutputKind kind, std::uint32_t user, std::string name,
                            std::size_t rows) {
   OutputRequest request;

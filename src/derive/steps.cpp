@@ -79,8 +79,8 @@ class StepsDerivation {
     add_step("constraints", std::move(sides));
   }
 
-  /// The non-zero summands: the sum over points and bodies, then `others`. If all are 0, a single
-  /// 0.
+  /// The non-zero summands: `of_masses` (the sum over points and bodies), then `others`. If all are
+  /// 0, the list is a single 0.
   [[nodiscard]] Terms nonzero_summands(const ex& of_masses, const Terms& others) {
     Terms result{of_masses};
     result.insert(result.end(), others.begin(), others.end());

@@ -1,4 +1,4 @@
-// change_words: shortens long texts. For an entry without a closed form, writes its verdict.
+// change_words: shortens long texts, and describes an entry without a closed form by its verdict.
 #include "diff/change_words.hpp"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ std::string shorten(const std::string& text) {
   return text.substr(0, longest_value - 3) + "...";
 }
 
-/// The unit after a space, " m/s"; "" if there is none or it is 1.
+/// The unit of the entry after a space, " m/s"; "" if the entry has no unit or the unit 1.
 std::string unit_suffix(const EntryChange& entry) {
   return entry.unit.empty() || entry.unit == "1" ? "" : " " + entry.unit;
 }

@@ -1,4 +1,4 @@
-// change_words: each kind of change as text.
+// change_words: functions that describe a change of each kind in words.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace elgen {
 
-/// The place of a key and two spaces: "models/cart_pole.toml:55:17  "; "" if it has no place.
+/// The place of a key and two spaces: "models/cart_pole.toml:55:17  "; "" if the key has no place.
 [[nodiscard]] std::string place_text(const KeyChange& change);
 
 /// A changed key in words: "[gravity] vector[2]: -g -> g".
@@ -35,7 +35,7 @@ struct VerdictCounts {
   std::size_t different = 0;
   std::size_t undecided = 0;  ///< neither proved equal nor shown to differ
   std::size_t rewritten = 0;
-  std::size_t proved = 0;    ///< of `rewritten`: proved equal
+  std::size_t proved = 0;    ///< entries of `rewritten` that are proved equal
   std::size_t replaced = 0;  ///< pairs of a removed and an added entry, as after a rename
   std::size_t added = 0;
   std::size_t removed = 0;
@@ -51,7 +51,7 @@ struct VerdictCounts {
 /// "a -> b"; "" if a form is missing or too long.
 [[nodiscard]] std::string change_text(const EntryChange& entry);
 
-/// A state, and both values of the entry at this state; "" without a witness.
+/// The state of the witness, and both values of the entry at this state; "" if there is no witness.
 [[nodiscard]] std::string witness_text(const EntryChange& entry);
 
 /// A changed entry in words: "gravity[2] = a -> b, difference c", "gravity[2]: is new",

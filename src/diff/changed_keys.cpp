@@ -82,7 +82,7 @@ bool is_repeated(const EntrySyntax& entry) {
 struct IdentifiedEntry {
   const EntrySyntax* entry = nullptr;
   const KeySyntax* key = nullptr;  ///< "name", "on", "at" or "frame"; null: none of these
-  std::size_t number = 1;          ///< counts entries with an equal key
+  std::size_t number = 1;          ///< 1 for the first entry with this key, 2 for the second
 };
 
 bool has_same_key(const IdentifiedEntry& x, const IdentifiedEntry& y) {
@@ -209,7 +209,8 @@ class KeyComparison {
     add_change(path, text_of(old), text_of(now), old.span, now.span);
   }
 
-  /// Compares `m = 1` with its long form `m = { value = 1 }`; false for other kinds of values.
+  /// Compares a short value `m = 1` with a long value `m = { value = 1 }`. Returns false, without a
+  /// comparison, for other kinds of values.
   bool compare_short(const ValueSyntax& old, const ValueSyntax& now, const KeyPath& path) {
     const auto written_out = [](const ValueSyntax& value) {
       return std::vector<KeySyntax>{{"value", value.span, value}};
@@ -257,7 +258,7 @@ class KeyComparison {
     return names;
   }
 
-  /// Compares the order of the names that both versions have, and adds a change if it differs.
+  /// Compares the order of the names that both versions have. Adds a change if the order differs.
   void compare_order(Names olds, Names news) {
     const auto drop_others = [](Names& names, const Names& others) {
       std::erase_if(names, [&others](const auto& name) {

@@ -54,8 +54,9 @@ bool changes_only_number(const KeyChange& change) {
   return change.table == "parameters" && (path.size() == 1 || path[1].key == "value");
 }
 
-/// The least impact of a changed key, before values and equations are compared. If a scene fixes a
-/// parameter at its value, the parameter becomes a number, so the impact is `values`.
+/// The least impact of a changed key, before values and equations are compared. If a scene begins
+/// or ceases to fix a parameter, the impact is at least `values`, because a parameter becomes a
+/// number, or a number becomes a parameter.
 Impact least_impact(const KeyChange& change) {
   const bool is_fixed =
       change.table == "scene.parameters" && (change.before.empty() || change.after.empty());
@@ -84,7 +85,8 @@ Impact impact_of(const std::vector<KeyChange>& keys) {
   return worst;
 }
 
-/// True if an equilibrium moves: a scene may expand about it, so equations may change.
+/// True if the change moves an equilibrium. Equations may then change, because a scene may expand
+/// the equations about this equilibrium.
 bool is_moved_equilibrium(const KeyChange& key) {
   if (key.table != "equilibrium" || key.path.empty()) return false;
   return key.path.front().key == "at" || key.path.front().key == "inputs";
@@ -148,7 +150,8 @@ ParameterValues new_parameters(const Version& before, const Version& after,
   return values;
 }
 
-/// "at mt = 0 all entries equal the old entries (proved)"; "" if they do not.
+/// "at mt = 0 all entries equal the old entries (proved)"; "" if an entry differs, or if the newer
+/// version has no new parameter.
 std::string extension_text(const Version& before, const Version& after,
                            const CompareOptions& options) {
   const ParameterValues values = new_parameters(before, after, options.renames);

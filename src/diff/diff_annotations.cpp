@@ -21,8 +21,8 @@ namespace {
 /// The number of annotations that GitHub shows per step and level.
 constexpr std::size_t most_annotations = 10;
 
-/// One error with all reasons why the system breaks. Its place is the first key that breaks the
-/// system and exists in the newer version.
+/// One error with all reasons why the system breaks. The place of the error is the first key that
+/// breaks the system and exists in the newer version.
 WorkflowCommand broken_system_annotation(const DiffReport& report, const SystemChange& system) {
   std::string reasons;
   for (const InterfaceChange& change : system.interface) {

@@ -31,7 +31,7 @@ constexpr std::size_t most_interface = 6;  ///< further changes are only counted
 constexpr std::size_t most_operations = 3;
 constexpr std::size_t max_named_expectations = 4;  ///< number of named expectations
 
-/// The lines with one label. Each text appears once, with all its systems.
+/// The lines under one label. A text of several systems appears once, with all these systems.
 class SummarySection {
  public:
   SummarySection(SummaryLines& lines, std::string label, std::size_t most = SIZE_MAX)
@@ -63,7 +63,7 @@ class SummarySection {
   std::map<std::string, std::size_t> known_ = {};  ///< index of the line by text; SIZE_MAX: no line
 };
 
-/// A part of the equations of motion, and its output.
+/// The symbol of a part of the equations of motion, and the output that contains this part.
 struct EquationTerm {
   std::string_view symbol;
   OutputKind kind;
@@ -120,7 +120,7 @@ std::string expectations_text(const SystemChange& system) {
                      some.size() == count ? "" : ", ...");
 }
 
-/// The system in which most entries differ.
+/// The system with the largest number of differing entries; null if there are no systems.
 const SystemChange* most_changed_system(const DiffReport& report) {
   const auto most = std::ranges::max_element(report.systems, {}, [](const SystemChange& system) {
     const VerdictCounts counts = counts_of(system);
@@ -191,7 +191,7 @@ class SummaryWriter {
     return label_of(report_, system);
   }
 
-  /// Adds the text words(system) of each system, all with one label.
+  /// Adds the text words(system) for each system, under the label `heading`.
   template <class TextOf>
   void add_text_per_system(std::string heading, const TextOf& words) {
     SummarySection section(lines_, std::move(heading));

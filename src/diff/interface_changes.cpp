@@ -22,7 +22,7 @@ struct InterfaceMember {
   std::string name = {};
   std::string unit = {};
   std::size_t size = 1;
-  std::optional<Unit> parsed_unit = {};  ///< the unit, parsed
+  std::optional<Unit> parsed_unit = {};  ///< `unit` for comparisons: rad is 1
 };
 
 using InterfaceMembers = std::vector<InterfaceMember>;
@@ -271,7 +271,7 @@ void compare_shapes(InterfaceChangeList& changes, const Program& before, const P
   }
 }
 
-/// Compares rows or columns that no list of the interface names; for example, the rows of
+/// Compares the rows and columns that are in no list of the interface. For example, the rows of
 /// `reaction` are locked coordinates.
 struct UnlistedAxes {
   const Version& before;

@@ -125,7 +125,7 @@ Labels labels_of(const Model& model, const Renames& renames, Extent extent,
   return labels;
 }
 
-/// Numbers as labels of fields that the output table lacks, such as the diagonal of M.
+/// The labels "1", "2", …, for fields that the output table lacks, such as the diagonal of M.
 Labels number_labels(std::uint32_t count) {
   Labels labels;
   for (std::uint32_t i = 1; i <= count; ++i) labels.push_back(std::to_string(i));

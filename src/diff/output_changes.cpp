@@ -36,14 +36,14 @@ constexpr ClosedFormBudget texts_budget{
 /// A form of more instructions would not fit into a line.
 constexpr std::size_t most_instructions = 400;
 
-/// The function with only this entry; an empty function if it has more than `most_instructions`.
+/// A function whose only entry is instruction `at`; empty if longer than `most_instructions`.
 Function single_entry(const Function& function, std::uint32_t at) {
   Function one = with_entries(function, {at});
   if (one.instructions.size() <= most_instructions) return one;
   return {.kind = function.kind, .name = function.name};
 }
 
-/// The closed form of each of the given instructions, as pages show it; "" if it is too long or
+/// The closed form of each of `instructions`, as pages show it; "" if the form is too long or
 /// exceeds the budget. Each instruction becomes a separate function with a small budget, so that
 /// one failure does not affect the others.
 std::vector<std::string> closed_form_texts(const Program& program, const Function& function,
@@ -96,17 +96,18 @@ struct InstructionPair {
   std::uint32_t difference = 0;
 };
 
-/// States over the leaves of both versions, inside the ranges of the newer version. Parameters have
-/// their values, or random values if these are 0. Leaves that only the older version has are drawn
-/// in its ranges. In the last state everything but parameters is 0, because many kinks are there.
+/// States over the leaves of both versions, inside the ranges of the newer version. A parameter has
+/// its value, or a random value if its value is 0. Leaves that only the older version has are drawn
+/// in the ranges of the older version. In the last state all leaves except parameters are 0,
+/// because many functions have kinks at 0.
 class WitnessStates {
  public:
   WitnessStates(const Version& before, const Version& after, const Program& joint);
 
   [[nodiscard]] const std::vector<Arguments<double>>& states() const { return states_; }
 
-  /// Sets the share and the witness of a change, at the state with the largest difference. Sets
-  /// nothing if no state shows a difference.
+  /// Sets `relative_change` and the witness of `change`, at the state with the largest difference.
+  /// Sets nothing if no state shows a difference.
   void set_witness(const Function& function, const InstructionPair& pair,
                    EntryChange& change) const;
 

@@ -18,8 +18,8 @@ namespace elgen {
 namespace {
 
 constexpr std::uint64_t seed_of_zeros = 16;
-/// Number of points to try until each entry has a value at enough of them: 8 for each needed point,
-/// for 4 scales and 2 rules of signs.
+/// The largest number of points to try until each entry has a value at enough points: 8 points for
+/// each needed point, for 4 scales and 2 rules of signs.
 constexpr std::size_t most_tries = 8 * zero_sample_count;
 
 /// The observation of an entry at one point; `inconclusive`: no value, or rounding hides the value.
@@ -114,8 +114,9 @@ class PointObserver {
     return operand_count(i) > 1 && values[i.a].value.is_defined() != values[i.b].value.is_defined();
   }
 
-  /// `inconclusive` if a limit was taken, if the value is undefined, or if rounding in 64 digits
-  /// may hide a value that is large in comparison with the terms. Terms count as at least 1e-5.
+  /// `inconclusive` in three cases: a limit replaced a value; the value is undefined; rounding in
+  /// 64 digits may hide a value that is large in comparison with the terms. Terms count as at least
+  /// 1e-5.
   [[nodiscard]] Observation observe_entry(const Function& function, std::uint32_t entry,
                                           const std::vector<RunningValue<Real>>& values) const {
     static const Real share(power_of_ten(-45));
@@ -165,8 +166,9 @@ LeafValues<RunningValue<Real>> exact_point(const Arguments<double>& state) {
       [](double x) { return running_leaf(exact_value(x), rounding_constants<double>()); }, state);
 }
 
-/// For each entry: `nonzero` if it is not 0 at some point; `zero` if it is 0 at `zero_sample_count`
-/// points or more; otherwise `inconclusive`. The points are the states, then random points.
+/// For each entry: `nonzero` if the entry is not 0 at some point; `zero` if the entry is 0 at
+/// `zero_sample_count` points or more; otherwise `inconclusive`. The points are `states`, then
+/// random points.
 std::vector<Observation> observe_points(const Function& function,
                                         const std::vector<bool>& variables,
                                         const std::vector<Arguments<double>>& states,

@@ -1,4 +1,4 @@
-// zeros: which entries of a function vanish at all states, by proof or by sampling.
+// zeros: decides by proof or by sampling which entries of a function vanish at all states.
 #pragma once
 
 #include "elgen/evaluate.hpp"
@@ -15,9 +15,10 @@ enum class ZeroVerdict : std::uint8_t {
   proved,     ///< the closed form is the empty sum
 };
 
-/// The verdict on each entry, in the order of the fields. Cost: one evaluation in 64 digits.
-/// Entries that vanish there are proved, or evaluated at `zero_sample_count` more points. Entries
-/// that are not analytic are evaluated again at `states` and at `zero_sample_count` further points.
+/// The verdict on each entry, in the order of the fields. Cost: one evaluation in 64 digits. An
+/// entry that may vanish there costs a proof. If the proof does not decide, the entry is evaluated
+/// at `zero_sample_count` more points; an entry that is not analytic, again at `states` and at
+/// `zero_sample_count` further points.
 [[nodiscard]] std::vector<ZeroVerdict> decide_zeros(
     const Program& program, const Function& function,
     const std::vector<Arguments<double>>& states = {});

@@ -12,11 +12,11 @@ namespace elgen {
 /// velocities.
 inline constexpr std::size_t min_articulated_velocities = 10;
 
-/// True if velocities are eliminated from the last to the first, false if from the first to the
-/// last. The order determines the relative pivots of forward dynamics. True if a frame carries at
-/// least two other frames, because then branches of the tree cause no fill-in between them. Also
-/// true if a model with frames has at least min_articulated_velocities velocities, because the
-/// articulated-body algorithm has this order.
+/// The order in which velocities are eliminated: true from the last to the first, false from the
+/// first to the last. It determines the relative pivots of forward dynamics. True if a frame
+/// carries at least two other frames: then branches of the tree cause no fill-in between them. True
+/// if a model with frames has at least min_articulated_velocities velocities: the articulated-body
+/// algorithm has this order.
 [[nodiscard]] bool eliminates_backward(const Model& model);
 
 }  // namespace elgen

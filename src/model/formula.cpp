@@ -67,7 +67,7 @@ class FormulaMaker {
 };
 
 /// The text of component k of a frame `name`: "axis(F, 2, 3)", "x(F)", "wx(F)"; "wx(F, F)" for
-/// Frame::turning.
+/// Frame::recursive_spin.
 std::string frame_component_name(const std::string& name, std::uint32_t k) {
   const std::string axis(1, "xyz"[k % 3]);
   if (k >= frame_recursive_spin) return fmt::format("w{}({}, {})", axis, name, name);

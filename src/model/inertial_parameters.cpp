@@ -76,8 +76,8 @@ std::optional<Unit> unit_of_armature(const Model& model, const Coordinate& coord
   return rate ? std::optional(*find_unit("J") / (*rate * *rate)) : std::nullopt;
 }
 
-/// Finds two parameters whose product an expression contains, or a parameter in which it is not
-/// affine. Each node is tested after its operands.
+/// Finds two parameters whose product an expression contains, or a parameter in which the
+/// expression is not affine. Each node is tested after its operands.
 class CouplingSearch {
  public:
   CouplingSearch(const Model& model, const std::vector<std::uint32_t>& parameters)

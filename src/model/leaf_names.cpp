@@ -10,8 +10,8 @@
 namespace elgen {
 namespace {
 
-/// The result of f(list) for the list of entries that own the leaves; none for leaves of the
-/// system.
+/// f(list) for the list of model entries that own the leaves; none for leaves that no entry owns,
+/// such as t.
 template <class F>
 auto apply_to_owner(const Model& model, LeafOwner owner, const F& f)
     -> std::optional<decltype(f(model.parameters))> {

@@ -1,4 +1,4 @@
-// Units of the entries of outputs, from the column UnitRule of the output table.
+// Units of the entries of outputs, by the unit rules of the output table.
 #include "model/output_units.hpp"
 
 #include <algorithm>

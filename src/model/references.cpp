@@ -22,7 +22,7 @@ struct SearchResult {
   std::vector<ExpressionId> cycle = {};  ///< the first cycle, which ends the search; empty: none
 };
 
-/// The part of `path` that starts at `first`. The last expression of the path refers to `first`.
+/// The expressions of `path` from `first` on. The last expression of `path` refers to `first`.
 std::vector<ExpressionId> extract_cycle(const std::vector<PathNode>& path, ExpressionId first) {
   std::vector<ExpressionId> cycle;
   auto entered = std::ranges::find(path, first, &PathNode::expression);

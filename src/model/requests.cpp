@@ -52,7 +52,7 @@ struct LineExtent {
   std::uint32_t user = 0;
 };
 
-/// Returns a function that makes the Line of an entry whose leaf is of this kind.
+/// Returns a function that makes the FieldLine of an entry with a leaf of the kind `leaf`.
 auto leaf_line_maker(Opcode leaf, bool is_rate = false) {
   return [leaf, is_rate](const auto& entry, std::uint32_t number) {
     return FieldLine{entry.name, entry.unit, leaf, number, is_rate};
@@ -78,8 +78,8 @@ FieldLine line_of_word(std::string_view word, std::uint32_t number) {
   return {.name = std::string(word), .number = number, .is_numbered = true};
 }
 
-/// Calls `take` with the values of an [[output]], or with the names `of_frame` if the output is a
-/// frame.
+/// Calls `take` for the values of an [[output]]. If the output is a frame, calls `take` for the
+/// names `of_frame` instead.
 template <class Take>
 void visit_value_lines(const UserOutput& output, LineNames of_frame, const Take& take) {
   if (output.frame) return take(of_frame, line_of_word);
@@ -98,7 +98,7 @@ std::vector<std::uint32_t> position_constraints(const Model& model) {
 }
 
 /// Calls take(list, line_of) for each list of entries along an extent. line_of(entry, number)
-/// returns the Line of an entry; `take` need not call it.
+/// returns the FieldLine of an entry; `take` need not call line_of().
 template <class Take>
 void visit_line_lists(const Model& model, const LineExtent& along, const Take& take) {
   const auto of_whole = [&model](std::uint32_t velocity, std::uint32_t) {

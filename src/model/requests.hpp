@@ -14,8 +14,9 @@ namespace elgen {
 /// none if no output has the name.
 [[nodiscard]] std::optional<OutputRequest> find_request(const Model& model, std::string_view name);
 
-/// Like find_request(), but reports E601, E603, E505, E534, E539 or E633 if the model cannot
-/// provide the output. `independent`: the independent velocities of `completed` in the scene.
+/// Like find_request(), but reports E601 for an unknown name, and E603, E505, E534, E539 or E633 if
+/// the model cannot provide the output. `independent`: the independent velocities of `completed` in
+/// the scene.
 [[nodiscard]] std::optional<OutputRequest> require_request(
     const Model& model, std::string_view name, const Span& span, Report& report,
     const std::vector<std::uint32_t>& independent = {});
@@ -64,8 +65,8 @@ struct FieldLine {
 /// The number of lines along an extent. Cheaper than extent_lines(), because no names are built.
 [[nodiscard]] std::uint32_t extent_size(const Model& model, Extent extent, std::uint32_t user = 0);
 
-/// The number of the first entry of field number `field`, that is, the number of entries of all
-/// earlier fields. If `field` is the number of fields, the number of all entries.
+/// The number of entries of all fields before field number `field`: the index of the first entry of
+/// this field. If `field` is the number of fields, the number of all entries.
 [[nodiscard]] std::uint32_t first_entry_index(const Model& model, const OutputRequest& output,
                                               std::size_t field);
 

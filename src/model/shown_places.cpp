@@ -84,7 +84,7 @@ void add_line(std::vector<ShownLine>& lines, const ShownLine& line) {
   if (same == lines.end()) lines.push_back(line);
 }
 
-/// If the place `from` is a point, adds the lines of its `joined_to`.
+/// If the place `from` is a point, adds the lines that `joined_to` of the point declares.
 void add_joined_lines(const Model& model, const std::vector<ShownPlace>& places, std::uint32_t from,
                       std::vector<ShownLine>& lines) {
   if (places[from].kind != PlaceKind::point) return;

@@ -15,7 +15,7 @@ namespace elgen {
 /// "2.0", "1e-300".
 [[nodiscard]] std::string rounded_decimal_text(const cln::cl_R& value, int digits);
 
-/// decimal_text() of each value, separated by ", ".
+/// rounded_decimal_text() of each value, separated by ", ".
 [[nodiscard]] std::string rounded_decimal_texts(const std::vector<cln::cl_R>& values, int digits);
 
 /// The members of a JSON object, one per kind, named like the arguments of functions:

@@ -128,8 +128,9 @@ Glyphs partial_glyphs(const Glyphs& of, const char* order) {
   return row;
 }
 
-/// The symbol of an open value. For a function of one argument V(r), V'(r). For several arguments
-/// \frac{\partial V}{\partial x}, or \partial_{1} V if an argument has no symbol.
+/// The symbol of an open value: V(r), or V'(r) for the derivative of a function of one argument.
+/// For a derivative by one of several arguments \frac{\partial V}{\partial x}, or \partial_{1} V if
+/// an argument has no symbol.
 Glyphs open_value_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
                          const std::vector<std::uint32_t>& by) {
   const bool have_names =

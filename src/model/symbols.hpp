@@ -31,8 +31,8 @@ namespace elgen {
 /// The title of a model; if it has no title, its name as a title.
 [[nodiscard]] std::string page_title(const Model& model);
 
-/// The symbols of a model, from its `latex` keys or else from its names. They are distinct: if `m1`
-/// is m_{1}, `m_1` becomes m_{1}'.
+/// The symbols of a model, from its `latex` keys or else from its names. All symbols are distinct:
+/// if the symbol of `m1` is m_{1}, the symbol of `m_1` is m_{1}'.
 class ModelSymbols {
  public:
   explicit ModelSymbols(const Model& model) : ModelSymbols(model, leaf_names(model)) {}
@@ -62,14 +62,15 @@ class ModelSymbols {
 /// empty or draws nothing, the symbol follows from the name.
 [[nodiscard]] Glyphs symbol_of_name(std::string_view name, const std::string& key = {});
 
-/// A LaTeX formula of the output table (see Notation) for a model. Without rotations, <v> and <a>
-/// become dq/dt and d^2q/dt^2, and <N> is omitted, because dq/dt = v. The text always has `v`.
+/// A LaTeX formula of the output table (see Notation) for a model. If the model has no rotations,
+/// <v> and <a> become dq/dt and d^2q/dt^2, and <N> is omitted, because dq/dt = v. The plain text of
+/// the formula always has `v`.
 [[nodiscard]] Formula latex_formula(const Model& model, std::string_view latex);
 /// The glyphs of latex_formula().
 [[nodiscard]] Glyphs latex_glyphs(const Model& model, std::string_view latex);
 /// The symbol of the derivative of `function` by x: "dL/d(dot(q))".
 [[nodiscard]] Formula partial_derivative(std::string_view function, const Formula& x);
-/// Replaces every vector `<name>` in the glyphs by the glyphs `by`.
+/// Replaces every vector `<vector>` in `glyphs` by the glyphs `by`.
 [[nodiscard]] Glyphs replace_vector(Glyphs glyphs, std::string_view vector, const Glyphs& by);
 
 /// A unit as pages print it: kg*m^2/s^2 becomes kg m²/s². `times` separates factors;

@@ -1,4 +1,4 @@
-// Decimal numbers as rationals: digits * 10^(exponent - digits of the fraction).
+// Decimal numbers as rationals: digits * 10^(exponent - number of fraction digits).
 #include "parse/decimal.hpp"
 
 #include <cln/integer.h>
@@ -23,8 +23,8 @@ std::size_t skip_digits(std::string_view text, std::size_t position) {
   return position;
 }
 
-/// The malformed number up to its last letter, digit, underscore or point, so that the message
-/// shows all of it.
+/// The extent of a malformed number: up to its last letter, digit, underscore or point, so that the
+/// message shows the whole number.
 NumberExtent malformed_extent(std::string_view text, std::size_t position) {
   const auto belongs = [](char c) { return is_word_character(c) || c == '.'; };
   while (belongs(byte_at(text, position))) ++position;

@@ -18,8 +18,9 @@ struct NumberExtent {
   bool well_formed = true;
 };
 
-/// The extent of the number at `begin`, a digit or a point: `12`, `0.5`, `1e-3`. It is malformed if
-/// characters that cannot follow a number follow it directly: `1.2.3`, `1_000`, `0x10`, `1e`.
+/// The extent of the number at `begin`, a digit or a point: `12`, `0.5`, `1e-3`. The number is
+/// malformed if a character that cannot follow a number follows directly: `1.2.3`, `1_000`, `0x10`,
+/// `1e`.
 [[nodiscard]] NumberExtent number_extent(std::string_view text, std::size_t begin);
 
 /// The error for a number beyond a limit: the code (E903, E904), the message, and how to raise the

@@ -1,5 +1,5 @@
-// DecodedText: the decoded value of a TOML string, with the position in the file of each of its
-// bytes.
+// DecodedText: the decoded value of a TOML string, and the position in the file of each decoded
+// byte.
 //
 //     file     "1/2\u002ak"     pieces  [0,3) copied, [3,4) from the six bytes of the escape,
 //     decoded   1/2*k                   [4,5) copied
@@ -29,9 +29,9 @@ struct DecodedText {
   std::vector<TextPiece> pieces = {};
   Span content_span = {};  ///< inside the quotes
 
-  /// The bytes of the file behind the decoded bytes [begin, end). The span of an empty range is
-  /// just behind the preceding byte, so that an error about a missing token points behind the last
-  /// character.
+  /// The bytes of the file from which the decoded bytes [begin, end) come. The span of an empty
+  /// range is just behind the preceding byte, so that an error about a missing token points behind
+  /// the last character.
   [[nodiscard]] Span span(std::size_t begin, std::size_t end) const;
 
  private:

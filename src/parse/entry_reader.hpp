@@ -5,7 +5,7 @@
 
 namespace elgen {
 
-/// The rows of the entry table for one kind of file; scene entries without the prefix "scene.".
+/// The rows of the entry table for one kind of file. Entries of scenes have no prefix "scene.".
 [[nodiscard]] std::vector<EntryRow> entry_rows_of(FileKind kind);
 
 /// The name of the row's entry in the key table: "scene.outputs".
@@ -16,7 +16,7 @@ namespace elgen {
 [[nodiscard]] std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind,
                                                     FileReadState& reading);
 
-/// A table whose keys are the rows of `entry`. `label` is its name in messages: "`[[coordinate]]`".
+/// A table whose keys are the rows of `entry`. Messages call the table `label`: "`[[coordinate]]`".
 /// A missing key is reported at `header`.
 struct TableContext {
   std::string entry;

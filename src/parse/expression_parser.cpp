@@ -129,8 +129,8 @@ MaybeSubtree ExpressionParser::parse_product() {
   return make_node(SyntaxKind::multiply, star, std::move(factors));
 }
 
-/// The node numerator / denominator; none if it is too deep: a/b/c nests to the left, and the
-/// recursive descent does not count these levels.
+/// The node numerator / denominator; none if the node is too deep. a/b/c nests to the left, and
+/// enter_level() does not count these levels.
 MaybeSubtree ExpressionParser::make_quotient(const Token& token, Subtree numerator,
                                              Subtree denominator) {
   std::deque<Subtree> operands;

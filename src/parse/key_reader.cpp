@@ -30,7 +30,7 @@ struct TextPart {
 
 using TextParts = std::vector<TextPart>;
 
-/// A kind of text with several parts: the names in messages, and the error for any other text.
+/// A kind of text with several parts: the words for messages, and the error for other texts.
 struct SplitTextKind {
   std::string_view noun;
   std::string_view expected;
@@ -91,8 +91,8 @@ KeySyntax read_part(const TextPart& part, const DecodedText& text, FileReadState
   return result;
 }
 
-/// The table of the parts. Errors: E104 if the value is no string, the error of the kind, or the
-/// errors of the parts.
+/// The table of the parts of a text. Errors: E104 if `value` is no string; `kind.code` if the text
+/// is of another form; the errors of the parts.
 ValueSyntax read_split_text(const TomlValue& value, const SplitTextKind& kind,
                             FileReadState& reading) {
   ValueSyntax result = make_value(value, ValueKind::table);
@@ -111,7 +111,7 @@ ValueSyntax read_split_text(const TomlValue& value, const SplitTextKind& kind,
   return result;
 }
 
-/// One text, or a list of texts; the result is always a list.
+/// The list of read_split_text() of each text in `value`, which is one text or a list of texts.
 ValueSyntax read_split_texts(const TomlValue& value, const SplitTextKind& kind,
                              FileReadState& reading) {
   ValueSyntax result = make_value(value, ValueKind::list);

@@ -19,8 +19,8 @@ namespace elgen {
 
 namespace {
 
-/// `written`: a text of the language. `characters`: characters of other notations that a user
-/// should replace by `written`.
+/// `replacement`: a text of the language. `characters`: characters of other notations that a user
+/// should replace by this text.
 struct ReplacementRow {
   std::string_view replacement;
   std::u32string_view characters;
@@ -92,7 +92,7 @@ constexpr std::u32string_view look_alikes =
 constexpr std::string_view latin_letters = "ABEKMHOPCTXaeopcyxij";
 static_assert(look_alikes.size() == latin_letters.size());
 
-/// True for the full-width form of an ASCII character, at full_width_distance from this character.
+/// True for full-width forms: the code of an ASCII character plus full_width_distance.
 bool is_full_width(char32_t c) { return c >= 0xFF01 && c <= 0xFF5E; }
 constexpr char32_t full_width_distance = 0xFEE0;
 

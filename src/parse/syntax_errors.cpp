@@ -1,5 +1,5 @@
 // Errors of the expression grammar. Each message names the current token; the hint gives the
-// correct spelling of the probable intention.
+// correct spelling of the expression that the user probably meant.
 #include "parse/syntax_errors.hpp"
 
 #include <fmt/format.h>

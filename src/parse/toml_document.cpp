@@ -57,8 +57,8 @@ constexpr std::size_t most_key_parts = 100;
 
 bool is_key_character(char c) { return is_word_character(c) || c == '-'; }
 
-/// The position just behind the quoted part at `begin`; just behind its opening quote if no quote
-/// closes it on the same line.
+/// The position just behind the quoted part at `begin`. If no quote closes this part on the same
+/// line, the position just behind its opening quote.
 std::size_t skip_quoted(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   for (std::size_t i = begin + 1; i < text.size() && text[i] != '\n'; ++i) {
@@ -68,8 +68,8 @@ std::size_t skip_quoted(std::string_view text, std::size_t begin) {
   return begin + 1;
 }
 
-/// The position at which a dotted key exceeds most_key_parts parts. toml++ limits nested values but
-/// not `a.b.c…`, which it frees recursively.
+/// The position at which a dotted key exceeds most_key_parts parts. toml++ limits the depth of
+/// nested values, but not the length of `a.b.c…`, and frees the nested tables recursively.
 std::optional<std::size_t> find_too_long_key(std::string_view text) {
   std::size_t points = 0;
   bool after_part = false;
@@ -130,8 +130,8 @@ Span character_at(const SourceText& source, std::uint32_t offset) {
   return {&source, offset, offset + static_cast<std::uint32_t>(bytes)};
 }
 
-/// The span for a redefinition. toml++ gives the position of the second value; the span of its key
-/// is clearer. For a redefined header, toml++'s position is used.
+/// The span for a redefinition: the key of the second value, because toml++ gives the position of
+/// the value. For a redefined header, the position of toml++.
 Span redefinition_span(const SourceText& source, std::uint32_t offset) {
   std::uint32_t end = offset;
   while (end > 0 && (source.text[end - 1] == ' ' || source.text[end - 1] == '=')) --end;
@@ -140,7 +140,7 @@ Span redefinition_span(const SourceText& source, std::uint32_t offset) {
 }
 
 /// The span of `key` in the last earlier line that defines `key` in the same table; none if no
-/// earlier line begins with `key`.
+/// earlier line of this table defines `key`.
 std::optional<Span> find_first_definition(const SourceText& source, const Span& key) {
   const std::string_view name = covered_text(key);
   std::optional<Span> found;

@@ -28,7 +28,7 @@ struct TomlEntry;
 struct TomlValue {
   TomlKind kind = TomlKind::table;
   Span span = {};         ///< the token with its quotes; for a table, its header
-  DecodedText text = {};  ///< of a string; of a number, its text in the file
+  DecodedText text = {};  ///< decoded value of a string; text of a number in the file
   bool boolean = false;
   std::vector<TomlValue> items = {};
   std::vector<TomlEntry> entries;  ///< in file order
@@ -40,7 +40,7 @@ struct TomlEntry {
   TomlValue value = {};
 };
 
-/// Null if no entry has this key.
+/// The entry with the key `key`; null if no entry has this key.
 [[nodiscard]] const TomlEntry* find_entry(const std::vector<TomlEntry>& entries,
                                           std::string_view key);
 

@@ -26,7 +26,7 @@ namespace elgen {
 
 namespace {
 
-/// A range of bytes in a text, and the error message.
+/// The bytes of a mistake in a text, and the error message.
 struct LatexMistake {
   std::size_t begin = 0;
   std::size_t end = 0;
@@ -172,8 +172,8 @@ bool is_whole_name(const ExpressionSyntax& tree, const DecodedText& text) {
          tree.span.end == text.content_span.end;
 }
 
-/// True if the parser's error is clearer than "not a name": about a non-ASCII letter, or inside an
-/// index.
+/// True if the error of the parser is clearer than "not a name": the error is about a non-ASCII
+/// letter, or the text has an index.
 bool has_clearer_error(const Result<ExpressionSyntax>& read, const DecodedText& text) {
   if (read || read.diagnostics.empty()) return false;
   return read.diagnostics.front().code == Code::E307 || text.text.find('[') != std::string::npos;

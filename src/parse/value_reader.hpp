@@ -43,7 +43,7 @@ void report_wrong_type(const TomlValue& value, std::string_view expected, FileRe
 void store_expression(Result<ExpressionSyntax> read, ExpressionSyntax& expression,
                       FileReadState& reading);
 
-/// A value of `kind` with the text of `value` and its span, without the quotes of a string.
+/// A value of `kind` with the text and the span of `value`; the span of a string lacks the quotes.
 [[nodiscard]] ValueSyntax make_value(const TomlValue& value, ValueKind kind);
 
 }  // namespace elgen

@@ -27,7 +27,7 @@
 namespace elgen {
 namespace {
 
-/// The input of a choice of forms: a Lagrangian, and the scene that requests its functions.
+/// A Lagrangian, and the scene that requests the functions for which forms are chosen.
 struct ChoiceInput {
   const Lagrangian& lagrangian;
   const Model& model;
@@ -37,8 +37,8 @@ struct ChoiceInput {
 
 bool is_energy(const OutputRequest& output) { return output_row(output.kind).is_energy; }
 
-/// Chooses the forms of functions in which V is a leaf: of all functions, or only of the energies
-/// if dV/dq keeps its form.
+/// Chooses the forms of functions in which V is a leaf: only of the energies if dV/dq keeps its
+/// form, otherwise of all functions.
 Result<FormChoice> choose_open_forms(const ChoiceInput& input,
                                      const std::vector<GiNaC::ex>& variables,
                                      const RewrittenPotential& potential, const Domain& domain) {
@@ -50,7 +50,7 @@ Result<FormChoice> choose_open_forms(const ChoiceInput& input,
   return choose(*open, present(*open), with_open_potential(domain, potential.program), scene);
 }
 
-/// Derives V by itself. If this gives V another form, inserts the form into all functions.
+/// Derives V as a separate function. If V gets another form, inserts this form into all functions.
 Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, FormChoice& choice) {
   const bool has_second = std::ranges::any_of(
       input.scene.outputs,
@@ -122,9 +122,9 @@ std::vector<std::string> omitted_masses(const Model& model, const std::vector<En
   return names;
 }
 
-/// The model with the quotients that the file contains, not the Stumpff functions that replaced
-/// them. None if it has no quotients, or if the file itself contains Stumpff functions, because
-/// pages then print those functions.
+/// The model with the quotients of the file, not the Stumpff functions that replaced these
+/// quotients. None if there are no quotients, or if the file itself contains Stumpff functions,
+/// because pages then print the Stumpff functions.
 std::optional<CheckedModel> with_quotients(const CheckedModel& checked) {
   if (checked.model.original_expressions.empty()) return std::nullopt;
   CheckedModel result = checked;
@@ -168,7 +168,8 @@ bool has_short_row(const Lagrangian& lagrangian, const CheckedModel& checked,
   return std::ranges::any_of(present(*rows).functions, has_short_entry);
 }
 
-/// True if all requested terms of the equation of motion are short enough to read.
+/// True if the mass matrix, the bias, gravity and the inverse dynamics, as far as the scene
+/// requests them, are short enough to read.
 bool has_readable_terms(const Program& program, const ClosedForms& forms) {
   const auto is_short = [&](OutputKind kind) {
     const auto term = std::ranges::find(program.functions, kind, &Function::kind);

@@ -33,15 +33,15 @@ namespace elgen {
                                                                    const CheckedModel& checked,
                                                                    const Limits& limits);
 
-/// The content of the scene's page; an empty book if the scene has no page. If the page cannot be
-/// made, the forms of code with the note E915.
+/// The programs of the scene's page; empty programs if the scene has no page. If the page cannot be
+/// made, the page shows the forms of code, with the note E915.
 [[nodiscard]] Result<PagePrograms> make_page_programs(const Lagrangian& lagrangian,
                                                       const ClosedForms& forms,
                                                       const FormChoice& choice,
                                                       const CheckedModel& checked,
                                                       const Limits& limits);
 
-/// The book that `make` returns. If `make` throws, the page shows the forms of `code`, with the
+/// The programs that `make` returns. If `make` throws, the page shows the forms of `code`, with the
 /// note E915, because a failing page must not prevent code. std::bad_alloc is not caught.
 [[nodiscard]] Result<PagePrograms> make_page_or_code(const Program& code,
                                                      const std::function<PagePrograms()>& make);

@@ -53,7 +53,8 @@ Result<ParsedFiles> parse(const PipelineSources& inputs, const Limits& limits) {
   return {{std::move(*model), std::move(scene.value)}, std::move(all)};
 }
 
-/// E539 for each analysis among the goals that does not support constraints, if the model has any.
+/// E539 for each of `goals` that is an analysis without support for constraints. No error if the
+/// model has no constraints.
 Diagnostics check_analyses(const Model& model, const std::vector<Goal>& goals) {
   Diagnostics errors;
   if (model.constraints.empty()) return errors;
@@ -109,7 +110,7 @@ Result<SelfCheck> run_self_check(const CheckedModel& checked, const Program& pro
   return Diagnostic{Code::E911, {}, "self-check failed: " + check.failure};
 }
 
-/// The stages in their order. Each has its product, and names the stages whose products it needs.
+/// The stages in their order. Each stage has a product, and names the stages that it needs.
 class Compilation {
  public:
   Compilation(const PipelineSources& inputs, const PipelineOptions& options)
@@ -146,7 +147,7 @@ class Compilation {
   }
 
  private:
-  /// Runs an analysis of the Lagrangian, on the program of the analysis's own outputs.
+  /// Runs an analysis of the Lagrangian, on the program of the outputs that the analysis needs.
   template <class Found>
   static Result<Found> run_analysis(Goal goal, Result<Found> (*find)(const AnalysisInput&),
                                     const Lagrangian& lagrangian, const CheckedModel& checked,

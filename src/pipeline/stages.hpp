@@ -29,8 +29,8 @@ class StageRunner {
   std::string dump_text = {};  ///< the text of the product that options.dump selects
   std::vector<StageTime> times = {};
 
-  /// Runs a stage and returns its product. None if this or an earlier stage had an error, or if a
-  /// needed product is null.
+  /// Runs a stage and returns its product. None if this stage or an earlier stage has an error, or
+  /// if one of `needs` is null.
   template <class T, class Make, class... Needs>
   std::optional<T> run_stage(Goal goal, const Make& make, const Needs*... needs) {
     if (has_errors(diagnostics) || (... || (needs == nullptr))) return std::nullopt;
@@ -45,7 +45,8 @@ class StageRunner {
     return std::move(result.value);
   }
 
-  /// Registers `reach`, which runs the stage of this goal and the stages that it needs.
+  /// Registers `reach` for `goal`. `reach` runs the stages that the stage of this goal needs, then
+  /// this stage.
   void register_stage(Goal goal, std::function<void()> reach) {
     stages_[static_cast<std::size_t>(goal)] = std::move(reach);
   }

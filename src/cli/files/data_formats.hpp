@@ -26,8 +26,8 @@ inline constexpr std::array data_formats{
     DataFormat<Data>{"json", [](const Data& data) { return to_json(data); }},
     DataFormat<Data>{"svg", [](const Data& data) { return to_svg(data); }}};
 
-/// The format that the file's ending selects; E913 if it selects none. `other`: another ending that
-/// the message lists, because the command handles it itself.
+/// The format that the ending of `file` selects; E913 if the ending selects none. The message also
+/// lists the ending `other`, because the command itself handles files with this ending.
 template <class Data>
 [[nodiscard]] Result<DataFormat<Data>> select_format(
     const std::string& file, const std::array<DataFormat<Data>, 3>& formats = data_formats<Data>,

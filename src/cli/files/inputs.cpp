@@ -42,7 +42,7 @@ Diagnostic unreadable(const std::string& path, int error) {
 }
 
 /// E111 if the file does not exist; E707 if stat() fails, or if the file is neither regular nor a
-/// FIFO. Must precede opening, because opening a device may block or have effects.
+/// FIFO. Call this before open(), because opening a device may block or have effects.
 std::optional<Diagnostic> missing_file_error(const std::string& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) {
@@ -54,7 +54,7 @@ std::optional<Diagnostic> missing_file_error(const std::string& path) {
   return unreadable_error(path, fmt::format("is {}, not a file", kind));
 }
 
-/// Reads an open file. Stops soon after `limits.file_bytes` bytes, and then returns E901.
+/// Reads an open file. E901 if the file exceeds `limits.file_bytes`; reading then stops soon.
 Result<SourcePointer> read_descriptor(const std::string& name, const FileDescriptor& file,
                                       const Limits& limits) {
   struct stat found {};
@@ -181,7 +181,7 @@ Result<PipelineSources> read_inputs(const std::string& path, const Limits& limit
   if (!scene) return scene.diagnostics;
   const KeySyntax* named = find_key(&*scene, "", "model");
   if (named == nullptr) return scene.diagnostics;  // parse_scene() has reported the missing key
-  // Other files are not read, so that no diagnostic quotes their text.
+  // Only files NAME.toml are read, so that no diagnostic quotes the text of other files.
   if (!named->value.text.ends_with(".toml")) {
     return Diagnostic{Reason::misnamed_file, named->value.span,
                       fmt::format("{} is no model", quote_text(named->value.text)),

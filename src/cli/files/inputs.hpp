@@ -26,7 +26,7 @@ inline constexpr std::string_view stdin_name = "<stdin>";
 /// Reads the source at a path.
 using SourceReader = std::function<Result<SourcePointer>(const std::string& path)>;
 
-/// Reads inputs in the same way, but by `read` instead of read_source(), for files not on disk.
+/// read_inputs() for files that are not on disk: calls `read` instead of read_source().
 [[nodiscard]] Result<PipelineSources> read_inputs(const std::string& path, const Limits& limits,
                                                   const SourceReader& read);
 

@@ -31,15 +31,16 @@ struct OutputFile {
 
 struct WriteOptions {
   bool force = false;         ///< replace any regular file, except inputs
-  std::uint64_t seconds = 0;  ///< how long to wait for a process that writes to the same folder
+  std::uint64_t seconds = 0;  ///< longest wait for other processes that write to the same folders
 };
 
 /// The emitted files, with paths in `directory`.
 [[nodiscard]] std::vector<OutputFile> to_output_files(const std::string& directory,
                                                       const EmittedFiles& files);
 
-/// Writes the files, and returns the paths of the files that changed. E703 or E708 if an existing
-/// file may not be replaced; E706 if a file cannot be written. After an error no file has changed.
+/// Writes the files, and returns the paths of the files that changed. E703: an existing file may
+/// not be replaced. E708: a path cannot be reached, is given twice, or is an input or no regular
+/// file. E706: a file cannot be written. After an error no file has changed.
 [[nodiscard]] Result<std::vector<std::string>> write_files(const std::vector<OutputFile>& files,
                                                            const WriteOptions& options);
 
@@ -57,7 +58,7 @@ struct WriteOptions {
 
 enum class FileState : unsigned char {
   stale,
-  edited,  ///< by hand: the file states a hash that its text does not have
+  edited,  ///< by hand: the hash in the file is not the hash of its text
   missing,
   orphaned,  ///< it has the marker, but no input generates it now
 };

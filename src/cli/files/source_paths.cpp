@@ -37,8 +37,8 @@ bool is_in_repository(fs::path folder) {
   return false;
 }
 
-/// True if files below this folder may be unrelated: if it is, or contains, the home folder or a
-/// folder for temporary files.
+/// True if `folder` is or contains the home folder or a folder for temporary files. Two files below
+/// a folder of this kind may be unrelated.
 bool is_shared_folder(const fs::path& folder) {
   std::vector<std::string> places{"/tmp", "/var/tmp"};
   for (const char* const variable : {"HOME", "TMPDIR"}) {

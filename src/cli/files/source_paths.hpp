@@ -15,7 +15,8 @@ namespace elgen::cli {
 /// and for standard input, only the file's name, so that files reveal no paths of a machine.
 [[nodiscard]] SourcePaths source_paths(const PipelineSources& inputs, const std::string& directory);
 
-/// The path of the scene, or else of the model; none if it is only a file's name.
+/// The path of the scene in `paths`, or of the model if there is no scene; none if `paths` contains
+/// only the name of the file.
 [[nodiscard]] std::optional<std::string> find_source_path(const std::string& directory,
                                                           const SourcePaths& paths);
 

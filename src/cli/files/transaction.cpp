@@ -252,7 +252,7 @@ std::optional<WriteFailure> Transaction::open_and_lock_folders(
 
 std::optional<WriteFailure> Transaction::write(const std::vector<OutputFile>& files) {
   if (auto failure = open_and_lock_folders(files)) return failure;
-  // Precedes the staging of files, so that a failure leaves no stages behind.
+  // Stale stages are removed before new stages are made, so that a failure leaves no stage behind.
   for (auto& [identity, folder] : folders_) folder->remove_stale_stages();
   for (auto& [identity, folder] : folders_) {
     if (auto failure = folder->stage(written_)) return failure;

@@ -23,8 +23,8 @@ struct WriteFailure {
 
 class TargetFolder;
 
-/// While it exists, folders are locked and interrupts are deferred. The destructor restores all
-/// files, unless write() succeeded.
+/// While a Transaction exists, folders are locked and interrupts are deferred. The destructor
+/// restores all files, unless write() succeeded.
 class Transaction {
  public:
   explicit Transaction(std::uint64_t seconds);

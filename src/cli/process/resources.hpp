@@ -20,8 +20,8 @@ void set_stage_name(const std::string& stage);
 /// Restarts the limit of processor time, for the next input.
 void renew_time_limit(const Limits& limits);
 
-/// While it exists, the process ends with E909 and exit code 3 after `limits.seconds` of real time,
-/// because an input may never arrive.
+/// While an InputTimeout exists, the process ends with E909 and exit code 3 after `limits.seconds`
+/// of real time, because an input may never arrive.
 class InputTimeout {
  public:
   InputTimeout(const Limits& limits, const std::string& path);

@@ -13,11 +13,12 @@ namespace elgen::cli {
 
 [[nodiscard]] bool is_terminal(std::FILE* stream);
 
-/// The width of a terminal, or 80 columns if the stream is none. Unicode if the stream is a
-/// terminal with a UTF-8 locale (LC_ALL, LC_CTYPE, LANG), and TERM is neither `dumb` nor `linux`.
+/// The width of the terminal `stream`, or 80 columns if `stream` is no terminal. Unicode if
+/// `stream` is a terminal with a UTF-8 locale (LC_ALL, LC_CTYPE, LANG), and TERM is neither `dumb`
+/// nor `linux`.
 [[nodiscard]] Screen screen_of(std::FILE* stream);
 
-/// Shows the current stage on stderr, if it is a terminal, from half a second on.
+/// If stderr is a terminal, shows the current stage on stderr from half a second on.
 class Progress {
  public:
   explicit Progress(const std::string& subject);

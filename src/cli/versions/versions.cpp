@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t seconds_of_git = 60;
-/// Bytes of a list of files: enough for the paths of ten million files.
+/// The largest list of files that is read, in bytes: about ten million paths.
 constexpr std::size_t longest_list = 1U << 30U;
 /// The largest number of links that Linux follows in a path.
 constexpr int most_links = 40;
@@ -142,8 +142,8 @@ Result<Revision> Revision::open(const std::string& name) {
 Result<std::string> Revision::repository_path(const std::string& path) const {
   std::error_code error;
   const fs::path root = fs::weakly_canonical(root_, error);
-  // A link is itself a file of the tree, wherever it points; links among its parent folders are
-  // resolved.
+  // A link to a file is itself a file of the tree, wherever the link points. Links to folders, and
+  // links among the parent folders, are resolved.
   const fs::path full = fs::absolute(path, error).lexically_normal();
   const bool is_folder = fs::is_directory(full, error) || !full.has_filename();
   const fs::path real = is_folder

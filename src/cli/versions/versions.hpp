@@ -21,14 +21,14 @@ class Revision {
   /// Opens a revision of the repository that contains the working directory.
   [[nodiscard]] static Result<Revision> open(const std::string& name);
 
-  /// The path in the repository of a file or folder of the working tree. E713 if it is outside of
-  /// the tree or in a submodule.
+  /// The path of a file or folder of the working tree, relative to the root of the repository. E713
+  /// if `path` is outside of the working tree or in a submodule.
   [[nodiscard]] Result<std::string> repository_path(const std::string& path) const;
 
   [[nodiscard]] bool contains(const std::string& path) const { return objects_.count(path) > 0; }
 
-  /// The files below a folder ("": the root), with paths relative to it. Omits links that point to
-  /// no file of the revision.
+  /// The files below a folder ("": the root), with paths relative to this folder. Omits submodules,
+  /// and links to no file of the revision.
   [[nodiscard]] std::vector<std::string> list_files(const std::string& folder) const;
 
   /// Reads a file. Messages call it NAME:PATH. Links are followed inside the revision. E111 if
@@ -42,7 +42,8 @@ class Revision {
     std::string id = {};
   };
 
-  /// The object after following all links; null if it is no file of the revision.
+  /// The object at the end of all links from `path`; null if the last link leads to no file of the
+  /// revision.
   [[nodiscard]] Result<const Object*> resolve_links(const std::string& path) const;
 
   /// The first `most` bytes of the object; `path` is for messages.

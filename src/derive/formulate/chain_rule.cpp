@@ -57,7 +57,7 @@ std::vector<PartialDerivative> wanted_partials(const Definitions& definitions, c
 }
 
 /// The partial derivatives of a definition by the symbols for which `is_wanted` is true. If the
-/// value of the definition is a leaf, its derivatives are in `slopes`.
+/// value of the definition is a leaf, the derivatives are listed in `definition.derivatives`.
 template <class IsWanted>
 std::vector<PartialDerivative> wanted_partials(const Definitions& definitions,
                                                const Definition& definition,

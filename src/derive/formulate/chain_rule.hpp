@@ -90,18 +90,18 @@ class Tangent {
  public:
   Tangent(Definitions& definitions, Seeds seeds, std::string suffix = {});
 
-  /// The derivative of any expression over the definitions.
+  /// d value/ds along the direction; `value` is any expression over the definitions.
   [[nodiscard]] GiNaC::ex operator()(const GiNaC::ex& value);
 
  private:
-  /// The derivative of `value` (an expression or a definition) along the direction, from the
-  /// tangents that are known so far.
+  /// d value/ds along the direction, from the derivatives in `tangents_`; `value` is an expression
+  /// or a definition.
   template <class Value>
   [[nodiscard]] GiNaC::ex differentiate_value(const Value& value) const;
   void differentiate_definition(std::uint32_t definition);
 
   Definitions& definitions_;
-  Seeds tangents_;  // of leaves, and of the definitions differentiated so far
+  Seeds tangents_;  // d/ds of leaves, and of the definitions differentiated so far
   std::vector<bool> visited_;
   std::string suffix_;
   LeafSet mask_ = {};

@@ -1,5 +1,5 @@
-// The ordered list of definitions: appending, dependence of expressions on leaves, and a text form
-// with sorted terms, which is never parsed.
+// The ordered list of definitions: appends definitions, finds the leaves on which an expression
+// depends, and writes expressions as text with sorted terms. This text is never parsed.
 #include <algorithm>
 #include <sstream>
 
@@ -147,7 +147,7 @@ class ExpressionWriter {
     return parts;
   }
 
-  /// If the first term is negative, the negated sum is printed with the sign outside.
+  /// If the first term is negative, prints the negated sum, and returns the sign separately.
   Summand print_sum(const ex& value) const {
     std::vector<Summand> terms = sorted_summands(value, Binding::sum);
     const bool is_negative = terms.front().is_subtracted;

@@ -135,7 +135,7 @@ ex open_slope(const ex& first, const ex& count, const ex& digits, const ex& x1, 
 ExpressionTranslator::ExpressionTranslator(const Model& model, Lagrangian& lagrangian)
     : model_(model), lagrangian_(lagrangian), translated_values_(model.expressions.size()) {}
 
-/// Translates references before the expression; iterative, because chains of references are long.
+/// Translates the references of `id` before `id`. Iterative, because chains of references are long.
 ex ExpressionTranslator::value(ExpressionId id) {
   if (!errors_.empty()) return 0;
   std::vector<ExpressionId> stack{id};
@@ -218,8 +218,8 @@ ExpressionTranslator::SizedExpression ExpressionTranslator::translate_operation(
   }
 }
 
-/// A call of an open function. The size is 1 for any arguments: the call becomes an
-/// open_value_number().
+/// A call of an open function. The size is 1 for any arguments, because lower imports the call as a
+/// leaf without arguments.
 ExpressionTranslator::SizedExpression ExpressionTranslator::translate_open_value(
     const Expression& expression) const {
   const OpenValue& value = model_.open_values[expression.index];

@@ -21,8 +21,8 @@ class ExpressionTranslator {
   /// values without names.
   void define_named_entries();
 
-  /// The expression over definitions. If GiNaC rejects a part, the error (E312 or E313) is kept,
-  /// and this call and all later calls return 0.
+  /// The translated expression. If GiNaC rejects a part of the expression, the error (E312 or E313)
+  /// is added to errors(), and this call and all later calls return 0.
   [[nodiscard]] GiNaC::ex value(ExpressionId id);
   [[nodiscard]] const Diagnostics& errors() const { return errors_; }
 
@@ -59,7 +59,7 @@ class ExpressionTranslator {
 /// value.
 [[nodiscard]] GiNaC::ex constant_value(const Model& model, ExpressionId value);
 
-/// True if energies and forces must be sums in world coordinates: for an expansion or for [routh].
+/// True if an expansion or [routh] needs energies and forces as sums in world coordinates.
 [[nodiscard]] inline bool needs_energy_sums(const Model& model) {
   return model.approximation.has_value() || !model.reduction.cyclic.empty();
 }

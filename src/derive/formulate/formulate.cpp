@@ -77,7 +77,7 @@ bool is_in_tree(const Model& model, const Placed& placed) {
   return placed.local && !needs_energy_sums(model);
 }
 
-/// Adds 1/2 w.I w, with I = [xx xy xz; xy yy yz; xz yz zz] in the axes of w.
+/// Adds 1/2 w.I w to T. I = [xx xy xz; xy yy yz; xz yz zz] is expressed in the same axes as w.
 void add_rotational_energy(const Body& body, Entity origin, ExpressionTranslator& translation,
                            Lagrangian& lagrangian) {
   if (body.inertia.empty() || body.spin.empty()) return;

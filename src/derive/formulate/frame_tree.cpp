@@ -15,8 +15,8 @@ bool is_zero(const ExVector3& vector) {
   return std::all_of(vector.begin(), vector.end(), [](const ex& x) { return x.is_zero(); });
 }
 
-/// The frames with a body, point mass, force or output, and all their ancestors. If
-/// needs_energy_sums(), only outputs count.
+/// True for each frame with a body, point mass, force or output, and for all ancestors of these
+/// frames. If needs_energy_sums(), only outputs count.
 std::vector<bool> needed_frames(const Model& model) {
   std::vector<bool> needed(model.frames.size(), false);
   const auto mark = [&](std::optional<std::uint32_t> frame) {
@@ -96,9 +96,9 @@ std::optional<std::size_t> single_axis(const ExVector3& x) {
   return axis;
 }
 
-/// Moves a translation along the axis of the last turn behind this turn, because both commute.
-/// Frames whose axes intersect then share their origin, so a force passed between these frames adds
-/// no moment.
+/// Moves the component of the first translation along the axis of the last turn behind this turn,
+/// because the component and the turn commute. Frames whose axes intersect then share their origin,
+/// so a force passed between these frames adds no moment.
 ///
 ///     before    shift (a, d, 0), turn -pi/2 about x, turn q about z
 ///     after     shift (a, 0, 0), turn -pi/2 about x, turn q about z, shift (0, 0, d)
@@ -294,7 +294,7 @@ class TreeFormulation {
   }
 
   void add_force_at(std::uint32_t index, TransformIndex axes, const ExVector3& components) {
-    if (!model_.points[index].local) return;  // formulate.cpp adds it as a PointForce
+    if (!model_.points[index].local) return;  // formulate.cpp adds this force as a PointForce
     const PointPlace& place = place_of_point(index);
     tree_.wrenches.push_back({place.transform, axes, place.at, components, {0, 0, 0}});
   }
@@ -315,7 +315,7 @@ class TreeFormulation {
   FrameTree& tree_;
   std::vector<TransformIndex>
       last_transform_;  ///< of each frame; none if the frame coincides with the world
-  std::vector<std::optional<PointPlace>> point_places_;  ///< by point, filled by place_of()
+  std::vector<std::optional<PointPlace>> point_places_;  ///< by point, filled by place_of_point()
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// NameScope: while it exists, new definitions are named after a kind and a frame, for readers of
-// the emitted code.
+// NameScope: while a NameScope exists, new definitions are named after a kind and a frame, for
+// readers of the emitted code.
 //
 //     const NameScope wrench(definitions, "wrench", "link5");       // wrench_link5
 //     { const NameScope moment(definitions, "moment"); … }          // wrench_moment_link5

@@ -1,4 +1,4 @@
-// The parts of a Derivation; graded() and the tree are computed at the first call.
+// The parts of a Derivation. graded_energies() and the tree are computed at the first call.
 #include "derive/lagrangian/derivation.hpp"
 
 #include <array>
@@ -38,7 +38,7 @@ class DegreeSplitter {
   void split_definition(std::uint32_t definition);
 
   Definitions& definitions_;
-  ExpressionMap<std::array<ex, 3>> parts_;  // of symbols that depend on the velocities
+  ExpressionMap<std::array<ex, 3>> parts_;  // symbol x that depends on v -> (x0, x1, x2)
   std::vector<bool> known_;
 };
 

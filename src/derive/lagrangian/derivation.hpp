@@ -24,8 +24,8 @@ namespace elgen {
 using Terms = std::vector<GiNaC::ex>;
 using RealVector = std::vector<GiNaC::ex>;
 
-/// Terms of the energies without point masses and bodies in frames, by degree in v. If the model
-/// gives L, then V1 = -L1 and V0 = -L0.
+/// Terms of the energies by degree in v; point masses and bodies in frames are not included. If the
+/// model gives L, then V1 = -L1 and V0 = -L0.
 struct GradedEnergies {
   Terms kinetic2 = {};
   Terms kinetic1 = {};
@@ -43,7 +43,7 @@ class Derivation {
   Derivation& operator=(const Derivation&) = delete;
 
   Lagrangian lagrangian;     ///< a copy, because derivation appends definitions
-  Definitions& definitions;  ///< of `lagrangian`
+  Definitions& definitions;  ///< the definitions of `lagrangian`
   const Symbols& symbols;
 
   Tangent motion_rate;                ///< d/dt along the motion: q -> dq/dt, v -> a, t -> 1
@@ -51,7 +51,7 @@ class Derivation {
   Tangent rate_at_fixed_time;         ///< q -> dq/dt, v -> 0, t -> 0
   Tangent time_partial;               ///< q -> 0, v -> 0, t -> 1: partial d/dt
 
-  /// Terms of T - V, or of L, without point masses and bodies in frames.
+  /// Terms of T - V, or of a given L; point masses and bodies in frames are not included.
   [[nodiscard]] const std::vector<WeightedTerm>& lagrangian_without_bodies() const {
     return lagrangian_terms_;
   }
@@ -67,7 +67,7 @@ class Derivation {
   template <class Force>
   [[nodiscard]] std::vector<WeightedTerm> weighted_positions(const Force& force);
 
-  /// The directions dq = N e_j (`displacement_tangent`) and dv = e_j (`velocity_tangent`); e_j is
+  /// d/ds along dq = N e_j (`displacement_tangent`) or along dv = e_j (`velocity_tangent`); e_j is
   /// the unit vector of velocity j.
   [[nodiscard]] Tangent displacement_tangent(std::size_t velocity);
   [[nodiscard]] Tangent velocity_tangent(std::size_t velocity);
@@ -82,7 +82,7 @@ class Derivation {
 
   std::vector<WeightedTerm> lagrangian_terms_;
   std::optional<GradedEnergies> graded_;
-  std::shared_ptr<KinematicTree> tree_;  ///< not a unique_ptr, because Tree is incomplete here
+  std::shared_ptr<KinematicTree> tree_;  ///< no unique_ptr: KinematicTree is incomplete here
 };
 
 template <class Force>
@@ -120,7 +120,7 @@ template <class Derive>
   return result;
 }
 
-/// The values after a substitution of leaves. Each value becomes a definition first.
+/// `values` after the substitution `leaves`. Each value first becomes a definition.
 [[nodiscard]] RealVector define_and_substitute(Substitution& leaves, Definitions& definitions,
                                                const RealVector& values);
 

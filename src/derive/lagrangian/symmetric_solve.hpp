@@ -48,7 +48,7 @@ class SymmetricSolver {
   /// 1 / D, in the order of elimination.
   [[nodiscard]] const RealVector& reciprocal_pivots() const { return reciprocals_; }
 
-  /// D_i / M_ii, indexed by row: 1 if row i is decoupled, <= 0 or about epsilon if M is singular.
+  /// D_i / M_ii, by row: 1 if row i is decoupled; <= 0 or about machine epsilon if M is singular.
   [[nodiscard]] RealVector relative_pivots() const;
   [[nodiscard]] RealVector diagonal() const;
 
@@ -77,8 +77,8 @@ class SymmetricSolver {
 /// 0 … size - 1.
 [[nodiscard]] std::vector<std::size_t> identity_order(std::size_t size);
 
-/// The velocities in the order in which M is eliminated: from the last to the first if
-/// eliminates_last_first() (model/elimination.hpp), so that entries between limbs do not fill in.
+/// The velocities in the order in which M is eliminated. If `lagrangian.eliminates_last_first` is
+/// set, the last velocity comes first, so that entries between limbs do not fill in.
 [[nodiscard]] std::vector<std::size_t> velocity_elimination_order(const Derivation& derivation);
 
 /// Solves M x = r + A^T y, A x = s (motion under constraints) without pivoting.

@@ -126,7 +126,7 @@ class Importer {
                         fmt::format("cannot import the GiNaC function `{}`", name));
   }
 
-  /// Imports the value of a function without expression as a leaf, without its arguments.
+  /// Imports the value of an open function as a leaf; the arguments are not imported.
   SignedNode import_open_value(const GiNaC::ex& e) {
     const std::optional<std::uint32_t> number = open_value_number(e);
     if (number) return graph.leaf(Opcode::open_value, *number);
@@ -169,8 +169,8 @@ std::vector<bool> needed_definitions(const Definitions& definitions,
   return needed;
 }
 
-/// The outputs whose entries a request contains: one output, or for `dynamics` all outputs that it
-/// repeats.
+/// The outputs whose entries a request contains: the requested output itself, or for `dynamics` all
+/// outputs that `dynamics` repeats.
 std::vector<const OutputEquations*> requested_equations(const EquationsOfMotion& equations,
                                                         const OutputRequest& request) {
   std::vector<const OutputEquations*> wanted;

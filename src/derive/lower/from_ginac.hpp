@@ -18,16 +18,16 @@ struct ImportedOutput {
   std::vector<Field> fields = {};               ///< entries are indices into `values`
   std::vector<SignedNode> values = {};          ///< every entry of every field
   std::vector<std::uint32_t> elimination = {};  ///< order of elimination of M, for compose.hpp
-  /// Nodes with names for readers of the code, given by the stage derive, and these names. For
-  /// `dynamics`, a name starts with the name of the repeated output.
+  /// Nodes that the stage derive has named for readers of the code, and the names of these nodes.
+  /// For `dynamics`, each name starts with the name of the repeated output.
   std::vector<SignedNode> intermediate_values = {};
   std::vector<std::string> value_names = {};
 };
 
 /// Imports each definition that the output needs once, then the entries of the output. `dynamics`
-/// has the entries of every output with is_repeated(). E312: a denominator is 0. E908: more than
-/// `maximum_nodes` nodes. E912: an expression of a class that elgen never uses, or an output that
-/// was not derived.
+/// has the entries of every output for which is_in_dynamics() is true. E312: a denominator is 0.
+/// E908: more than `maximum_nodes` nodes. E912: an expression of an unknown class, a complex or
+/// rounded number, or an output that was not derived.
 [[nodiscard]] Result<ImportedOutput> from_ginac(const EquationsOfMotion& equations,
                                                 const OutputRequest& request,
                                                 std::uint64_t maximum_nodes);

@@ -93,7 +93,8 @@ RealVector unit_vector(std::size_t size, std::size_t j) {
   return unit;
 }
 
-/// The diagonal that [energy] T and armatures add to M; none if they add off-diagonal entries.
+/// The diagonal that the T of [energy] and the armatures add to M; none if the T of [energy] adds
+/// entries off the diagonal.
 std::optional<RealVector> energy_mass_diagonal(Derivation& derivation) {
   const RealVector momentum =
       derivation.gradient_by_velocity(weighted_terms(derivation.graded_energies().kinetic2, 1));

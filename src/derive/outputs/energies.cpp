@@ -12,8 +12,8 @@ void append_terms(GiNaC::exvector& to, const Terms& from, int sign) {
   for (const ex& term : from) to.push_back(sign * term);
 }
 
-/// Appends sign * T of the point masses and of the bodies in frames, with velocities dp/ds along a
-/// direction.
+/// Appends sign * T of the point masses and of the bodies in frames. Velocities are dp/ds along the
+/// direction `along`.
 void append_kinetic_energy(GiNaC::exvector& terms, Derivation& derivation, Tangent& along,
                            int sign) {
   for (const PointMass& mass : derivation.lagrangian.masses) {

@@ -1,5 +1,5 @@
-// Generalised forces. Each takes one reverse pass over positions and energies, and forward passes
-// for the rates of momenta.
+// Generalised forces. Each force needs one reverse pass over positions and energies, and forward
+// passes for the rates of momenta.
 #include "derive/lagrangian/turning.hpp"
 #include "derive/outputs/outputs.hpp"
 #include "derive/tree/tree_dynamics.hpp"
@@ -94,8 +94,8 @@ TreeForces tree_forces(Derivation& derivation, Tangent& second) {
   return inertial_forces(tree_of(derivation), {derivation.rate_without_acceleration, second, true});
 }
 
-/// M a + bias - B u; without B u if the inputs are absent. `second` differentiates velocities: with
-/// `rate_without_acceleration`, a is 0.
+/// M a + bias - B u; without B u if the inputs are absent. `second` differentiates velocities; a is
+/// 0 if `second` is `rate_without_acceleration`.
 RealVector left_side(Derivation& derivation, Tangent& second, InputForces inputs,
                      BodySelection bodies) {
   TreeForces forces{inertial_forces_of_masses(derivation, second)};

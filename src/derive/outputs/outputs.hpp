@@ -19,8 +19,8 @@ enum class BodySelection : unsigned char { all, outside_frames };
 /// tau = M a + bias.
 [[nodiscard]] RealVector inverse_dynamics(Derivation& derivation);
 
-/// tau - B u; tau if the inputs are absent. Bodies::outside_frames omits the inertial forces and
-/// weights of bodies in frames.
+/// tau - B u; tau if the inputs are absent. BodySelection::outside_frames omits the inertial forces
+/// and weights of bodies in frames.
 [[nodiscard]] RealVector dynamics_residual(Derivation& derivation, InputForces inputs,
                                            BodySelection bodies);
 
@@ -160,7 +160,7 @@ struct OperationalDynamics {
 
 // Constraints f(q, t) = 0 with r = df/dt, and phi(q, v, t) = 0 with r = phi (elgen/outputs.hpp).
 
-/// r of each constraint.
+/// r of each constraint, n_c entries.
 [[nodiscard]] RealVector constraint_rates(Derivation& derivation);
 
 /// f of the position constraints, and r of all constraints.
@@ -176,7 +176,7 @@ struct ConstraintResidual {
 /// gamma = dr/dt at a = 0.
 [[nodiscard]] RealVector constraint_bias(Derivation& derivation);
 
-/// A^T lambda.
+/// A^T lambda, n_v entries.
 [[nodiscard]] RealVector constraint_force(Derivation& derivation, const RealVector& multipliers);
 
 /// `rates_of_rates` + 2 zeta omega r + omega^2 f. Along the motion, this sum is 0 if
@@ -243,11 +243,12 @@ struct ForwardDynamics {
 };
 [[nodiscard]] ForwardDynamics forward_dynamics(Derivation& derivation);
 
-/// Forward dynamics that does not form M (tree/articulated.hpp), and the number of operations of
-/// factorising M. None unless the model has bodies in frames; T and V instead of L, quadratic in v;
-/// no constraints and no point masses outside frames; a T of [energy] that adds at most a diagonal
-/// to M; a value of tree_joints(); and elimination of M from the last velocity (otherwise pivots
-/// would differ). If `has_pivots` is false, M_ii and the relative pivots are not computed.
+/// Forward dynamics that does not form M (tree/articulated.hpp), and the number of operations that
+/// factorising M would need. None, unless all of this holds: bodies in frames; no constraints and
+/// no point masses outside frames; T and V (not L), quadratic in v; a T of [energy] that adds at
+/// most a diagonal to M; a value of tree_joints(); M eliminated from the last velocity, because
+/// other orders have other pivots. If `has_pivots` is false, M_ii and the relative pivots are not
+/// computed.
 struct ArticulatedDynamics {
   ForwardDynamics solution;
   std::size_t factorisation_operations = 0;
@@ -255,7 +256,7 @@ struct ArticulatedDynamics {
 [[nodiscard]] std::optional<ArticulatedDynamics> articulated_dynamics(Derivation& derivation,
                                                                       bool has_pivots = true);
 
-/// The values with a and lambda replaced by the solution of the forward dynamics.
+/// `values` after a and lambda are replaced by the solution of the forward dynamics.
 [[nodiscard]] RealVector values_along_motion(Derivation& derivation, const RealVector& values);
 
 /// n_v x n_v each, row-major.

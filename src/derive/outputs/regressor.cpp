@@ -65,7 +65,7 @@ bool is_owner(const Entity& origin, const InertialParameter& parameter) {
          origin.kind == (is_body ? EntityKind::body : EntityKind::point);
 }
 
-/// The entry of the parameter's owner in `list`, or null.
+/// The element of `list` whose origin is the owner of `parameter`; null if there is none.
 template <class List>
 auto* find_owner_entry(List& list, const InertialParameter& parameter) {
   const auto found = std::ranges::find_if(
@@ -73,8 +73,8 @@ auto* find_owner_entry(List& list, const InertialParameter& parameter) {
   return found == list.end() ? nullptr : &*found;
 }
 
-/// A body on the transform of `body`, with `parameter` = 1 and all other inertial parameters 0. A
-/// point keeps its position.
+/// A body on the transform of `body`, with `parameter` = 1 and all other inertial parameters 0. If
+/// the owner is a point, the body stays at the position of the point.
 RigidBody unit_body(const RigidBody& body, const InertialParameter& parameter) {
   RigidBody unit;
   unit.transform = body.transform;
@@ -240,8 +240,8 @@ class RegressorColumns {
     return polarisation_ ? polarisation_->polarise_all(std::move(forces)) : forces;
   }
 
-  /// Forces of [energy], D and the declared forces. With a reference velocity r, dD/dv is evaluated
-  /// at r.
+  /// The generalised forces of [energy], D and the declared forces. With a reference velocity r,
+  /// dD/dv is evaluated at v = r.
   RealVector other_forces() {
     const Lagrangian& all = derivation_.lagrangian;
     Lagrangian others = kinematics_of(all);

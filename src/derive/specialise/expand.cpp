@@ -40,7 +40,7 @@ TaylorSeries::TaylorSeries(Definitions& definitions, const std::vector<SmallLeaf
   }
 }
 
-/// Coefficients of one term: substitutes x0 + s x1 + s^2 x2 + … for each x and differentiates by s.
+/// Coefficients of `term`: substitutes x0 + s x1 + s^2 x2 + … for each x, then differentiates by s.
 TaylorSeries::Coefficients TaylorSeries::coefficients_of(const ex& term) const {
   GiNaC::exmap curves;
   for (const ex& symbol : symbols_of(definitions_, term)) {

@@ -34,8 +34,8 @@ Seeds locked_values(UnreducedLagrangian& lagrangian) {
   return values;
 }
 
-/// A copy with an empty list of definitions. Symbols in its expressions still refer to the list of
-/// the original, to which definitions are only appended.
+/// A copy of `lagrangian` with an empty list of definitions. Symbols in the copy still refer to the
+/// list of `lagrangian`, to which definitions are only appended.
 std::shared_ptr<const Lagrangian> without_definitions(Lagrangian& lagrangian) {
   Definitions definitions = std::move(lagrangian.definitions);
   lagrangian.definitions = {};

@@ -1,5 +1,5 @@
-// Substitution in every expression of a Lagrangian, in the order of its members. Removal of
-// variables from every list that has an entry per variable.
+// Replaces leaves by values in every expression of a Lagrangian, in the order of its members.
+// Removes variables from every list that has an entry per variable.
 #include <utility>
 
 #include "derive/specialise/passes.hpp"

@@ -77,7 +77,7 @@ std::optional<ValueProblem> run_checked(const MaybeSubtree& step, UnreducedLagra
   return std::nullopt;
 }
 
-/// One fixed parameter or one lock. It is run by itself to find the cause of a problem.
+/// One fixed parameter or one lock. To find the cause of a problem, the step is run alone.
 struct SinglePass {
   std::string name;
   Span span;
@@ -89,8 +89,8 @@ struct SingularAndPlural {
   std::string plural;
 };
 
-/// The error for a problem. It names the first part that fails by itself; if no part fails by
-/// itself, it names all parts.
+/// The error for `problem`. The error names the first of `parts` that fails alone; if no part fails
+/// alone, the error names all parts.
 Diagnostic diagnose(const ValueProblem& problem, const std::vector<SinglePass>& parts,
                     const UnreducedLagrangian& before, const SingularAndPlural& at) {
   std::string names;

@@ -50,7 +50,7 @@ void accumulate(VectorAlgebra& algebra, const CompositeInertia& from, Articulate
   }
 }
 
-/// `c` in the parent frame of a translation by p, by the equations of articulated.hpp.
+/// `c` re-expressed in the parent frame of a translation by p (equations in articulated.hpp).
 ArticulatedInertia translate_inertia(VectorAlgebra& algebra, const ArticulatedInertia& c,
                                      const ExVector3& p) {
   ArticulatedInertia result = c;
@@ -107,7 +107,7 @@ ex scalar_product(VectorAlgebra& algebra, const Twist& s, const SpatialForce& p)
   return algebra.define(turning + algebra.dot(s.velocity, p.force));
 }
 
-/// Angular components, then linear ones.
+/// Three angular components, then three linear components.
 using SpatialComponents = std::array<ex, 6>;
 
 SpatialComponents components(const ExVector3& angular, const ExVector3& linear) {
@@ -259,7 +259,7 @@ class ArticulatedRecursion {
     accumulate(algebra_, to_parent(tree_, k, inertias_[k]), inertias_[*parent]);
   }
 
-  /// Re-expresses a twist of the parent frame of transform k in its child frame.
+  /// `from`, a twist of the parent frame of transform k, re-expressed in the child frame of k.
   Twist to_child_frame(std::size_t k, const Twist& from) {
     if (tree_.transform(k).kind == TransformKind::translation) {
       const ExVector3 lever = algebra_.cross(from.spin, tree_.transform(k).vector);

@@ -45,15 +45,15 @@ struct ArticulatedMotion {
 };
 
 /// Solves M a = Q - (inertial forces at a = 0) + (weights) for the bodies in frames. `forces` is Q
-/// and `armatures` J, by velocity. Throws ZeroPivot; its is_diagonal is false, as M_ii is unknown.
+/// and `armatures` J, by velocity. Throws ZeroPivot with is_diagonal = false: M_ii is unknown.
 [[nodiscard]] ArticulatedMotion articulated_motion(KinematicTree& tree,
                                                    const std::vector<TreeJoint>& joints,
                                                    const RealVector& forces,
                                                    const RealVector& armatures, bool has_diagonal);
 
 /// The number of operations of the factorisation M = L D L^T from the leaves to the root: the sum
-/// of d (d + 2) over all velocities, with d velocities between a velocity and the root. M_ij is
-/// assumed to be 0 only between two limbs.
+/// of d (d + 2) over all velocities. d is the number of velocities between a velocity and the root.
+/// Only entries of M between two limbs are assumed to be 0.
 [[nodiscard]] std::size_t count_factorisation_operations(const KinematicTree& tree,
                                                          const std::vector<TreeJoint>& joints);
 

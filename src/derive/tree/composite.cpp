@@ -199,7 +199,8 @@ Symmetric3 to_parent(KinematicTree& tree, std::size_t transform, const Symmetric
   return rotate_by_matrix(tree.algebra, r.entries, s);
 }
 
-/// Constant quarter turns use the general product: factors 0 and 1 reduce it to a permutation.
+/// A constant quarter turn uses the general product R A R^T, which the entries 0 and +-1 of R
+/// reduce to a permutation with signs.
 ExMatrix3 to_parent(KinematicTree& tree, std::size_t transform, const ExMatrix3& a) {
   const TransformRotation& r = tree.rotation(transform);
   const bool is_quarter =

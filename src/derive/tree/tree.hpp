@@ -1,4 +1,4 @@
-// Tree: passes vectors, twists and forces along the frames of a Lagrangian.
+// KinematicTree: passes vectors, twists and forces along the frames of a Lagrangian.
 //
 // A transform is an elementary transform x_parent = R x + p from its child frame to its parent
 // frame; R or p is trivial. Vectors on a transform are expressed in its child frame. A rotation
@@ -80,8 +80,8 @@ class KinematicTree {
     return rotate(rotations_[transform].inverse(), x);
   }
 
-  /// Re-expresses a vector from the child frame of transform `from` in the child frame of transform
-  /// `to`; none: the world.
+  /// Re-expresses a vector of the child frame of transform `from` in the child frame of transform
+  /// `to`. If an index is none, the frame is the world.
   [[nodiscard]] ExVector3 change_axes(const ExVector3& x, std::optional<std::uint32_t> from,
                                       std::optional<std::uint32_t> to);
 
@@ -99,8 +99,8 @@ class KinematicTree {
   /// transforms.
   [[nodiscard]] TreeForces pull_back_wrenches(std::vector<SpatialForce> wrenches);
 
-  /// Generalised forces of the Lagrangian's wrenches, with `part` applied to every component:
-  /// substitution of u = 0, or d/du_j.
+  /// Generalised forces of the wrenches of the Lagrangian. `part` is applied to every component: it
+  /// substitutes u = 0, or differentiates by u_j.
   [[nodiscard]] TreeForces wrench_forces(const std::function<GiNaC::ex(const GiNaC::ex&)>& part);
 
   /// Appends the generalised forces on one transform's motion, from the total wrench on its
@@ -134,14 +134,14 @@ template <class Value, class Of>
   return result;
 }
 
-/// The same for tree.bodies().
+/// sum_over_bodies() for tree.bodies().
 template <class Value, class Of>
 [[nodiscard]] std::vector<Value> sum_over_bodies(KinematicTree& tree, const Of& of) {
   return sum_over_bodies<Value>(tree, tree.bodies(), of);
 }
 
-/// Sums the values of each transform's subtree, from the leaves to the root. before(k, x)
-/// re-expresses x in the parent frame of transform k.
+/// For each transform, the sum of the values in its subtree, from the leaves to the root.
+/// to_parent(k, x) re-expresses x in the parent frame of transform k.
 template <class Value, class ToParent>
 [[nodiscard]] std::vector<Value> subtree_sums(KinematicTree& tree, std::vector<Value> values,
                                               const ToParent& to_parent) {
@@ -154,9 +154,9 @@ template <class Value, class ToParent>
 }
 
 /// The bodies of the Lagrangian. Bodies with rational mass, com and inertia are regrouped into at
-/// most one body per transform, about its origin (regroup.cpp); the energies do not change.
-/// Symbolic bodies are not merged, because every call would compute sums of their parameters.
-/// Masses on rotations are lifted: with_lifted_masses().
+/// most one body per transform, about the origin of its child frame (regroup.cpp); the energies do
+/// not change. Symbolic bodies are not merged, because every call would compute sums of their
+/// parameters. with_lifted_masses() then moves the masses on rotations.
 [[nodiscard]] std::vector<RigidBody> regroup_bodies(KinematicTree& tree);
 
 /// The bodies, with each mass on a rotation moved to a point mass on the parent transform.

@@ -128,7 +128,7 @@ TreeColumns::TransformQuantities TreeColumns::quantities_in_parent_frame(std::ui
   quantities.motion =
       parent ? motions_[*parent] : base_motion(tree_, acceleration_.includes_gravity);
   // The twist of the transform and the twist of its parent differ by a spin parallel to S (turn) or
-  // by no spin (translation). So both have the same v x S.
+  // by no spin (translation). So v x S is the same for both twists.
   quantities.own_twist = quantities.parent_twist = parent ? twists_[*parent] : Twist{};
   return quantities;
 }

@@ -31,7 +31,7 @@ struct Twist {
 /// `along` does not move it), else relative_spin().
 [[nodiscard]] ExVector3 joint_spin(KinematicTree& tree, std::size_t k, Tangent& along);
 
-/// dT/dv of the bodies, in the layout of generalised forces.
+/// dT/dv of the bodies, stored in the same way as generalised forces.
 [[nodiscard]] TreeForces tree_momentum(KinematicTree& tree);
 
 /// Terms of T = sum 1/2 m v_c^2 + 1/2 w.I w, along a direction of motion.
@@ -70,7 +70,8 @@ struct TransformMotion {
     KinematicTree& tree, const std::vector<RigidBody>& bodies,
     const std::vector<TransformMotion>& motions);
 
-/// Generalised inertial forces of the bodies; minus the weights if with_gravity is set.
+/// Generalised inertial forces of the bodies; minus the weights if `acceleration.includes_gravity`
+/// is set.
 [[nodiscard]] TreeForces inertial_forces(KinematicTree& tree,
                                          const AccelerationTangents& acceleration);
 

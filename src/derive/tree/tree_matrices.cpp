@@ -1,4 +1,4 @@
-// Products of columns and twists, mapped from variables of the tree to velocities.
+// Matrices of bodies in frames: columns times twists, projected from variables to velocities.
 #include "derive/tree/tree_matrices.hpp"
 
 namespace elgen {

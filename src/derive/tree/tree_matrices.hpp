@@ -73,7 +73,7 @@ enum class ColumnKind : unsigned char {
   by_velocity,  ///< I (R1 + S') + 2 B S
 };
 
-/// The twists of a variable that columns are multiplied with.
+/// The twists of a variable. Entries of matrices are products of a column and one of these twists.
 enum class TwistKind : unsigned char {
   unit,         ///< S
   rate,         ///< S'
@@ -96,18 +96,18 @@ class TreeColumns {
   TreeColumns(KinematicTree& tree, const std::vector<TreeVariable>& variables,
               const AccelerationTangents& by);
 
-  /// Visits each variable with itself, with the other variables of its transform, and with the
-  /// variables of all ancestor transforms.
+  /// Calls `visit` for each variable and itself, each other variable of its transform, and each
+  /// variable of its ancestor transforms.
   void for_each_pair(const std::vector<ColumnKind>& kinds,
                      const std::function<void(const ColumnPair&)>& visit);
 
-  /// Scalar product of a twist of the variable with the column.
+  /// The scalar product of `column` and a twist of `variable`.
   [[nodiscard]] GiNaC::ex twist_product(std::size_t variable, TwistKind kind,
                                         const SpatialForce& column);
 
  private:
-  /// Spatial quantities of a transform, expressed in its parent frame, or for rotations in its
-  /// child frame.
+  /// Spatial quantities of a transform. They are expressed in the parent frame of the transform, or
+  /// in the child frame if the transform is a rotation.
   struct TransformQuantities {
     CompositeInertia inertia = {};
     CompositeRate rate = {};
@@ -156,7 +156,7 @@ void add_to_dense(const SparseMatrix& matrix, RealVector& entries, std::size_t n
 [[nodiscard]] SparseMatrix tree_mass_matrix(KinematicTree& tree);
 [[nodiscard]] SparseMatrix tree_coriolis_matrix(KinematicTree& tree);
 
-/// True if the variables are complete, and dx/dq of each is constant.
+/// True if tree_variables() is complete, and dx/dq of every variable x is constant.
 [[nodiscard]] bool has_linear_variables(KinematicTree& tree);
 
 /// d tau/dq and d tau/dv of the inertial forces and weights. Requires has_linear_variables().
