@@ -1,6 +1,6 @@
-// Correct models that a check of elgen once rejected, and energies beyond textbooks: nested calls,
-// nested roots, quotients, high powers, odd angles. Every check of verify must hold, whichever form
-// of a function is emitted.
+// Correct models that elgen once rejected, and energies with nested calls, nested roots, quotients,
+// high powers and unusual angles. Every check of `verify` must hold, whichever form of a function
+// is emitted.
 #include <catch2/catch.hpp>
 
 #include "pipeline/pipeline_testing.hpp"
@@ -44,8 +44,8 @@ std::string awkward_model(const EnergyTexts& energies) {
          energies.T + "\"\nV = \"" + energies.V + "\"\n";
 }
 
-/// A frame that rotates about its fixed origin, whose acceleration is 0 on paper. The potential
-/// exceeds every number at large negative times.
+/// A frame that rotates about its fixed origin: on paper the acceleration of the origin is 0. V
+/// exceeds every double at large negative times.
 constexpr const char* boundless_drive = R"toml(format = 1
 [model]
 name = "swing"

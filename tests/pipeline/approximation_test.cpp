@@ -1,5 +1,5 @@
-// Scenes that expand about an equilibrium: their equations are the exact equations, truncated order
-// by order.
+// The equations of a scene that expands about an equilibrium are the Taylor polynomials of the
+// exact equations.
 #include <catch2/catch.hpp>
 
 #include "derive/formulate/written_out.hpp"
@@ -15,7 +15,7 @@ namespace {
 using cln::cl_R;
 using cln::cl_RA;
 
-/// Products of a model in models/, with a scene unless `lines` is empty.
+/// The products of models/`model`.toml for `output`, with a scene unless `lines` is empty.
 Products near_products(const std::string& model, const std::string& output,
                        const std::string& lines) {
   return derived(inputs_of(model_file(model), lines), output, {Goal::self_check});

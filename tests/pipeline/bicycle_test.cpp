@@ -56,7 +56,7 @@ Linear published(double v) {
   return {solved(mass, k), solved(mass, c)};
 }
 
-/// The bicycle upright at speed v along heading psi; `turned` is the angle of the wheels.
+/// The upright bicycle at speed `v` in direction `heading`; `turned` is the angle of both wheels.
 State riding(const Constrained& system, double v, double heading, double turned) {
   const auto exact = [](double value) { return cln::cl_R(cln::rational(cln::cl_DF(value))); };
   State state = system.nominal();
@@ -70,8 +70,8 @@ State riding(const Constrained& system, double v, double heading, double turned)
   return state;
 }
 
-/// Derivatives along perturbations that the wheels allow. The centre of the rear wheel moves
-/// sideways with the lean, and the frame yaws by (v delta + c d(delta)/dt) cos(lambda)/w.
+/// The derivatives along perturbations that the wheels allow. The centre of the rear wheel moves
+/// sideways with the lean. The yaw rate changes by (v delta + c d(delta)/dt) cos(lambda)/w.
 Linear computed(const Constrained& system, double v, double heading, double turned) {
   const State state = riding(system, v, heading, turned);
   const std::vector<double> a = system.double_field(OutputKind::linearization, "A", state);
@@ -108,7 +108,7 @@ void check_same(const Block& found, const Block& expected) {
   }
 }
 
-/// det(s^2 - s C - K) and its derivative by s.
+/// det(s^2 I - s C - K) and its derivative by s, with C = `by_rate` and K = `by_position`.
 std::pair<Complex, Complex> determinant(const Linear& linear, Complex s) {
   const auto& [k, c] = linear;
   const auto entry = [&](std::size_t i) { return (i % 3 == 0 ? s * s : 0.0) - s * c[i] - k[i]; };

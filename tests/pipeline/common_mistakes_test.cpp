@@ -1,4 +1,4 @@
-// Common mistakes in written derivations: each is found with its own message, or cannot be written.
+// Common mistakes in derivations: each has a message, or the model language cannot express it.
 #include <catch2/catch.hpp>
 
 #include "pipeline/pipeline_testing.hpp"

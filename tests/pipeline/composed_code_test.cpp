@@ -1,5 +1,5 @@
-// Derivatives for ten or more velocities, whose code loops over columns. Vectorised and scalar code
-// in C++, C99 and Eigen gives the same bits as the evaluator.
+// Loops over columns compute the derivatives of models with ten or more velocities. Vectorised and
+// scalar code in C++, C99 and Eigen gives the same bits as the evaluator.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>

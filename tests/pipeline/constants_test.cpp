@@ -22,7 +22,7 @@ std::string model_of(const Row& row) {
          row.potential + "\"\n[[expect]]\ngravity = [\"" + row.gravity + "\"]\n";
 }
 
-/// The result of `verify --quick` for the expectation, the compiled code and all other checks.
+/// The outcome of `elgen verify -v --quick` for the model and the expectation of `row`.
 Outcome verdict(const Row& row) {
   const Workspace folder;
   folder.write("constants.toml", model_of(row));

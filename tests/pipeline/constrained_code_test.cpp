@@ -83,7 +83,7 @@ name = "pin"
 coincide = ["P", "Q"]
 )toml";
 
-/// Classical Runge-Kutta with constant inputs; the common start of both programs.
+/// Classical Runge-Kutta steps with constant inputs. Both programs below start with this text.
 constexpr const char* runge_kutta = R"cpp(
 #include <algorithm>
 #include <array>
@@ -232,8 +232,8 @@ constexpr const char* tracking = R"cpp(
   }
 )cpp";
 
-/// Andrews' mechanism from START for 0.03 s. Argument: whether it is projected. Prints the largest
-/// constraint residual, then the final coordinates.
+/// Andrews' mechanism from START for 0.03 s. Argument: 1 if every step is projected, otherwise 0.
+/// Prints the largest constraint residual, then the final coordinates.
 constexpr const char* squeezing = R"cpp(
   int main(int, char** arguments) {
     const bool projects = std::atoi(arguments[1]) != 0;

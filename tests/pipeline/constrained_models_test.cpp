@@ -156,8 +156,8 @@ ExactNumbers negatives(ExactNumbers values) {
   return values;
 }
 
-/// The pose of a four-bar linkage at its first angle, near the pose of `state`, with consistent
-/// rates.
+/// `state` with the second and third angle and rate of the closed four-bar linkage. Newton's method
+/// starts at the angles of `state`.
 State closed_loop(const Constrained& system, State state) {
   const auto jacobian = [&] { return system.truth(OutputKind::constraint_jacobian, "", state); };
   for (int i = 0; i < 8; ++i) {
@@ -239,7 +239,7 @@ TEST_CASE("without the derivative of A^T lambda a pendulum at rest would not swi
   state.q[1] = -state.parameters[1];
   ExactNumbers a = rod.exactly(OutputKind::linearization, "A", state);
   const cl_R lambda = rod.exactly(OutputKind::forward_dynamics, "multipliers", state)[0];
-  // d(A^T lambda)/dq = 2 lambda. The rod leaves only the motion across it, with mass m.
+  // d(A^T lambda)/dq = 2 lambda. On the hanging rod only x can change, with mass m.
   a[2 * 4 + 0] = a[2 * 4 + 0] - 2 * lambda / state.parameters[0];
   check_digits(characteristic(a, 4), two_factors(0, 7, exact("0.9")), 55);
 }

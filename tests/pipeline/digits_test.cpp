@@ -23,7 +23,7 @@ struct Generated {
   }
 };
 
-/// The largest loss of an output in double, in u R, including extreme states.
+/// max |x - x*|/(u R) of an output in double, extreme states included; R is the scale of x.
 double loss_of(const Generated& g, OutputKind kind) {
   VerifyOptions options;
   options.is_quick = true;
@@ -47,8 +47,8 @@ Generated generated_for_speed(const std::string& text) {
   return generated(text, "[numeric]\nprefer = \"speed\"\n");
 }
 
-/// The largest relative error of a function's first entries against exact values, in units of
-/// `epsilon`.
+/// The largest relative error of the first `entries` values of a function, in units of the epsilon
+/// of `Scalar`.
 template <class Scalar>
 double worst_ulps(const Generated& g, OutputKind kind, const Arguments<Scalar>& at,
                   std::size_t entries) {

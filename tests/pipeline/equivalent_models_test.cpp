@@ -1,4 +1,4 @@
-// Accelerations and energies of models with constraints against equivalent models in minimal
+// Models with constraints have the accelerations and energies of equivalent models in minimal
 // coordinates. Names and numbers differ from the models in models/.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -54,7 +54,7 @@ jacobian = true
 [parameters]
 )toml" + hanging;
 
-/// A crank and rocker of point masses and rods; the coordinates are appended.
+/// A crank, a coupler and a rocker of point masses and rods, without the text of the coordinates.
 const std::string linkage = R"toml(
 [parameters]
 r1 = { value = 0.3, assume = "positive" }
@@ -224,8 +224,8 @@ ExactNumbers minimal_output(const Constrained& free, OutputKind kind, const Stat
   return free.truth(kind, "", state);
 }
 
-/// The state and acceleration of the constrained model for a state of its minimal model. The output
-/// `twin` of the minimal model gives the constrained model's coordinates.
+/// The state and acceleration of the constrained model `bound` at `state` of the minimal model
+/// `free`. The output `twin` of `free` gives the coordinates of `bound`.
 State constrained_state(const Constrained& bound, const Constrained& free, const State& state) {
   State result = bound.nominal();
   result.u = state.u;

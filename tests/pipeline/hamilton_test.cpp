@@ -1,5 +1,5 @@
-// Hamilton's functions of whole models: against momenta, energies and accelerations to 50 digits,
-// in all languages, and on pages.
+// Hamilton's functions of whole models agree to 50 digits with momenta, energies and accelerations.
+// The functions are emitted in all languages and printed on pages.
 #include <catch2/catch.hpp>
 
 #include "elgen/oracle.hpp"
@@ -71,7 +71,7 @@ State moving_state(const SystemUnderTest& subject, Sampler& draw) {
   return state;
 }
 
-/// Compares to 50 digits of the largest entry.
+/// Checks that each error is at most 10^-50 times the largest expected |entry|.
 void check_values(const std::vector<Real>& values, const std::vector<cln::cl_R>& expected) {
   REQUIRE(values.size() == expected.size());
   cln::cl_R scale = 0;

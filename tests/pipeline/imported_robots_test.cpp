@@ -1,5 +1,5 @@
-// Imported arms against external numbers: three independent programs of rigid body dynamics agree
-// on all given digits. The state is q_i = 0.3 + 0.1 i, v_i = -0.2 + 0.15 i, a_i = 0.5 - 0.1 i for i
+// Outputs of imported arms against three independent programs of rigid body dynamics, which agree
+// in all given digits. The state is q_i = 0.3 + 0.1 i, v_i = -0.2 + 0.15 i, a_i = 0.5 - 0.1 i for i
 // = 0, 1, ...
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
-// A model with every digit-keeping function: derivatives as by hand, verified code, and C99 code
-// without compiler warnings.
+// A model with every function that keeps digits (log1p, sinc, ...): derivatives computed by hand
+// agree, the code is verified, and C99 code compiles without warnings.
 #include <catch2/catch.hpp>
 #include <string>
 

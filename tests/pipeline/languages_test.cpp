@@ -1,4 +1,4 @@
-// The same scenes in C++, C99 and Eigen, compiled by both compilers without warnings. All give the
+// The same scenes in C++, C99 and Eigen, compiled by gcc and clang without warnings. All give the
 // same bits, in row-major and column-major order, and Eigen allocates no memory.
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// Outputs of the motion: an accelerometer and the force in a rod as functions of the state and the
-// inputs, their total derivatives, and refused outputs.
+// Outputs with `motion = true`: an accelerometer and the force in a rod as functions of the state
+// and the inputs, the total derivatives of outputs, and refused outputs.
 #include <catch2/catch.hpp>
 
 #include "numbers/exact_number.hpp"

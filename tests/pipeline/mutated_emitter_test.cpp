@@ -8,7 +8,7 @@
 namespace elgen::test {
 namespace {
 
-/// A fault replaces the first match after the CUDA kernels of a header. No kernel is compiled.
+/// A fault replaces the first match of `pattern` after the CUDA kernels, which are not compiled.
 struct Fault {
   const char* what;
   const char* pattern;
@@ -26,7 +26,7 @@ const std::vector<Fault> faults_of_batches{
     {"an argument", R"(<Velocities<Scalar>>\(v, at\))", "<Velocities<Scalar>>(q, at)"},
 };
 
-/// Faults in C code, and in code with Eigen.
+/// Faults in the code of a step, for C99 and for C++ with Eigen.
 const std::vector<Fault> faults_of_steps{
     {"an entry", R"((result(?:->|\.)coordinates[\[(]1[\])] = ))", "$1-"},
     {"the length of a step", R"(\+ h \* )", "- h * "},

@@ -12,7 +12,8 @@ constexpr const char* wanted_outputs =
     "[outputs]\ninverse_dynamics = true\npotential_energy = true\n"
     "inverse_dynamics_derivatives = true\n";
 
-/// Passes V = -k/r to the open model. Prints for each language whether it equals the closed model.
+/// Passes V = -k/r to the code of the open model. Prints for each language whether the code gives
+/// the values of the closed model.
 constexpr const char* comparison = R"source(
 #include "central_force_open_c/central_force_open_c.h"
 #include "central_force_open_closed/central_force_open_closed.hpp"
@@ -84,7 +85,7 @@ std::string scene_of(const std::string& name, const std::string& rest) {
   return "format = 1\nmodel = \"model.toml\"\nname = \"" + name + "\"\n" + wanted_outputs + rest;
 }
 
-/// The number of proved [[expect]] rows, and of sampled rows without a proof.
+/// The number of proved [[expect]] rows, and the number of [[expect]] rows that are only sampled.
 std::pair<std::size_t, std::size_t> proved_rows(const std::string& model) {
   const Workspace folder;
   folder.write("model.toml", model_file(model));

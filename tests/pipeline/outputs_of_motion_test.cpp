@@ -1,4 +1,4 @@
-// Outputs of rates, accelerations and inputs: values, derivatives, arguments, and refused outputs.
+// Outputs that depend on rates, accelerations or inputs: values, derivatives, arguments, refusals.
 #include <catch2/catch.hpp>
 
 #include "model/requests.hpp"
@@ -90,7 +90,7 @@ std::vector<double> rounded(const std::vector<cln::cl_R>& values) {
   return result;
 }
 
-/// The diagnostics for a request of these outputs.
+/// The diagnostics of a request for `outputs` of the model `carried`.
 std::string refusal(const std::string& outputs) {
   const PipelineOptions options{.scene = {.outputs = {make_source("--outputs", outputs)}}};
   const Products products = run_pipeline(inputs_of(carried(sensors)), options);

@@ -80,7 +80,7 @@ TEST_CASE("frames and URDF give equal entries at 64 random states, to 50 digits"
 }
 
 TEST_CASE("operations of the arm with inertias about the origins of its frames") {
-  // Limits of customised recursions with composite inertias; parameters stay symbolic.
+  // The limits are counts of customised recursions with composite inertias and symbolic parameters.
   const std::map<std::string, std::size_t> most{
       {"inverse_dynamics", 800}, {"mass_matrix", 420},
       {"gravity", 250},          {"forward_dynamics", 1400},

@@ -101,7 +101,7 @@ TEST_CASE("inspect checks the needs of each goal, whatever the other goals are")
   };
   using Codes = std::vector<Code>;
   const std::string head = "format = 1\n[model]\nname = \"row\"\n[[coordinate]]\nname = \"x\"\n";
-  // A kink prevents derivatives. E619 lists these outputs only if a goal needs outputs.
+  // A kink prevents derivatives. E619 lists the omitted derivatives only if a goal needs outputs.
   const std::string kinked =
       head + "[energy]\nT = \"dot(x)^2\"\n[[force]]\non = \"x\"\nvalue = \"-sign(dot(x))\"\n";
   CHECK(codes(kinked, {Goal::steps}) == Codes{});

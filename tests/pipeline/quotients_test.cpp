@@ -1,4 +1,4 @@
-// Quotients that are 0/0 at a coordinate of 0: quotients and outputs have values at 0, and pages
+// Quotients that are 0/0 if a coordinate is 0: quotients and outputs have values there, and pages
 // print quotients as typed.
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Regressors: Y pi + rest = tau for every model with a regressor, closed forms, names, reference
-// velocities, and refused models. Every pipeline (E911) and `verify` compare the values with the
-// oracle's.
+// velocities, and refused models. The self-check (E911) and `verify` compare the values with the
+// values of the oracle.
 #include <catch2/catch.hpp>
 #include <filesystem>
 

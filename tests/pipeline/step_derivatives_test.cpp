@@ -1,6 +1,6 @@
-// Derivatives of a step: polynomials in A for linear systems, symplectic matrices for symplectic
-// methods, and along rotation vectors for rotations. Every self-check compares the derivatives with
-// differences of the oracle's steps in 205 digits.
+// Derivatives of a step are polynomials in A for linear systems, and symplectic matrices for
+// symplectic methods. Rotations are differentiated along rotation vectors. Every self-check
+// compares the derivatives with differences of the oracle's steps in 205 digits.
 #include <catch2/catch.hpp>
 
 #include "numbers/exact_number.hpp"

@@ -1,5 +1,5 @@
-// Inputs that are wrenches on frames or forces on points: their block of B is the transposed
-// Jacobian of the frame's twist; names, units, axes, locks, and refused inputs.
+// Inputs that are wrenches on frames or forces on points. The columns of a wrench in B are the
+// transposed Jacobian of the twist. Also names, units, axes, locks, and refused inputs.
 #include <catch2/catch.hpp>
 
 #include "pipeline/constrained_testing.hpp"

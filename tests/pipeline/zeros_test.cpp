@@ -89,7 +89,7 @@ constexpr const char* fast = R"cpp(
   }
 )cpp";
 
-/// Prints whether M is regular, at ordinary states and with a vanishing diagonal entry.
+/// Prints for each model and state 1 if M is regular, and 0 if a diagonal entry of M vanishes.
 constexpr const char* regular = R"cpp(
 #include <cstdio>
 

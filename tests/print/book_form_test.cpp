@@ -1,4 +1,4 @@
-// The book form of a typed model: typed sums are kept, up to its limits.
+// The book form of a typed model keeps typed sums, up to the limits of the book form.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

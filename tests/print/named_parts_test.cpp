@@ -64,13 +64,13 @@ inertia_about = "origin"
   return all;
 }
 
-/// The text page of the program before closed forms are chosen, so that it consists of named parts.
+/// The text page of the program before closed forms are chosen, composed of named parts.
 std::string recursive_page() {
   const ChosenForms& c = two_links();
   return text_page(c.checked.model, c.checked.scene, c.recursive);
 }
 
-/// The leaves on which each named part depends, with "dot" for rates.
+/// Name of a part -> names of the leaves on which the part depends; "dot" stands for the rates.
 std::map<std::string, std::set<std::string>> leaves_of_parts(const std::string& page) {
   static const std::regex word("[A-Za-z_]\\w*");
   std::map<std::string, std::set<std::string>> parts;

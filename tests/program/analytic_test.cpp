@@ -10,8 +10,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// True if the last instruction or one of its operands is an unknown. The leaves are 0 = p
-/// (positive), 1 = k (no assumption), 2 = x, 3 = y.
+/// True if the value of an instruction is an unknown. The leaves are 0 = p (positive), 1 = k (no
+/// assumption), 2 = x, 3 = y.
 bool has_unknown(const std::string& code) {
   const Program program = read_program(
       "parameters p k\npositive p\ncoordinates x y\nfunction gravity\n"

@@ -19,7 +19,7 @@ const char* const text =
 
 Program program() { return read_program(text); }
 
-/// Converts the wanted instructions of the program to a graph, and lowers them again.
+/// The program after conversion of the instructions `wanted` to a graph and lowering, as text.
 std::string lowered_again(const std::vector<std::uint32_t>& wanted,
                           const std::vector<bool>& zeros = {}) {
   Program result = program();

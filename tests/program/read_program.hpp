@@ -1,4 +1,4 @@
-// Reads the text form of a program. Fails the test with the diagnostics if that is impossible.
+// Reads the text form of a program. Fails the test with the first diagnostic if there is an error.
 #pragma once
 
 #include <catch2/catch.hpp>

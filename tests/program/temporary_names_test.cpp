@@ -61,7 +61,7 @@ TEST_CASE("a sum of leaves too long for a name gets a hash") {
   const auto names = names_of(coordinates + "\nfunction bias\n" + sums +
                               "  17 = sin 16\n  18 = cos 16\n  result 1 2 = 17 18\n");
   CHECK(names[16].substr(0, 2) == "t_");
-  CHECK(names[17].substr(0, 2) == "t_");  // no sum to be named after
+  CHECK(names[17].substr(0, 2) == "t_");  // the sum has no readable name either
 }
 
 TEST_CASE("a sine and a cosine of one angle have names, because one call computes both") {

@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// At most some thousand operations round by half an epsilon of the entry's absolute terms.
+/// The permitted error in units of epsilon * scale: thousands of operations round by 1/2 each.
 constexpr double roundings = 4096;
 
-/// Returned numbers by "base/output".
+/// "base/output" -> the returned numbers.
 using Printed = std::map<std::string, std::vector<double>>;
 
 Printed parsed(const std::string& output) {

@@ -58,7 +58,7 @@ struct Declaration {
   std::string parameters;
 };
 
-/// The declaration TYPE NAME(PARAMETERS) after each marker.
+/// The declarations TYPE NAME(PARAMETERS) in `header`, one after each occurrence of `marker`.
 std::vector<Declaration> declarations(const std::string& header, const std::string& marker) {
   std::vector<Declaration> found;
   for (std::size_t at = header.find(marker); at != std::string::npos;
@@ -76,7 +76,7 @@ std::vector<Declaration> declarations(const std::string& header, const std::stri
 
 std::string number_literal(const Jet& value) { return "(SCALAR)" + value.value().str(20); }
 
-/// The entries of q or v that are not locked, as literals.
+/// The entries of `all` that are not locked, as literals; `all` is q if `is_q`, otherwise v or a.
 std::vector<std::string> free_numbers(const Vector& all, const Layout& layout, bool is_q) {
   std::vector<std::string> result;
   for (const Layout::Place& place : layout.places) {

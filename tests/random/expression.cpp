@@ -29,7 +29,7 @@ int binding(const Node& node) {
   }
 }
 
-/// Adds brackets if the expression binds less than `least`.
+/// The printed expression, in brackets if the expression binds less than `least`.
 std::string placed(const Expression& expression, int least) {
   const std::string text = printed(expression);
   return binding(*expression) < least ? "(" + text + ")" : text;

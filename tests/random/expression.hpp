@@ -74,7 +74,7 @@ struct Node {
 /// True if the expression depends on a name, a point or time.
 [[nodiscard]] bool has_names(const Expression& expression);
 
-/// Values of names. Infinitesimal 0 is a change of time; its coefficient in e is dot(e).
+/// Values of names. Infinitesimal 0 is a change of time; its coefficient in a value is the rate.
 class Scope {
  public:
   virtual ~Scope() = default;
@@ -83,10 +83,10 @@ class Scope {
   virtual Jet component_of(const std::string& point, const std::string& element, int axis) = 0;
   virtual int dimension_of(const std::string& point) = 0;
   virtual Jet now() = 0;
-  /// The angular velocity of a frame along the axes of another; "" means the world.
+  /// The angular velocity of `frame` along the axes of the frame `axes`; "" means the world.
   virtual Vector turning_of(const std::string& frame, const std::string& axes) = 0;
 
-  std::map<std::string, int> indices;  ///< of `for` and `sum` during their evaluation
+  std::map<std::string, int> indices;  ///< values of the variables of `for` and `sum`
 };
 
 inline constexpr unsigned time_infinitesimal = 0;

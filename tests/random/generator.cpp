@@ -124,7 +124,7 @@ void Generator::make_quiet() {
 /// The time t, in a model with units multiplied by the unitless parameter w.
 Expression Generator::clock() { return has_units_ ? name("w") * time() : time(); }
 
-/// `constant` times w, because units in expressions with the unitless w are not checked.
+/// `constant` times the unitless w, so that elgen checks no units; 0 and names are unchanged.
 Expression Generator::without_unit(const Expression& constant) const {
   const bool is_zero = printed(constant) == "0";
   return is_zero || has_names(constant) ? constant : name("w") * constant;

@@ -24,8 +24,8 @@ class Generator {
   System made_;
   std::vector<Expression> positions_;  ///< names of coordinates, without rotations
   std::vector<Expression> rates_;
-  bool has_units_ = false;  ///< true with a rotation: its components have units, so that elgen
-                            ///< checks the units of numbers too
+  bool has_units_ = false;  ///< true if the model has a rotation: components of a rotation have
+                            ///< units, so that elgen checks the units of numbers too
 
   // generator.cpp
   void add_coordinates(int count);

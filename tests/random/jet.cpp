@@ -10,7 +10,7 @@ namespace elgen::test::random {
 
 namespace {
 
-constexpr unsigned infinitesimals = 64;  ///< subsets of six infinitesimals
+constexpr unsigned infinitesimals = 64;  ///< the number of subsets of six infinitesimals
 
 /// Taylor coefficients of sin at x; of cos if called with (cosine, -sine).
 std::vector<Number> circular(const Number& sine, const Number& cosine, int count) {
@@ -186,7 +186,7 @@ Jet& Jet::operator-=(const Jet& other) {
   return *this;
 }
 
-/// The highest non-zero power of the non-constant part.
+/// The highest power of the non-constant part that can be non-zero.
 int Jet::nilpotency() const {
   unsigned bits = 0;
   bool scaled = false;

@@ -1,8 +1,7 @@
-// Numbers with derivatives: truncated polynomials in a scale s, and in infinitesimals with square
-// 0. The coefficient of e1 e2 ... is the mixed derivative along the directions that e1, e2, ...
-// multiply. Two infinitesimals along one direction give its second derivative. s carries Taylor
-// series (approximations); a model without approximation has order 0. Uses Number and no code of
-// src/.
+// Numbers with derivatives: truncated polynomials in a scale s and in infinitesimals e_i with e_i^2
+// = 0. The coefficient of e1 e2 in f(x + e1 a + e2 b) is the second derivative of f along a and b.
+// Approximations are Taylor series in s. A model without approximation has order 0. Uses Number and
+// no code of src/.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -30,11 +29,11 @@ class Jet {
   [[nodiscard]] static Jet scale();
 
   [[nodiscard]] Number value() const;
-  /// The coefficient of the infinitesimal.
+  /// The coefficient of infinitesimal `index`.
   [[nodiscard]] Jet along(unsigned index) const;
-  /// The terms without the infinitesimal.
+  /// The terms without infinitesimal `index`.
   [[nodiscard]] Jet without(unsigned index) const;
-  /// The sum of the coefficients of s^0 ... s^order, which sets s to 1.
+  /// The sum of the terms up to s^`order`, at s = 1.
   [[nodiscard]] Jet up_to(int order) const;
 
   Jet& operator+=(const Jet& other);

@@ -33,7 +33,7 @@ bool erase_frame(Model& model, std::size_t k) {
   return erase_at(model.frames, k);
 }
 
-/// The optional lists of the files.
+/// The lists of expressions that a model file may omit.
 std::vector<std::vector<Expression>*> optional_lists(System& system) {
   Model& model = system.model;
   std::vector<std::vector<Expression>*> lists{&model.gravity};
@@ -42,7 +42,7 @@ std::vector<std::vector<Expression>*> optional_lists(System& system) {
   return lists;
 }
 
-/// Every expression of the files, including null expressions.
+/// Every expression of the files that may become simpler, null expressions included.
 std::vector<Expression*> all_expressions(System& system) {
   Model& model = system.model;
   std::vector<Expression*> all{&model.T, &model.V, &model.D, &model.L};

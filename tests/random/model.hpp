@@ -29,10 +29,9 @@ struct Named {
 
 enum class Turn { none, rotate, rpy, dh_standard, dh_modified, quaternion, rotation };
 
-/// One rotation of `rotate` about a constant axis: by components, or by the number of "x", "y",
-/// "z".
+/// One rotation of `rotate` about a constant axis, which is given by components or by a letter.
 struct AxisTurn {
-  int letter = 0;                     ///< the axis if there are no components
+  int letter = 0;                     ///< 0, 1, 2: "x", "y", "z"; ignored if `axis` is given
   std::vector<Expression> axis = {};  ///< empty, or three
   Expression angle = {};
 };

@@ -1,4 +1,4 @@
-// Positions of all parts of a random model, its energies and forces, at one state of jets.
+// Positions, energies and forces of a random model at one state, computed with jets.
 #pragma once
 
 #include <map>
@@ -41,7 +41,7 @@ struct Energies {
   Jet T, V, D, L;
 };
 
-/// A model at one state. Positions move along v with infinitesimal 0, which belongs to time.
+/// A model at one state. Infinitesimal 0 is a change of time: the positions move with v.
 class Motion : public Scope {
  public:
   struct Pose {

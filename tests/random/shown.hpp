@@ -20,7 +20,7 @@ using Names = std::map<std::string, ScaledValue>;
 /// The value of `text`. Throws std::runtime_error for a syntax error or an unknown name.
 [[nodiscard]] ScaledValue read_expression(const std::string& text, const Names& names);
 
-/// The names in the shown equations for the numbers of a state and the parameters.
+/// The values of the names in shown equations: the numbers of `state` and of `parameters`.
 [[nodiscard]] Names names_of(const System& system, const Layout& layout, const State& state,
                              const ParameterValues& parameters);
 

@@ -31,14 +31,14 @@ struct Trial {
   Shown shown = {};  ///< with the files' parameter values; empty if unreadable
 };
 
-/// The trial of a drawn state, with its true values. Throws std::domain_error if there are none.
+/// A trial of `system` at a random state. Throws std::domain_error if there are no true values.
 [[nodiscard]] Trial make_trial(const System& system, std::uint64_t seed);
 
-/// Generates into `folder` and compares the shown equations.
+/// Generates into `folder`, sets `trial.shown`, and returns the errors of the shown equations.
 [[nodiscard]] std::vector<Finding> compare_shown(Trial& trial, const std::filesystem::path& folder);
 
-/// Generates again: the bytes must be the same. `verify` must accept the model with all its true
-/// claims, and must reject a false claim.
+/// Finds bytes that differ in a second run, a true model that `verify` rejects, and a false claim
+/// that `verify` accepts.
 [[nodiscard]] std::vector<Finding> compare_verdicts(const Trial& trial,
                                                     const std::filesystem::path& folder);
 
@@ -47,7 +47,7 @@ struct Trial {
 [[nodiscard]] std::vector<std::vector<Finding>> compare_compiled(
     const std::vector<Trial>& trials, const std::filesystem::path& folder);
 
-/// Runs all comparisons for one system, in a program of its own.
+/// The findings of all comparisons for `system`. No other system is compiled into its programs.
 [[nodiscard]] std::vector<Finding> all_findings(const System& system, std::uint64_t seed);
 
 /// The file name that a trial passes to elgen.

@@ -101,7 +101,7 @@ Truth::Truth(const System& system, ParameterValues parameters, State state)
   }
 }
 
-/// Scales deviations and rates of small coordinates, and the inputs if all coordinates are small.
+/// `state` with s times the deviations and rates of small coordinates, and s u if all are small.
 State Truth::small(const Layout& layout, State state) const {
   const Jet scale = Jet::scale();
   const bool all = system_.scene.about.size() == layout.places.size();
@@ -237,7 +237,7 @@ Vector Truth::free_entries(const Vector& all) const {
   return result;
 }
 
-/// The matrix [x]x on the rotations, for a vector x of all free velocities.
+/// Block diagonal: [x_i]x for each free rotation i, 0 elsewhere; x_i are three entries of `x`.
 Matrix Truth::turning(const Vector& x) const {
   const std::size_t n = free_.size();
   Matrix result(n, Vector(n));

@@ -2,9 +2,10 @@
 //
 //     d/dt dL/dv - dL/dq = B u + Q - dD/dv
 //
-// Rotations add [w]x dL/dw, and dL/dq is taken along N. L is evaluated on jets along the motion. M,
-// C, g, ... are terms of this equation or their derivatives, as models/README.md defines them.
-// Approximations truncate L after power order + 1 of the scale of small quantities.
+// For a rotation with angular velocity w, [w]x dL/dw is added to the left side, and dL/dq stands
+// for N^T dL/dq with dq/dt = N w. L is evaluated on jets along the motion. M, C, g, ... are terms
+// of this equation or their derivatives, as models/README.md defines them. Approximations truncate
+// L after power order + 1 of the scale of small quantities.
 #pragma once
 
 #include <functional>
@@ -21,7 +22,7 @@ inline constexpr unsigned moment = 1;     ///< of time
 inline constexpr unsigned direction = 2;  ///< of dL/dv and dL/dq
 inline constexpr unsigned second = 3;     ///< of second derivatives
 
-/// Entries by "output" or "output.field", row by row.
+/// "output" or "output.field" -> entries, row by row.
 using Values = std::map<std::string, std::vector<Number>>;
 
 class Truth {
@@ -74,9 +75,9 @@ class Truth {
   [[nodiscard]] Vector output_rates(const Output& output, const State& state) const;
 };
 
-/// The state after an infinitesimal time: q moves along v, v along a, and t advances.
+/// The state after the infinitesimal time `index`: q moves along v, v along a, and t advances.
 [[nodiscard]] State later(const Layout& layout, const State& state, unsigned index);
-/// Adds an infinitesimal displacement of q along one velocity.
+/// The state with q displaced along velocity number `index` by the infinitesimal `along`.
 [[nodiscard]] State displaced(const Layout& layout, const State& state, std::size_t index,
                               unsigned along);
 

@@ -41,7 +41,7 @@ void Truth::add_solutions(const Matrix& M) {
   keep("forward_dynamics.acceleration", transposed(solved(M, column(right)))[0]);
 }
 
-/// Columns d(M a + bias - B u)/dx for every x of q or v; without B u unless `has_inputs`.
+/// d(M a + bias - B u)/dx for x = v if `by_velocity`, otherwise q; B u only if `has_inputs`.
 Matrix Truth::torque_slopes(const State& at, bool has_inputs, bool by_velocity) const {
   Matrix columns;
   for (const std::size_t k : free_) {

@@ -19,7 +19,7 @@ class Machine : public Repository {
     write("home/bin/apt-get",
           "#!/bin/sh\necho \"$@\" >> ~/packages\n"
           "case $* in *./elgen.deb) ln -sf \"$ELGEN\" ~/bin/elgen ;; esac\n");
-    // A no-op, because the Containerfile would remove this machine's package lists.
+    // rm is a no-op, because the Containerfile would remove this machine's package lists.
     write("home/bin/rm", "#!/bin/sh\n");
     run("chmod +x home/bin/*");
     run("git update-ref refs/remotes/origin/main main && python3 '" + source() +

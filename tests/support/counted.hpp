@@ -13,7 +13,7 @@ struct Counts {
 };
 inline Counts counts;
 
-/// A double that counts its operations.
+/// A double. Each operation on it is added to `counts`.
 struct Counted {
   using value_type = double;
   double x = 0;

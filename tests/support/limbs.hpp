@@ -7,7 +7,7 @@ namespace elgen::test {
 
 namespace limbs {
 
-/// A translation, a quarter turn and a rotation by `angle`, with a body of general inertia.
+/// A frame (translation, quarter turn, rotation by `angle`) and its body of general inertia.
 inline std::string link(const std::string& name, const std::string& parent,
                         const std::string& angle) {
   return "[[frame]]\nname = \"" + name + "\"\nparent = \"" + parent +
@@ -19,7 +19,7 @@ inline std::string link(const std::string& name, const std::string& parent,
 
 }  // namespace limbs
 
-/// 1 + 2 n velocities, or 6 + 2 n if the trunk floats; one input, in the torque on the link left1.
+/// 1 + 2 n velocities, or 6 + 2 n if `floats`; one input, which acts in the torque on link left1.
 inline std::string limbs_text(int n, bool floats = false) {
   std::string coordinates;
   const auto coordinate = [&](const std::string& name, const std::string& more = "") {

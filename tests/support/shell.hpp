@@ -39,7 +39,7 @@ class Workspace {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// The functions above for this folder; files are relative to it.
+  /// The functions above for this folder. File names are relative to the folder.
   [[nodiscard]] Outcome run(const std::string& command) const { return shell(command, path_); }
   void prepare(const std::string& command) const { test::prepare(command, path_); }
   [[nodiscard]] std::string files() const { return files_below(path_); }

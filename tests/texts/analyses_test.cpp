@@ -1,6 +1,6 @@
 // The formulas of equilibria and modes in the output of `--as text`: the parser of models reads
-// each formula, and the value must agree with the number found. Inputs are all committed models and
-// 200 random models. The numbers are printed with six digits, enough to notice a missing bracket.
+// each formula, and its value must agree with the number that the analysis found. Inputs are all
+// committed models and 200 random models. Six printed digits suffice to notice a missing bracket.
 #include <fmt/format.h>
 
 #include <algorithm>

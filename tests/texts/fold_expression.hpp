@@ -2,9 +2,9 @@
 //
 //     m*dot(x)^2   ->   multiply(named("m"), multiply(named("dot(x)"), named("dot(x)")))
 //
-// The rules have a type Value and number(q), named(text), negate(x), add(x, y), multiply(x, y),
-// divide(x, y), square_root(x), call(row, x, y) with y = x for functions of one argument, and
-// fail(problem), which returns the value of an expression that has none.
+// `Rules` has a type Value and the functions number(q), named(text), negate(x), add(x, y),
+// multiply(x, y), divide(x, y), square_root(x), call(row, x, y) with y = x for functions of one
+// argument, and fail(problem), which returns the Value of an expression without a value.
 #pragma once
 
 #include <cln/integer.h>
@@ -19,7 +19,7 @@
 
 namespace elgen::test {
 
-/// The name of a leaf of this form: "theta", "l[2]", "dot(dot(x))". Empty if `e` is no leaf.
+/// The name of the leaf `e`: "theta", "l[2]", "dot(dot(x))". Empty if `e` is no leaf.
 [[nodiscard]] inline std::string leaf_name(const ExpressionSyntax& e) {
   if (e.kind == SyntaxKind::name) {
     if (e.operands.empty()) return e.text;

@@ -1,6 +1,5 @@
 // Equations of random models in the model language and in LaTeX must have the values of their
-// trees. For the comparison each symbol is replaced by one of three, and each function of one
-// argument by the sine.
+// trees. For the comparison each symbol is replaced by a, b or c, and each function by the sine.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>

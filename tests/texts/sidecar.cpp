@@ -195,7 +195,7 @@ class SidecarReader {
     }
   }
 
-  /// Checks that the name gets an underscore in each language in which it is a reserved word.
+  /// Checks `spelt`: the spelling of a reserved word `name` is `name` with an underscore.
   void spellings(Json& json, const std::string& name) {
     if (!json.contains("spelt")) return;
     Json spelt = take(json, "spelt");

@@ -1,6 +1,6 @@
-// The equations of motion that a derivation prints: the parser of models reads each, and its value
-// must be its row of M a + bias - B u - A^T lambda. Equations solved for the acceleration and
-// equations of constraints are compared too.
+// The parser of models reads each equation of motion that a derivation prints. The value must be
+// the row M a + bias - B u - A^T lambda. Equations solved for the acceleration and equations of
+// constraints are compared too.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -68,8 +68,8 @@ std::vector<PrintedEquation> motion_equations(const std::string& text) {
   return equations;
 }
 
-/// The expected value at each state, and the size of the largest term. A value is undefined if the
-/// model has none.
+/// The expected value at each state, and the size of the largest term, at least 1. A value is
+/// undefined if the model gives no value.
 struct ReferenceRow {
   std::vector<Real> values = {};
   std::vector<Real> sizes = {};
@@ -173,8 +173,8 @@ bool all_rows_readable(const ReadableDerivation& steps, std::size_t velocities) 
                      [](const Function& row) { return !row.fields.empty(); });
 }
 
-/// Compares the equations of motion and of constraints, and the equation solved for a single
-/// velocity. False if an equation of motion is not in book form or the first has no value.
+/// Compares the equations of motion and of constraints, and for one velocity the solved equation.
+/// False if an equation of motion is not in book form or the first equation has no value.
 bool expect_rows(const SourcePointer& source) {
   const Products products =
       products_with(&Products::steps, {source, nullptr}, {.goals = {Goal::steps}});

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path models = fs::path(ELGEN_SOURCE_DIR) / "models";
 
-/// The model that the second line of a scene names.
+/// The path of the model that a scene names.
 fs::path model_of(const SourcePointer& scene) {
   const std::string_view text = scene->text;
   const std::size_t key = text.find("\nmodel");
@@ -105,7 +105,7 @@ const Written& wide_system() {
 /// True if the line contains equations. Called for each line in order.
 using Places = std::function<bool(const std::string& line)>;
 
-/// Changes signs, digits and operators one at a time; `read` must find each. Returns their number.
+/// Checks that `read` finds each changed sign, digit or operator. Returns the number of changes.
 std::size_t expect_changes_seen(Reader read, const std::string& text,
                                 const Places& has_equations_in) {
   WrittenEquations equations(wide_system().origin());

@@ -43,7 +43,7 @@ class WrittenEquations {
   [[nodiscard]] std::string definition(const std::string& name, const std::string& text);
   [[nodiscard]] std::string entry(std::uint32_t instruction, const std::string& text);
   [[nodiscard]] std::string number(const cln::cl_R& value, const std::string& text);
-  /// Compares a text with `derived`, one value per state; `largest` are the sizes of the terms.
+  /// Compares `text` with `derived`, one value per state; `largest` has the largest terms.
   [[nodiscard]] std::string values(const std::vector<Real>& derived,
                                    const std::vector<Real>& largest, const std::string& text);
 

@@ -22,7 +22,7 @@ auto compile_header(const std::string& text) {
                         {});
 }
 
-/// Replaces the compiler during its lifetime by a script that changes the call.
+/// A script that changes the call replaces the compiler while this object exists.
 class CompilerWrapper {
  public:
   /// `words`: shell commands that run before the compiler is called with "$@".

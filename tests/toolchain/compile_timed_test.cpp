@@ -1,4 +1,4 @@
-// Timed functions run through arrays of states, and the loops of a step from state to state.
+// Timed functions run through arrays of states; the loops of a step run from state to state.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>

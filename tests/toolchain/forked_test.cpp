@@ -167,7 +167,7 @@ TEST_CASE("an interrupt is taken and stays pending") {
     REQUIRE(::raise(SIGHUP) == 0);
     CHECK(elgen::read_interrupt(signals));
     CHECK(elgen::has_pending_interrupt());
-    CHECK(elgen::read_interrupt(signals));  // it was sent again
+    CHECK(elgen::read_interrupt(signals));  // the pending interrupt was sent again
     const auto ignore = ::signal(SIGHUP, SIG_IGN);
     (void)::signal(SIGHUP, ignore == SIG_ERR ? SIG_DFL : SIG_IGN);
   }

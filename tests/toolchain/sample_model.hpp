@@ -27,7 +27,7 @@ inline Scene scene() {
   return scene;
 }
 
-/// A bias with one entry, and a struct of two fields.
+/// Inverse dynamics with one entry, and forward dynamics as a struct of two fields.
 inline Program program() {
   Program program;
   program.leaves.parameters = {"m", "l[1]", "l[2]"};

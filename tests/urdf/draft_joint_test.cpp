@@ -25,7 +25,7 @@ std::string hinge(const std::string& name, const std::string& child, const std::
          child + "\"/><axis xyz=\"0 0 1\"/>" + inside + "</joint>\n";
 }
 
-/// The finger `k` mimics `b`, which mimics `a`.
+/// The imported model of three hinges: `k` mimics `b`, which mimics `a`.
 std::string mimic_chain(const std::string& of_k, const std::string& of_b) {
   return imported(with_arm("<link name=\"l\"/><link name=\"f\"/>" +
                            hinge("k", "f", "<mimic joint=\"b\" " + of_k + "/>") +

@@ -40,7 +40,7 @@ void check_all_hold(const System& system) {
   }
 }
 
-/// x'' = -x with the midpoint rule, substituted once.
+/// The implicit midpoint rule for x'' = -x, with one fixed-point iteration.
 System stepped_spring() {
   ModelBuilder builder;
   builder.coordinate("x").T("x_d^2/2").V("x^2/2");

@@ -26,7 +26,7 @@ constexpr const char* all_outputs =
     "linearization,forward_dynamics_derivatives,constraint_residual,constraint_jacobian,"
     "constraint_bias,projected,constrained_inverse_dynamics";
 
-/// The derived outputs of a model without `diagonal_field`, which programs do not store.
+/// The model and its derived outputs; `diagonal_field` is removed, as programs do not store it.
 System constrained(const std::string& model, const std::string& outputs = all_outputs) {
   SceneOptions options;
   options.outputs = {make_source("--outputs", outputs)};

@@ -1,5 +1,5 @@
-// Values, slopes and curvatures of a program at one state. Balances: zero is relative to the size
-// of the terms, and an undefined term has no figure.
+// Values, slopes and curvatures of a program at one state. The residual of a balance is relative to
+// the size of the terms, and undefined if a term is undefined.
 #include "program/evaluate/exact_values.hpp"
 
 #include <catch2/catch.hpp>

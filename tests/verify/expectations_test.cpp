@@ -14,7 +14,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// A builder's model with one expectation, with a span for each entry.
+/// The model of `builder` with one expectation, and with a span for each entry.
 System expecting(ModelBuilder builder, const std::string& output, std::uint32_t columns,
                  const std::vector<std::string>& entries) {
   Expectation expectation;

@@ -1,5 +1,5 @@
-// Loss: bad formulas lose digits that good ones keep, and ill-conditioned values excuse a loss in
-// both. Every output has a figure with its entry and its complete state.
+// Loss: a bad formula loses digits that a good formula keeps. An ill-conditioned value excuses the
+// loss of every formula. Every output has a figure, with the entry and the complete state.
 #include "verify/bounds/loss.hpp"
 
 #include <catch2/catch.hpp>
@@ -49,7 +49,7 @@ State at(double angle) {
   return state;
 }
 
-/// The loss of the first field, whose first entry differs by `errors` from its exact value.
+/// The loss of the first field, if the entries differ by `errors` from their exact values.
 Loss loss_of(const System& system, const State& state, const std::vector<Real>& errors) {
   const SystemUnderTest subject = system.subject();
   const ComparedField place = field_places(subject).front();
@@ -61,7 +61,7 @@ Loss loss_of(const System& system, const State& state, const std::vector<Real>& 
   return losses.field_loss(place, run, errors, exact);
 }
 
-/// The loss of a value that differs from the exact one by `error` times u.
+/// The loss of a single entry that differs from its exact value by `error` times u.
 Loss loss_of(const System& system, const State& state, double error) {
   return loss_of(system, state, {Real(exact_value(error)) * rounding_constants<double>().roundoff});
 }
@@ -108,7 +108,7 @@ CertificateRow row_of_anchor(const std::string& body,
   return {};
 }
 
-/// The cosine form with a range of angles near 0.
+/// The cosine form, with th in [0, `range`].
 System near_zero(const char* range) {
   System system = written_as(cosine);
   system.model.coordinates[0].range = Interval{0, exact(range)};
@@ -155,7 +155,7 @@ TEST_CASE("literals and pi excuse no cancellation") {
   CHECK_FALSE(keeps(arctangent, 1e8));
   const System system = written_as(arctangent);
   const double x = 9.81 * 1e-8;
-  // Each of m, l, g and th adds x.
+  // R = 5 x: |x|, and x for each of m, l, g and th.
   CHECK(loss_of(system, at(1e8), 100 * x).relative_to_entry.loss == Approx(100 / 5.0));
 }
 

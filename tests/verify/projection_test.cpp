@@ -11,7 +11,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// The first field that differs.
+/// The message for the first field that differs, "" if all fields agree.
 std::string compare(const System& system, OutputKind kind) {
   const SystemUnderTest subject = system.subject();
   OracleCache oracle(subject, random_state(system.model, 2));

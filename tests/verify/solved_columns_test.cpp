@@ -30,7 +30,7 @@ System symmetric_pair(const std::string& body, const std::string& results) {
                        function_text("forward_dynamics", leaves + body, results));
 }
 
-// 4 -b  5 L = c/1  6 D2 = 1 - c L  7 -L r1 = c b  8 a2  9 L a2  10 a1  11 d2
+// 4 r1 = -b  5 L = c/1  7 D2 = 1 - c L  9 -L r1 = c b  10 a2  11 L a2  12 a1  13 d2
 const std::string solve =
     "  4 = negate 2\n  5 = divide 1 0\n  6 = multiply 5 1\n  7 = subtract 0 6\n"
     "  8 = multiply 5 4\n  9 = negate 8\n  10 = divide 9 7\n  11 = multiply 5 10\n"

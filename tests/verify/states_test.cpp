@@ -34,7 +34,7 @@ System ranged(const std::string& V, const Interval& range = {-3, 4}) {
   return system_of(builder.model, "");
 }
 
-/// The states at which V is at most `most`.
+/// The states at which |V| is at most `most`.
 template <class Scalar = double>
 std::vector<SampledState<Scalar>> states_below(const System& system, double most) {
   auto states = states_near_zeros<Scalar>(system.subject(), {16, 1, true});

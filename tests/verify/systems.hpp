@@ -55,7 +55,7 @@ inline const std::string common =
     "  0 = parameter M\n  1 = parameter m\n  2 = parameter l\n  3 = parameter g\n"
     "  4 = parameter c\n  5 = coordinate x\n  6 = coordinate th\n  7 = sin 6\n  8 = cos 6\n"
     "  9 = multiply 1 2\n  10 = add 0 1\n  11 = multiply 9 8\n  12 = multiply 9 2\n";
-// 13 v1  14 v2  15 k s  16 k s v2  17 0  18 -k s v2  19 -k s v2^2  20 c v1  21 -k g s  22 bias_1
+// 13 v1  14 v2  15 k s  16 k s v2  17 0  18 -k s v2  19 -k s v2^2  20 c v1  22 -k g s  23 bias_1
 inline const std::string rates =
     common +
     "  13 = velocity x\n  14 = velocity th\n  15 = multiply 9 7\n  16 = multiply 15 14\n"
@@ -64,15 +64,14 @@ inline const std::string rates =
 inline const std::string gravity = common +
                                    "  13 = multiply 9 7\n  14 = multiply 13 3\n"
                                    "  15 = negate 14\n  16 = constant 0\n";
-// 24 (M + m) v1  25 k cos v2  26 p1  27 k cos v1  28 k l v2  29 p2  30 p.v  … 33 T  34 V
+// 24 (M + m) v1  25 k cos v2  26 p1  27 k cos v1  28 k l v2  29 p2  32 p.v  34 T  35 V  36 T + V
 inline const std::string momentum =
     rates +
     "  24 = multiply 10 13\n  25 = multiply 11 14\n  26 = add 24 25\n  27 = multiply 11 13\n"
     "  28 = multiply 12 14\n  29 = add 27 28\n  30 = multiply 26 13\n  31 = multiply 29 14\n"
     "  32 = add 30 31\n  33 = constant 1/2\n  34 = multiply 33 32\n  35 = multiply 11 3\n"
     "  36 = add 34 35\n";
-// M = L D L^T: 26 L  27 D2  28 r1  29 L r1  30 r2 - L r1  31 a2  32 r1/D1  33 L a2  34 a1  35
-// pivot 2
+// M = L D L^T: 25 r1  26 L  28 D2  29 L r1  30 r2 - L r1  31 a2  32 r1/D1  33 L a2  34 a1  36 d2
 inline const std::string solve =
     rates +
     "  24 = input u\n  25 = subtract 24 23\n  26 = divide 11 10\n  27 = multiply 26 11\n"
@@ -179,7 +178,7 @@ inline System badly_rounded() {
 
 /// A driven, damped oscillator, and the derivatives of its dynamics m a + c v + k x = u.
 inline std::string oscillator_program() {
-  // 0 m  1 c  2 k  3 0  4 1  5 1/m  6 -k/m  7 -c/m
+  // 0 m  1 c  2 k  3 0  4 1  5 1/m  6 k/m  7 -k/m  8 c/m  9 -c/m
   const std::string body =
       "  0 = parameter m\n  1 = parameter c\n  2 = parameter k\n  3 = constant 0\n"
       "  4 = constant 1\n  5 = divide 4 0\n  6 = multiply 2 5\n  7 = negate 6\n"

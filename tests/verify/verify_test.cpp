@@ -67,7 +67,7 @@ TEST_CASE("for a long program few states are visited, ordinary and extreme ones"
   CHECK(holds(result.certificate));
   REQUIRE_FALSE(steps.empty());
   CHECK(steps.front() == "accuracy in double, state 1 of 12");
-  // Structure is checked at the ordinary states among these 12.
+  // Structure is checked at the ordinary states among the 12 visited states.
   for (const CertificateRow& row : result.certificate.rows) {
     if (row.check != "mass matrix symmetric") continue;
     CHECK(row.samples >= 1);

@@ -1,5 +1,5 @@
-// Visits: the findings for one state and one field, by all entries or by one projection, and the
-// fields of the outputs. Several processes find the same as one, even if some of them fail.
+// A visit compares one field at one state, by all entries or by one projection. Several processes
+// give the same findings as one process, even if some processes fail.
 #include "verify/bounds/visit.hpp"
 
 #include <unistd.h>
@@ -62,7 +62,7 @@ System half_angles() {
                         "  result 1 1 = 6\n");
 }
 
-/// sin(x) (1 - cos(x)) / (cos(x) x^3) with 2 sin(x/2)^2
+/// sin(x) (1 - cos(x))/(cos(x) x^3), with 1 - cos(x) computed as 2 sin(x/2)^2.
 System tangent_less_sine() {
   return with_potential("(tan(x) - sin(x))/x^3",
                         "  1 = constant 1/2\n  2 = multiply 1 0\n  3 = sin 2\n"
@@ -106,7 +106,7 @@ using Change = std::function<double(double)>;
 
 double unchanged(double x) { return x; }
 
-/// All rows of a system, with `change` applied to its bias in the build with users' flags.
+/// All rows of `system` as text and JSON; `change` applies to bias in the build with users' flags.
 std::string rows_by(std::size_t jobs, const System& system, const Change& change = unchanged,
                     ComparisonMode comparison = ComparisonMode::entries) {
   const Changed code(system.program, "bias", change);

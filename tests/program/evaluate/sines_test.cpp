@@ -1,5 +1,5 @@
-// Sines: errors in the table of polynomials, measured again in 40 digits. Sines of packs have the
-// error that a scene permits on the whole domain. Sines of single numbers have an error of 1.5 ulp.
+// Sines: errors of the tabulated polynomials, measured again in 40 digits. Sines of packs have at
+// most the error that a scene permits, sines of single numbers an error of at most 1.5 ulp.
 #include "program/evaluate/sines.hpp"
 
 #include <cln/float.h>
@@ -176,7 +176,7 @@ TEST_CASE("multiples of all but the last part of pi/2 are exact on the domain") 
     for (std::size_t i = 0; i + 1 < known.parts.size(); ++i) {
       const cl_RA part = exact_value(known.parts[i]);
       rest = rest - part;
-      // k times a part is exact if the bits of both fit the significand (no trailing zeros).
+      // k times a part is exact if the bits of both, without trailing zeros, fit the significand.
       cln::cl_I significand = cln::numerator(part);
       while (cln::evenp(significand)) significand = cln::exquo(significand, 2);
       CHECK(cln::integer_length(significand) + cln::integer_length(most) <=

@@ -1,4 +1,4 @@
-// Calls as inlined copies with other leaves: a(q, u) = q*u at q + h v.
+// A call is an inlined copy of the called function with other leaves: a(q, u) = q*u at q + h v.
 #include "program/steps/composition.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-// Symbolic L D L^T, evaluated.
+// The symbolic factorisation M = L D L^T, evaluated with numbers.
 #include <catch2/catch.hpp>
 
 #include "elgen/evaluate.hpp"
@@ -73,8 +73,8 @@ TEST_CASE("x solves M x = r in both orders of elimination") {
 TEST_CASE("zeros between branches stay zero and cost nothing") {
   const OperationCounts filled = LinearSolution(model_of(3, false), arrow, 3).counts();
   const OperationCounts kept = LinearSolution(model_of(3, true), arrow, 3).counts();
-  // Three reciprocals 1/D_i and 11 products: for two entries L_ij 2 in L, 2 in D and 4 in the
-  // substitutions, and 3 with 1/D_i. On a chain L_32 fills in.
+  // Three reciprocals 1/D_i and 11 products. The two entries L_ij need 2 products in L, 2 in D and
+  // 4 in the substitutions; the 1/D_i need 3. On a chain L_32 is not 0.
   CHECK(kept.div == 3);
   CHECK(kept.mul == 11);
   CHECK(filled.mul > kept.mul);

@@ -1,4 +1,4 @@
-// From a model text to the program of its step, and its values.
+// Derives the program of a step from the text of a model, and evaluates the program.
 #pragma once
 
 #include <cln/real.h>
@@ -54,7 +54,7 @@ class StepProgram {
     return evaluate(program(), function(), arguments_at<Scalar>(state));
   }
 
-  /// The state after `count` steps over the time state.h, in 60 digits.
+  /// The state after `count` equal steps that together last state.h, in 60 digits.
   [[nodiscard]] State after(State state, int count) const {
     const cln::cl_R whole = state.h;
     state.h = whole / count;
@@ -87,7 +87,7 @@ inline State generic_state(const StepProgram& step) {
   return state;
 }
 
-/// log2 of the error ratio between one step of h and one of h/2: the order of the method plus 1.
+/// log2(error(h)/error(h/2)) for the error of a single step: the order of the method plus 1.
 inline double local_order(const StepProgram& step, State state, const cln::cl_RA& h) {
   const auto error = [&](const cln::cl_R& length) {
     state.h = length;

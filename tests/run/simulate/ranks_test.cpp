@@ -50,7 +50,7 @@ Result<Trajectory> in_evaluator(const CompiledSystem& system, const SimulationOp
   return simulate(system.checked(), system.program(), nullptr, options);
 }
 
-/// The message for the last of these states; no earlier state has one.
+/// The message for the last of `states`. Fails if an earlier state has a message.
 std::string message_of(const CompiledSystem& system, const std::vector<Numbers>& states) {
   SimulatedSystem evaluator(system.checked(), system.program(), nullptr);
   RankWatch ranks(evaluator, "go elsewhere");

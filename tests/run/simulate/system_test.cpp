@@ -1,4 +1,4 @@
-// Queries of steps to a system, and expressions of a model at a state, against values by hand.
+// Queries of steps to a system, and values of expressions at a state, against hand calculations.
 #include "run/steps/system.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// A pendulum on a cart with an input, drag, and prescribed vertical motion.
+/// Two coordinates with V = cos(t) y^2, drag and an input on y, and a force 5 x on y.
 const std::string cart = model_text("cart", R"toml([[coordinate]]
 name = "x"
 start = { value = 2, rate = 3 }

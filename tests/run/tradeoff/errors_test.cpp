@@ -1,4 +1,4 @@
-// Errors of designs, and runs as designs.
+// Errors of designs, and runs with constant steps: their plans, ends and errors.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -12,7 +12,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Three states of two fields with two entries and one entry.
+/// Three states; the first field has two entries, the second field has one entry.
 TradeoffStates three_states() {
   TradeoffStates states;
   states.states.resize(3);
@@ -21,7 +21,7 @@ TradeoffStates three_states() {
   return states;
 }
 
-/// A reference run with final q and v, and largest values 4 and 10 on the way.
+/// A reference run that ends at `q` and `v`. The largest |q| and |v| during the run are 4 and 10.
 ReferenceRun ending(double q, double v) { return {.last = {q, v}, .largest = {4, 10}}; }
 
 Model one_angle(bool wraps) {

@@ -9,7 +9,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// The scene text of a design of the model or, if `scene` is not empty, of a scene with this text.
+/// The text of `design` as a scene, for the model if `scene` is empty, otherwise for the scene with
+/// the entries `scene`.
 std::string text_of(const Design& design, const std::string& scene = {},
                     const std::string& output = "inverse_dynamics") {
   const Products products = derived(read_model("pushed_pendulum"), output, scene);

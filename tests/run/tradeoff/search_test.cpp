@@ -25,7 +25,7 @@ class Searched {
 
   [[nodiscard]] const TradeoffStates& states() const { return states_; }
 
-  /// The design's values with the error mistake(q), relative to the largest value.
+  /// A design with the values of the evaluator plus mistake(q) times the largest exact |value|.
   template <class Scalar = double, class Mistake>
   [[nodiscard]] DesignEvaluator with(const Mistake& mistake) const {
     return [this, mistake](const std::vector<Arguments<double>>& states) {

@@ -31,7 +31,7 @@ TradeoffRow failed_row(std::vector<std::string> values, std::string why) {
   return {.values = std::move(values), .failure = std::move(why)};
 }
 
-/// Two scalars, singly and in packs, in the order of a plan.
+/// A table of two scalar types, singly and in packs, and of a failed row, in the order of a plan.
 TradeoffTable sample_table() {
   return {.model = "arm",
           .subject = "gravity",

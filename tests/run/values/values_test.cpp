@@ -111,7 +111,7 @@ value = "exp(q) - 1 - q - q^2/2"
   const Json values = evaluated(text, options_of("q=1e-20", "zero,small"))["values"];
   CHECK(values[0]["value"] == Json{0.0});
   CHECK(values[1]["value"][0] == Approx(1e-60 / 6).epsilon(1e-15));
-  // Smaller than a rounding error at the oracle's working precision.
+  // 1e-120 is smaller than a rounding error at the oracle's working precision.
   const Json smaller = evaluated(text, options_of("q=1e-40", "zero,small"))["values"];
   CHECK(smaller[0]["value"] == Json{0.0});
   CHECK(smaller[1]["value"][0] == Approx(1e-120 / 6).epsilon(1e-15));

@@ -28,7 +28,7 @@ inline SceneOptions options_of(const std::string& state, const std::string& outp
   return options;
 }
 
-/// The values at the state of these options, as JSON.
+/// The values at the state of the options `given`, as JSON.
 inline Json evaluated(const std::string& text, const SceneOptions& given,
                       const StateOptions& how = {}) {
   const CheckedModel checked = checked_model(text, given);
