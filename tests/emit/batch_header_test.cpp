@@ -1,4 +1,4 @@
-// batch_header: functions on arrays of states; packs_test.cpp compiles them.
+// Tests the text of batch_header. packs_test.cpp compiles and runs such headers.
 #include "emit/text/emission_input.hpp"
 #include "fixture.hpp"
 #include "support/shell.hpp"

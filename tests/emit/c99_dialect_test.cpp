@@ -1,4 +1,4 @@
-// c99_dialect: leaves, constants and calls, then the exact text of small functions.
+// Tests the text that c99_dialect writes: results, unused arguments, calls, literals and parts.
 #include "emit/c99/c99_dialect.hpp"
 
 #include "emit/code/definition.hpp"

@@ -1,5 +1,5 @@
-// code_interface: emitted parameters, arguments of functions, structs and plain results, numbers
-// and arrays of one element, storage order.
+// Tests code_interface: the emitted parameters, the arguments of functions, the types of results
+// and fields, and the storage order.
 #include "emit/interface/code_interface.hpp"
 
 #include "emit/fixture.hpp"
@@ -87,7 +87,7 @@ TEST_CASE("types of fields") {
   Model model;
   CHECK(field_type(model, OutputKind::coriolis_matrix, {"", 2, 2, {}}) == "SquareMatrix<Scalar>");
   CHECK(field_type(model, OutputKind::bias, vector) == "Forces<Scalar>");
-  CHECK(field_type(model, OutputKind::bias, one) == "Forces<Scalar>");  // with one coordinate
+  CHECK(field_type(model, OutputKind::bias, one) == "Forces<Scalar>");  // an array of one force
   CHECK(field_type(model, OutputKind::total_energy, one) == "Scalar");
   CHECK(field_type(model, OutputKind::user_value, vector) == "std::array<Scalar, 2>");
   CHECK(field_type(model, OutputKind::user_value, one) == "Scalar");

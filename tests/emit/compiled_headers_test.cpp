@@ -1,6 +1,6 @@
 // Compiles every function of every header below generated/ and of a model of this test, with both
 // compilers and strict warnings. The exhaustive tests use every scalar type, but skip long headers.
-// Values are compared with 50-digit values, operation counts with the sidecar.
+// Values are compared with long double or 50 digits, operation counts with the sidecar.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -62,7 +62,7 @@ std::vector<std::string> scalars_of(const Header& header) {
   return scalars;
 }
 
-/// A lambda that calls h::NAME. Its parameters can be inspected; it supplies open values itself.
+/// A lambda that calls h::`name` and passes open values; std::is_invocable can test its arguments.
 std::string lambda(const Header& header, const std::string& name) {
   const char* const given =
       header.sidecar.contains("open_values") ? "p, open_values(p), y..." : "p, y...";
@@ -165,8 +165,8 @@ std::vector<Header> all_headers(const fs::path& folder, bool is_exhaustive) {
   return headers;
 }
 
-/// Groups of headers, so that a driver needs at most about a gigabyte to compile. Longer headers
-/// need more and are skipped; other scalars would show nothing new in them.
+/// Groups of at most `most_text` bytes, so that a driver needs at most about a gigabyte to compile.
+/// Headers beyond `most_text` are skipped; more scalars would show nothing new in these headers.
 std::vector<std::vector<Header>> header_groups(const std::vector<Header>& headers) {
   constexpr std::size_t most_text =
       100'000;  // bytes; 20 kB of equations in eight scalar types need 300 MB

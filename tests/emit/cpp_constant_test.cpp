@@ -1,5 +1,4 @@
-// cpp_constant: table of values and texts; then many values are compiled together and compared in
-// every type.
+// Tests the text of cpp_constant for exact and irrational numbers, and the names of constants.
 #include "emit/code/cpp_constant.hpp"
 
 #include <cln/float.h>

@@ -1,5 +1,5 @@
-// cpp_dialect: leaves, constants and calls, then the exact text of small functions; and the
-// differences for Eigen, whose code tests/pipeline/languages_test.cpp compiles.
+// Tests the text that cpp_dialect writes: small functions, leaves, constants and calls, also for
+// Eigen. tests/pipeline/languages_test.cpp compiles code for Eigen.
 #include "emit/cpp/cpp_dialect.hpp"
 
 #include "emit/code/definition.hpp"

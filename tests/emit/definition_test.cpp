@@ -12,8 +12,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// A chain of sums, each of the two values before it. The entries are the last sum and the value of
-/// the instruction `entry`.
+/// A model whose gravity is a chain of `statements` sums, each of the two values before the sum.
+/// The entries of gravity are the last sum and the value of the instruction `entry`.
 Subject long_function(std::size_t statements, std::size_t entry = 1) {
   Subject subject = cart_pole();
   std::string text =
@@ -98,7 +98,7 @@ TEST_CASE("column-major matrices are written column by column") {
 
 namespace {
 
-/// Repetitions that multiply x^2 by x and by theta, after `before` other instructions.
+/// gravity = (s x, s theta), s = x^2 + n theta, n = `before`. The two products are repetitions.
 Subject repeating_function(std::size_t before = 0) {
   Subject subject = cart_pole();
   std::string text =

@@ -1,5 +1,5 @@
-// E701 at its position in the scene; E702 for parameters and constants, only in the requested
-// scalars.
+// Tests that a reserved function name is E701 at the position of the name in the scene, and that a
+// parameter or constant beyond the range of a requested scalar is E702.
 #include "emit/text/emission_checks.hpp"
 
 #include "elgen/emitted_files.hpp"

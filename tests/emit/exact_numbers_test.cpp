@@ -1,5 +1,5 @@
-// exact_numbers: fractions from their digits, one entry for each number, and names for numbers that
-// share their nearest double.
+// Tests exact_numbers: a fraction for each number that is no double, one entry for each number, and
+// names for numbers that share their nearest double.
 #include "emit/source/exact_numbers.hpp"
 
 #include "fixture.hpp"

@@ -1,4 +1,4 @@
-// A cart and pole built by hand: Model, Scene and a Program from text, as after the earlier stages.
+// A cart and pole built by hand: a Model, a Scene, and a Program that is read from text.
 #pragma once
 
 #include <cln/rational.h>
@@ -34,7 +34,7 @@ inline void add_parameter(Model& model, const std::string& name, const cln::cl_R
   model.parameter_arrays.push_back(declared);
 }
 
-/// Adds an array parameter with elements "l[1]", ….
+/// Adds the parameter array `name`; an array "l" has the elements "l[1]", "l[2]", ….
 inline void add_parameter_array(Model& model, const std::string& name,
                                 const std::vector<cln::cl_R>& values) {
   ParameterArray declared;

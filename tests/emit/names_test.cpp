@@ -1,4 +1,4 @@
-// Names reserved in emitted code are refused only where they would collide.
+// Tests that a name of the emitted code is refused only if the name would collide.
 #include "emit/cpp/cpp_names.hpp"
 #include "emit/text/emission_input.hpp"
 #include "fixture.hpp"

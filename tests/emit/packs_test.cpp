@@ -118,7 +118,7 @@ TEST_CASE("batches have the same bits on every machine") {
     const Outcome built = build(compiler, "bits.cpp", workspace);
     INFO(compiler << "\n" << built.errors);
     REQUIRE(built.status == 0);
-    CHECK_FALSE(mentions(built.errors, "note: "));  // a changed ABI
+    CHECK_FALSE(mentions(built.errors, "note: "));  // g++ notes a changed ABI
     return shell(emulator + " ./program", workspace.path()).output;
   };
   const std::string here = bits("g++", "");

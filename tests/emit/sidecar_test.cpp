@@ -1,4 +1,4 @@
-// sidecar: valid JSON with keys in order that describes the program.
+// Tests the sidecar: JSON that describes the program, with keys in a fixed order.
 #include <nlohmann/json.hpp>
 
 #include "emit/text/emission_input.hpp"

@@ -1,5 +1,5 @@
-// statements: named values, expressions written in place, and their operands. Sections: small
-// bodies cut by hand, and laws over random bodies.
+// Tests statements (named values, expressions written in place, operands) and the parts into which
+// a body is cut: small bodies by hand, and laws of random bodies.
 #include "emit/code/statements.hpp"
 
 #include <rapidcheck.h>
@@ -21,7 +21,7 @@ Statement entry(std::uint32_t index, Numbers uses) {
   return EntryStatement{0, 0, index, {std::move(uses), {}}};
 }
 
-/// Each assignment uses at most one earlier value, and entries use any values.
+/// Assignments that use at most one earlier value, then four entries that use at most one value.
 std::vector<Statement> random_body() {
   std::vector<Statement> body;
   const auto count = *rc::gen::inRange<std::uint32_t>(0, 40);
@@ -109,7 +109,7 @@ TEST_CASE("a loop follows the statements for its inputs and names its first inst
   CHECK(std::get<LoopStatement>(all[3]).first == 3);
   CHECK(assigned_values(all[3]) == Numbers{3});
   CHECK(operands_of(all[3]).uses == Numbers{2});
-  CHECK(operands_of(all[5]).uses == Numbers{3});  // all columns
+  CHECK(operands_of(all[5]).uses == Numbers{3});  // value 3 stands for all columns
 }
 
 TEST_CASE("a sine and cosine of one statement cross a cut together") {

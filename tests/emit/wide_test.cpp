@@ -1,6 +1,6 @@
-// Functions in a wider scalar, compiled. Double-double is compared with 64 digits for both
-// compilers, several optimisation levels and contraction of products and sums; flags that would
-// break it are refused.
+// Compiles functions in a wider scalar. Double-double is compared with 64 digits, for both
+// compilers and several optimisation levels, with and without contraction of products and sums.
+// Flags that would break double-double are refused.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -138,7 +138,7 @@ std::string name_of_call(std::size_t function) {
   return std::array<const char*, operations>{"+", "-", "*", "/", "sqrt"}[function - functions];
 }
 
-/// The calls whose error exceeds 1e-29 max(|f|, |x f'|) plus 2^-1070.
+/// One line for each call whose error exceeds 1e-29 max(|f|, |x f'|) plus 2^-1070.
 std::string inaccurate_calls(const std::vector<Call>& all, const std::vector<Parts>& values) {
   static const Real tolerance(cln::expt(cln::cl_RA(10), -29));
   static const Real denormal(exact_value(0x1p-1070));
@@ -174,7 +174,7 @@ TEST_CASE("double-double has 29 digits with every compiler and optimisation") {
   }
   wide.write("arguments", lines.str());
   const Outcome run = wide.run("./program < arguments");
-  CHECK(run.status == 0);  // pairs of sines, and products of the caller
+  CHECK(run.status == 0);  // checks pairs of sines and rounded products
   const std::vector<Parts> values = values_in(run.output);
   REQUIRE(values.size() == all.size());
   CHECK(inaccurate_calls(all, values).empty());

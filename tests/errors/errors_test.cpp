@@ -104,7 +104,7 @@ Outcome run_case(const CaseFile& parsed) {
 
 const std::filesystem::path folder = std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/errors";
 
-/// Codes that no command can produce, with the reason.
+/// Code -> reason why no command can produce the code.
 const std::map<std::string, std::string>& unreachable_codes() {
   static const std::map<std::string, std::string> reasons{
       {"E911", "a derivation that disagrees with the oracle: tests/verify breaks one by hand"},
@@ -117,7 +117,7 @@ const std::map<std::string, std::string>& unreachable_codes() {
 /// "E201" of "E201_unknown_name.txt".
 std::string code_of(const std::filesystem::path& path) { return path.stem().string().substr(0, 4); }
 
-/// The file name of a code, from its title: "unknown name" becomes "unknown_name".
+/// The beginning of the file names of a code: "E201_unknown_name" for E201, "unknown name".
 std::string file_stem(const CodeRow& row) {
   std::string stem = std::string(row.name) + "_";
   for (const char letter : row.title) {

@@ -1,5 +1,5 @@
-// Formulas: brackets, LaTeX, numbers and words. Any nesting of operations must be printed so that
-// it has the value of the tree.
+// Formulas: brackets, LaTeX, numbers and words. The text of any nesting of operations must have the
+// value of the tree.
 #include "elgen/formula.hpp"
 
 #include <catch2/catch.hpp>
@@ -26,7 +26,7 @@ std::string latex_of(const Formula& formula) { return to_latex(glyphs_of(formula
 
 Formula number(const char* text) { return number_formula(cln::cl_RA(text)); }
 
-/// An operation around x; y is its other operand.
+/// An operation with the operand x. The other operand is y, if the operation has two.
 struct Nesting {
   const char* name;
   Formula (*build)(const Formula& x, const Formula& y);
@@ -84,7 +84,7 @@ bool is_near(const Value& x, const Value& y) {
   return std::abs(x - y) <= 1e-10 * std::max(1.0, std::abs(x));
 }
 
-/// The notations of a formula that have another value or cannot be parsed.
+/// A message for each notation of `formula` with another value than the tree, or with no value.
 Texts wrong_notations(const Formula& formula) {
   const Value value = value_of_tree(formula);
   const std::string text = text_of(formula);

@@ -1,5 +1,5 @@
-// Glyphs: parsed from LaTeX and printed again, measured, broken into lines, translated to MathML;
-// sums and prose.
+// Glyphs: parsed from LaTeX and printed again, measured, broken into lines, translated to MathML,
+// split into prose and formulas.
 #include "formula/glyphs.hpp"
 
 #include <catch2/catch.hpp>
@@ -31,7 +31,7 @@ Texts pieces_in(const std::string& text) {
   return all;
 }
 
-/// Replaces `<q>` of the tables by bold LaTeX.
+/// `text` with bold LaTeX in place of each `<q>`, the notation of the tables for bold letters.
 std::string with_bold(std::string text) {
   for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos;) {
     const std::size_t end = text.find('>', at);

@@ -1,4 +1,4 @@
-// Three evaluators of formulas that share only the values of symbols.
+// Three evaluators of formulas, which share only the values of symbols, powers and roots.
 #include "formula/written_values.hpp"
 
 #include <cln/real.h>

@@ -1,5 +1,5 @@
-// Values of formulas of a, b and c: of the tree, of its text, and of its typeset form. The symbols
-// are complex numbers, so that every root and every power has a value.
+// Values of formulas in a, b and c, computed from the tree, from its text, and from its typeset
+// form. The symbols are complex numbers, so that every root and every power has a value.
 #pragma once
 
 #include <complex>
@@ -12,10 +12,10 @@ namespace elgen::test {
 
 using Value = std::complex<double>;
 
-/// Accepts numbers, symbols, signs, sums, products, quotients, powers, roots and sines.
+/// The value of numbers, symbols, signs, sums, products, quotients, powers, roots and sines.
 [[nodiscard]] Value value_of_tree(const Formula& formula);
 
-/// The value by the parser of models. This and the next function throw if the text is no formula.
+/// The value of `text` by the parser of models. All three functions throw if there is no value.
 [[nodiscard]] Value value_of_text(const std::string& text);
 
 /// The value of `line`, LaTeX or its ASCII drawing on one line. Adjacent factors are multiplied; a

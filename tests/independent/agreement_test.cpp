@@ -27,7 +27,7 @@ std::array<double, Size> array(const std::vector<double>& numbers) {
   return result;
 }
 
-/// Uses the parameter values of the model file.
+/// M, bias and torque of the emitted functions, with the parameter values of the model file.
 Dynamics emitted_dynamics(const State& state) {
   const emitted::Parameters<double> parameters;
   const auto q = array<emitted::coordinate_count>(state.q);

@@ -1,5 +1,5 @@
-// Compares the independent programs with each other and with the reference values, so that their
-// descriptions mean the same robots.
+// Compares the independent programs with each other and with the reference values. Equal values
+// show that the programs compute the same robots.
 #include <catch2/catch.hpp>
 
 #include "independent/agreement.hpp"

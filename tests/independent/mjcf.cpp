@@ -37,7 +37,7 @@ std::string inertial(const Link& link) {
                      spaced(std::array{moments[0], moments[1], moments[2]}));
 }
 
-/// The link and all its descendants: bodies are nested in MJCF.
+/// The element <body> of the link `index`; it contains the elements of all descendants.
 std::string body(const Robot& robot, int index) {
   const Link& link = robot.links[static_cast<std::size_t>(index)];
   const bool is_free = robot.floating && index == 0;

@@ -22,8 +22,8 @@ std::string constant_findings(const std::string& definitions, const std::string&
   return text_of(inspect_constants({checked.model, checked.scene}));
 }
 
-/// The definition c0 = `first`, then c1, c2, ..., `count` in number. Each has the text `next`, with
-/// `c` replaced by the previous name.
+/// The definitions c0 = `first`, c1, ..., c`count`. The value of each definition after c0 is
+/// `next`, with the previous name in place of `c`.
 std::string chain(const std::string& first, const std::string& next, int count) {
   std::string text = "c0 = \"" + first + "\"\n";
   for (int i = 1; i <= count; ++i) {

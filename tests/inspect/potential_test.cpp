@@ -1,4 +1,4 @@
-// E512, E526 and E527: potentials whose weight or motion has the wrong sign, or is given twice.
+// E512: V or [gravity] pushes a mass up. E526: V and [gravity] both contain the weight of a point.
 #include <catch2/catch.hpp>
 
 #include "inspect/checks.hpp"

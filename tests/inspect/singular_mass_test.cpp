@@ -1,5 +1,5 @@
-// Diagnostics of singular matrices: each kind of output has its own fault, with the row if it is
-// known.
+// Diagnostics of singular matrices: the error depends on the kind of output, and on the row without
+// a pivot if the row is known.
 #include "inspect/singular_mass.hpp"
 
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-/// The message about a singular `kind`; empty if M is to blame, because another message reports M.
+/// The message about a singular matrix of `kind`; empty for M, because another message reports M.
 std::string message_of(OutputKind kind, const std::optional<std::size_t>& row) {
   LeafNames names;
   names.multipliers = {"loop", "rod"};

@@ -3,8 +3,8 @@
 namespace elgen::test {
 namespace {
 
-/// Finds comparisons with enumerators, and `case` labels. A match is `name`, or an alias of it in
-/// the file, with an enumerator that matches the pattern `enumerator`.
+/// The comparisons with, and `case` labels of, the enumerators of `name` that match the pattern
+/// `enumerator`. An alias of `name` in the file counts as `name`.
 Places branches(const SourceTree& tree, const std::string& name, const std::string& enumerator) {
   Places found;
   for (const std::string& path : governed(tree)) {

@@ -15,8 +15,8 @@ namespace elgen::test {
 using Lines = std::vector<std::string>;
 using Places = std::vector<std::string>;
 
-/// Calls judge(lines of a file, index of a line) for every line of src and include. Each non-empty
-/// result becomes a place "path:line: result".
+/// The places "path:line: result" of the lines of src and include for which judge(lines of the
+/// file, index of the line) returns a non-empty result.
 template <class Judge>
 Places places_where(const SourceTree& tree, const Judge& judge) {
   Places found;

@@ -32,7 +32,7 @@ std::string maker_of(const std::string& noun, const std::vector<Layer>& layers) 
   return "";
 }
 
-/// The position of a file in the order. A noun has the position of the first room of its folder.
+/// The index in `layers` of the room of a file, or of the first room of the folder of a noun.
 std::optional<std::size_t> position_of(const std::string& path, const std::vector<Layer>& layers) {
   const bool is_noun = starts_with(path, noun_folder);
   const std::string wanted = is_noun ? maker_of(path, layers) : room_of(path);

@@ -69,8 +69,8 @@ std::set<std::string> table_enumerations(const SourceTree& tree) {
   return names;
 }
 
-/// True if the line is a `case` label of an enumeration in `names`, possibly through an alias `K`
-/// of it.
+/// True if `line` is a `case` label of an enumeration in `names`, or of an alias that `lines`
+/// declare for the enumeration.
 bool is_label_of(const std::string& line, const Lines& lines, const std::set<std::string>& names) {
   static const std::regex label(R"(\bcase (?:\w+::)*(\w+)::\w+:)");
   std::smatch match;
@@ -103,8 +103,8 @@ bool opens_class(const std::string& line) {
   return (begins(line, "class ") || begins(line, "struct ")) && !mentions(line, ";");
 }
 
-/// True if a line of a class, without its indent, declares a data member. Then no parenthesis
-/// precedes its initialiser or its end, except in template arguments.
+/// True if `line`, a line of a class without its indent, declares a data member: outside template
+/// arguments, no parenthesis precedes the first `;`, `=` or `{`.
 bool declares_member(const std::string& line) {
   static const std::regex other(
       R"(^(using|friend|static|public|private|protected|template|class|struct|enum)\b|^\W)");

@@ -9,9 +9,9 @@
 
 namespace elgen::test {
 
-/// `text` is the content of ratchets.txt. Returns a sentence for each figure above its row,
-/// followed by its places. Figures below their row or without a row, and rows without a figure, get
-/// a sentence too. Places that begin with a path of `besides` do not count.
+/// A sentence for each figure that differs from its row in `text`, the content of ratchets.txt, for
+/// each figure without a row, and for each row without a figure. The places of a figure above its
+/// row follow the sentence. Places that begin with a path behind `besides` in the row do not count.
 [[nodiscard]] std::vector<std::string> broken_ratchets(const SourceTree& tree,
                                                        const std::string& text);
 

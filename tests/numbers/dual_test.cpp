@@ -1,5 +1,5 @@
-// Dual numbers: the derivative of every function against central differences in 64 digits, and
-// nested dual numbers.
+// Compares the derivative of every function of dual numbers with central differences in 64 digits,
+// and tests nested dual numbers.
 #include "numbers/dual.hpp"
 
 #include <catch2/catch.hpp>
@@ -27,7 +27,7 @@ TEST_CASE("the slope of a smooth function is its derivative") {
     const Dual<Real> dual = interpreter::call<Dual<Real>>(row.id, {x, Real(1)}, {y, Real()});
     const Real right = interpreter::call(row.id, x + h, y);
     const Real left = interpreter::call(row.id, x - h, y);
-    // The error of a central difference is h^2/6 f''' = 1e-40 f''', and |f'''| < 100 here.
+    // The error of a central difference is h^2/6 |f'''| < 1e-40 |f'''|, and |f'''| < 100 here.
     CHECK(apart(dual.slope, (right - left) / (h + h)) < 1e-38);
     CHECK(apart(dual.value, interpreter::call(row.id, x, y)) == 0);
   }

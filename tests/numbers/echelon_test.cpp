@@ -1,5 +1,5 @@
-// Elimination against closed forms and product rules, on singular systems, and over several number
-// types.
+// Tests elimination: examples by hand, product rules of rank and determinant, singular systems, and
+// several number types.
 #include "numbers/echelon.hpp"
 
 #include <cln/integer.h>

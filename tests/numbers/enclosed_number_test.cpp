@@ -24,8 +24,8 @@ EnclosedResult call(const EnclosedArithmetic& with, FunctionId function, const c
   return with.call(function, exact(x), exact(y));
 }
 
-/// True if the value in few digits differs from the value in many digits by at most its error
-/// bound.
+/// True if `rough`, in few digits, differs from `fine`, in many digits, by at most the error bound
+/// of `rough`.
 bool agree(const EnclosedResult& rough, const EnclosedResult& fine) {
   REQUIRE(rough.number);
   REQUIRE(fine.number);

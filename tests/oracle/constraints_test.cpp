@@ -24,7 +24,7 @@ ModelBuilder on_rod() {
   return b;
 }
 
-/// A mass on a rod whose length depends on time, with stabilisation gains.
+/// Two stabilised constraints that depend on time, one on positions and one on velocities.
 ModelBuilder on_moving_rod() {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").coordinate("z").input("u", 0).parameter("m", "2");
@@ -34,7 +34,7 @@ ModelBuilder on_moving_rod() {
   return b;
 }
 
-/// A blade on a plane that cannot slip sideways.
+/// A blade that moves on a plane and cannot slip sideways.
 ModelBuilder blade() {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").coordinate("psi").T("x_d^2 + y_d^2 + psi_d^2");
@@ -42,7 +42,7 @@ ModelBuilder blade() {
   return b;
 }
 
-/// A body with inertias 2, 3, 5 about its centre of mass, fixed at its point (1/3, 0, -1/2).
+/// A body with central inertias 2, 3, 5, hung at the origin by its point (1/3, 0, -1/2).
 ModelBuilder hung_body() {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").coordinate("z").rotation("e");
@@ -123,7 +123,7 @@ State later(const Model& model, const State& state, const cl_R& h) {
   return next;
 }
 
-/// The state with a set to the acceleration of forward dynamics.
+/// `state` with the acceleration of forward dynamics as `state.a`.
 State with_acceleration(const Model& model, State state) {
   state.a = part(entries(model, OutputKind::forward_dynamics, state), 0, state.v.size());
   return state;
@@ -176,7 +176,7 @@ TEST_CASE("forward dynamics of a mass on a rod, by hand") {
   CHECK(entries(model, OutputKind::constraint_residual, state) == Numbers{24, 86});
   CHECK(entries(model, OutputKind::constraint_jacobian, state) == Numbers{6, 8});
   CHECK(entries(model, OutputKind::constraint_bias, state) == Numbers{148});
-  // lambda = (m (g y - v^2) - u x)/(2 (x^2 + y^2)), S = 4 (x^2 + y^2)/m
+  // lambda = (m (g y - v^2) - u x)/(2 (x^2 + y^2)), A M^-1 A^T = 4 (x^2 + y^2)/m
   const cl_R lambda = cl_R(cln::cl_RA(2 * (40 - 74) - 33) / 50);
   CHECK(entries(model, OutputKind::forward_dynamics, state) ==
         Numbers{(11 + 6 * lambda) / 2, (8 * lambda - 20) / 2, 1, 1, 1, lambda});

@@ -1,4 +1,4 @@
-// Jets: ring operations, quotients, powers of s, and functions by the chain rule.
+// Jets: ring operations, quotients, powers of the graded symbol s, and functions by the chain rule.
 #include "oracle/jet.hpp"
 
 #include <rapidcheck.h>

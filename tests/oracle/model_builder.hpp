@@ -137,7 +137,7 @@ class ModelBuilder {
     return *this;
   }
 
-  /// Adds the constraint value = 0, on positions or on velocities.
+  /// Adds the constraint `value` = 0, on positions if `is_position`, otherwise on velocities.
   ModelBuilder& constraint(const std::string& value, bool is_position = true) {
     Constraint c;
     c.name = c.identifier = "c" + std::to_string(model.constraints.size() + 1);

@@ -1,4 +1,4 @@
-// The oracle against closed forms, published values and laws of mechanics.
+// Compares the oracle with closed forms and published values, and tests laws of mechanics.
 #include "elgen/oracle.hpp"
 
 #include <cln/float_io.h>
@@ -307,7 +307,7 @@ TEST_CASE("a chain of 1000 points is evaluated without recursion") {
   w[0] = 1;
   Values y(1000, cl_R(0));
   y[999] = 1;
-  // Hanging straight down: M_ij = m l^2 times the number of masses that both th_i and th_j move.
+  // Hanging straight down: M_ij = m l^2 times the number of masses that both q_i and q_j move.
   OutputRequest mass;
   mass.kind = OutputKind::mass_matrix;
   CHECK(*oracle_contraction(b.model, mass, state, {w, w}) == exact("0.2") * 1000 * exact("0.09"));

@@ -1,5 +1,5 @@
-// Every output against values by hand and against contractions. Derivatives against differences and
-// related outputs.
+// Compares every output with values by hand and with contractions, and compares derivatives with
+// differences and related outputs.
 #include "oracle/output_values.hpp"
 
 #include <algorithm>
@@ -52,7 +52,7 @@ ModelBuilder everything() {
   return b;
 }
 
-/// w.x or w.X y for `by` = (w, y); x or X is the field of `values` that starts at `first`.
+/// w.x, or w.X y if `by` has a y; x or X is the field of `values` that starts at `first`.
 cl_R contracted(const Values& values, std::size_t first, const Contraction& by) {
   cl_R sum = 0;
   for (std::size_t i = 0; i < by.w.size(); ++i) {

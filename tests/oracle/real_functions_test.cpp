@@ -102,5 +102,5 @@ TEST_CASE("long rationals become floats, short rationals stay") {
 TEST_CASE("pi has as many digits as requested") {
   const auto digits = [] { return cln::float_digits(cln::the<cln::cl_F>(real_pi())); };
   const auto few = digits();
-  CHECK(with_digits(64, digits) > few + 200);  // binary
+  CHECK(with_digits(64, digits) > few + 200);  // binary digits
 }

@@ -71,7 +71,7 @@ inline ModelBuilder spherical_pendulum() {
   return b;
 }
 
-/// Charge q in a uniform magnetic field Bz along z: V = -q A.v with A = Bz/2 (-y, x, 0).
+/// Charge c in a uniform magnetic field Bz along z: V = -c A.v with A = Bz/2 (-y, x, 0).
 inline ModelBuilder charged_particle() {
   ModelBuilder b;
   b.coordinate("x", "m").coordinate("y", "m").coordinate("z", "m");

@@ -1,5 +1,5 @@
-// Settled values: exactly 0 if the true value is 0, accurate if it is small. There is no value if
-// none exists or the digits do not suffice.
+// Stable values: exactly 0 if the true value is 0, and accurate if the true value is small. The
+// result is empty if there is no value or the digits do not suffice.
 #include <cln/real.h>
 
 #include <catch2/catch.hpp>
@@ -55,7 +55,7 @@ void check_gravity_misses(const std::string& V) {
   CHECK(force.is_decided);
 }
 
-/// The settled value of an `[[output]]`.
+/// The stable value of the `[[output]]` with the text `value`, at (x, 0).
 StableValues value_at(const std::string& value, const cl_R& x) {
   const CheckedModel checked = model_with_potential("0*k*l*x*y", value);
   return stable_expression_value(checked.model, checked.model.outputs[0].values[0], at(checked, x));

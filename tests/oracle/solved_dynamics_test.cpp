@@ -1,4 +1,4 @@
-// Symmetric systems, and M a = B u - bias with both orders of elimination.
+// Solves symmetric systems and M a = B u - bias, in both orders of elimination.
 #include "oracle/solved_dynamics.hpp"
 
 #include <catch2/catch.hpp>

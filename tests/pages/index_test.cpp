@@ -33,7 +33,7 @@ SourcePointer read_source(const fs::path& path) {
   return make_source(path.filename(), read_text(path));
 }
 
-/// The value of a key in the first entry of this name, as text.
+/// The text of the value of `key` in the first entry named `entry`.
 template <class Syntax>
 std::string text_of(const Syntax& syntax, const std::string& entry, const std::string& key) {
   for (const EntrySyntax& one : syntax.entries) {
@@ -58,7 +58,7 @@ std::string coordinates_of(const std::string& name) {
   return text + (last.empty() ? "" : " [" + last + "]");
 }
 
-/// Endings of file names, and the words that link to these files.
+/// Ending of a file name -> text of the link to the file.
 using Endings = std::vector<std::pair<std::string_view, std::string_view>>;
 
 const Endings code_endings{{".hpp", "C++"}, {".h", "C"}};

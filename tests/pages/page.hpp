@@ -36,7 +36,7 @@ struct Page {
 /// The root folder of the project.
 inline const std::filesystem::path source = ELGEN_SOURCE_DIR;
 
-/// The pages of the project, without CHANGELOG.md and generated pages.
+/// models/REFERENCE.md and the README.md files of the project, without tests/print/books/README.md.
 [[nodiscard]] const std::vector<Page>& pages();
 [[nodiscard]] const Page& page(const std::string& path);
 

@@ -33,7 +33,7 @@ bool has_word(const std::string& text, const std::string& word) {
   return false;
 }
 
-/// The text below a heading, up to the next heading.
+/// The text of models/README.md below `heading`, up to the next heading.
 std::string section(const std::string& heading) {
   const std::size_t start = language().find("\n" + heading + "\n");
   REQUIRE(start != std::string::npos);

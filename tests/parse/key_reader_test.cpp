@@ -50,7 +50,7 @@ std::vector<Code> codes_of(const KeyRow& row, const std::string& value) {
   return codes;
 }
 
-/// One sample value of each kind; each key type accepts some of them.
+/// Values of several kinds; accepted_by() lists the samples that a key type accepts.
 struct Samples {
   std::string number = "1.5";
   std::string integer = "3";

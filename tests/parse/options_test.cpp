@@ -6,7 +6,7 @@
 namespace elgen::test {
 namespace {
 
-/// One line per key, "name column: value, value", then the places and messages of the diagnostics.
+/// One line per key, "name column: value value", then the places and messages of the diagnostics.
 std::string answer(const std::vector<std::string>& texts, KeyType type) {
   std::vector<SourcePointer> options;
   for (const std::string& text : texts) options.push_back(make_source("command line", text));

@@ -1,5 +1,5 @@
-// Values by type: accepted values, and E104, E109, E205 and limits, each at its span. Every row is
-// one key in line 5 of a valid model.
+// Accepted values of each type, and E104, E109, E205 and exceeded limits at the span of the value.
+// Most cases are one key in line 5 of a valid model.
 #include "parse/value_reader.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
-// detail::SineCosine. In-line sines have errors up to 1.5 ulp in double and 0.9 ulp in float; near
-// multiples of pi/2 the errors are up to 0.5 ulp. Sines of angles beyond the domain, of other
-// scalars, and of all scalars if arithmetic is reordered, have the bits of std::sin and std::cos.
+// Tests detail::SineCosine. In-line sines and cosines have errors up to 1.5 ulp in double and 0.9
+// ulp in float; near multiples of pi/2 the errors are up to 0.5 ulp. Beyond `domain` and in long
+// double the values have the bits of std::sin and std::cos.
 #include <cstdio>
 #include <limits>
 #include <random>
@@ -24,7 +24,7 @@ bool is_same(Scalar x, Scalar y) {
          (!(x < y) && !(x > y) && std::signbit(x) == std::signbit(y));
 }
 
-/// The largest angle computed in line; -1 if none is.
+/// The largest |angle| whose sine is computed in line [rad]; -1 if no sine is computed in line.
 template <class Scalar>
 constexpr double domain = -1;
 template <>
@@ -74,8 +74,9 @@ double worst_error(Scalar angle) {
   return std::max(error(sine, std::sin(exact)), error(cosine, std::cos(exact)));
 }
 
-/// Errors at angles of all magnitudes, and near multiples of pi/4. long double has 64 bits on x86
-/// and 113 on aarch64, so the error of the references is at most 2^-11 ulp of double.
+/// 1 if an error exceeds `most_anywhere` ulp, or 0.502 ulp near a multiple of pi/2; otherwise 0.
+/// The references are long double, which has 64 bits on x86 and 113 on aarch64: errors of at most
+/// 2^-11 ulp of double.
 template <class Scalar>
 int errors(const char* type, double least_exponent, double most_anywhere) {
   std::mt19937 random(2);  // NOLINT: the same angles in every run

@@ -1,4 +1,5 @@
-// Batches of any size compared with functions of one state, and the errors in both scalars.
+// Bounds the errors of batches of 0 to 100 states, and of the sines of packs, in double and in
+// float. The references are functions of one state in long double.
 #include <cstdio>
 #include <limits>
 #include <vector>
@@ -68,7 +69,7 @@ bool is_outside(T angle) {
   return std::isnan(sin(x).native[0]) && std::isnan(cos(x).native[0]);
 }
 
-/// True if std::tie splits a SineCosine, as functions in parts do to keep two numbers.
+/// True if std::tie assigns both numbers of a SineCosine, as functions in parts do.
 template <class T>
 bool is_tied() {
   const arm::batch::Pack<T> x(T(0.5));

@@ -1,5 +1,5 @@
-// Prints two hashes over all bits of batches, to compare machines. Functions of the library are not
-// called, because their bits depend on the machine.
+// Prints a hash of all bits of batches in double and a hash in float; all machines must print the
+// same hashes. Functions of the library are not called, because their bits depend on the machine.
 #include <cinttypes>
 #include <cstdio>
 #include <cstring>
@@ -24,7 +24,7 @@ std::vector<T> numbers(std::size_t size, std::uint64_t seed, T largest) {
   return result;
 }
 
-/// FNV-1a over the bits as a number, so that the hash does not depend on the byte order.
+/// FNV-1a over the bits of `value` as one number, so that `hash` does not depend on the byte order.
 template <class T, class Bits>
 void add(T value, std::uint64_t& hash) {
   Bits bits;

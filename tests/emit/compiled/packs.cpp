@@ -1,6 +1,6 @@
-// Packs of numbers pass through emitted functions unmodified: every lane has the scalar's value.
-// Sines are an exception: scalars compute them in line, packs by their own functions or the
-// library's.
+// Calls unmodified emitted functions with packs of numbers. Every lane must have the value of the
+// function of one number, except for the rounding errors of sines: packs compute sines by their own
+// functions or by the library.
 #include <cstdio>
 #include <experimental/simd>
 
@@ -23,8 +23,8 @@ auto torques(const std::array<Scalar, 2>& q) {
   return two_link_arm::inverse_dynamics<Scalar>(p, q, v, a);
 }
 
-/// The number of lanes that differ from the scalar by more than `tolerance` relative to the larger
-/// torque.
+/// The number of torques, over all lanes, that differ from torques computed in `Element` by more
+/// than `tolerance` times the larger torque.
 template <class Pack, class Element>
 int differences(const char* type, std::size_t lanes, Element tolerance) {
   std::array<Pack, 2> q;

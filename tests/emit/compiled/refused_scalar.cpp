@@ -14,11 +14,12 @@ struct Fixed {
   Fixed(double x) : raw(static_cast<std::int32_t>(x * 65536)) {}
 };
 
-/// A pair of fixed-point numbers, and a type with std::numeric_limits.
+/// A pair of fixed-point numbers.
 struct FixedPair {
   using value_type = Fixed;
   Fixed x, y;
 };
+/// Counts as fixed point, because its std::numeric_limits are exact and bounded.
 struct Described {
   double x;
 };

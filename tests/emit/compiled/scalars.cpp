@@ -1,5 +1,5 @@
-// `scalars TYPE`: evaluates one system in a kind of scalar and checks the numbers. Numeric types
-// are compared with 50 digits, derivatives with the emitted Jacobian.
+// `scalars TYPE` evaluates the functions of one model in the scalar TYPE. Floating-point values are
+// compared with values in 50 digits, derivatives with the emitted Jacobian.
 #include <Eigen/Core>
 #include <array>
 #include <boost/math/differentiation/autodiff.hpp>
@@ -16,8 +16,8 @@
 #include <ceres/jet.h>
 #endif
 
-// C++17 has no functions of __float128. libquadmath has, and the declarations must precede the
-// header.
+// The C++17 library has no functions of __float128, so this file declares functions of libquadmath.
+// The declarations must precede the emitted header.
 extern "C" {
 __float128 sinq(__float128) noexcept;
 __float128 cosq(__float128) noexcept;

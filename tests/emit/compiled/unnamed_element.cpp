@@ -1,4 +1,4 @@
-// A pack without a declared element type; constants could be computed in the wrong type.
+// A pack without an element type, unless VALUE_TYPE is defined. Constants could have a wrong type.
 #include "lanes.hpp"
 #include "two_link_arm/two_link_arm.hpp"
 

@@ -38,8 +38,8 @@ bool has_sines_of_pairs(const Number& x) {
   return both.sine == sin(x) && both.cosine == cos(x);
 }
 
-/// True if a product computed by the caller counts as rounded, even if the compiler can see its
-/// factors.
+/// True if the argument `x * y` is rounded before the function uses it, even if the compiler can
+/// see the factors.
 bool takes_products_as_rounded(double x, double y) {
   const code::Parameters<double> p{};
   const volatile double product = x * y;

@@ -19,7 +19,7 @@ Program velocity_force_program(const std::string& instructions) {
 }  // namespace
 
 TEST_CASE("a sum that cancels becomes 0 by proof") {
-  // z = m (l + x) - (m l + m x), and z v_x + m.
+  // The entries are z = m (l + x) - (m l + m x) = 0, and z v_x + m.
   const Program program = cancel(velocity_force_program(
       "  0 = parameter m\n  1 = parameter l\n  2 = coordinate x\n  3 = add 1 2\n"
       "  4 = multiply 0 3\n  5 = multiply 0 1\n  6 = multiply 0 2\n  7 = add 5 6\n"

@@ -1,4 +1,4 @@
-// A program evaluated on canonical sums, and the zeros that they prove.
+// Tests the canonical sums of a program, and proofs that an entry is zero.
 #include <catch2/catch.hpp>
 
 #include "elgen/closed_forms.hpp"

@@ -10,14 +10,14 @@ using namespace elgen::test;
 
 namespace {
 
-/// True if the rate along the motion is proved to be 0.
+/// True if the rate of `x` along the motion with `acceleration` is proved to be 0.
 bool is_steady(ClosedForms& forms, const Fraction& x, const Fraction& acceleration,
                const OpenValueRates& open_values = {}) {
   const auto rate = unforced_rate(forms, x, {acceleration}, {}, open_values);
   return rate && rate->numerator.empty();
 }
 
-/// True if `quantity` is conserved with this acceleration of x.
+/// True if `quantity` is proved to be conserved for x'' = `acceleration`.
 bool is_conserved(const std::string& quantity, const std::string& acceleration) {
   const Model model = checked_model(model_text("line", R"toml([[coordinate]]
 name = "x"

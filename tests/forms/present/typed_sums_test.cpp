@@ -1,4 +1,4 @@
-// The sums of a program that may stay whole, and closed forms with these sums as atoms.
+// The sums of a program that may stay unexpanded, and closed forms with these sums as atoms.
 #include <catch2/catch.hpp>
 
 #include "elgen/closed_forms.hpp"

@@ -15,7 +15,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Random values of the letters in (-most, most).
+/// Random values of the letters a to e, at most `most` in magnitude.
 Arguments<Real> letters(Random& random, const Real& most) {
   Arguments<Real> point;
   for (int k = 0; k < 5; ++k) point.q.push_back(Real(random.rational()) * most);
@@ -49,8 +49,7 @@ double value_in_double(const Expressions& expressions, const std::vector<double>
   return evaluate(program, program.functions[0], point).at(0);
 }
 
-/// The text of a row with letters that satisfy its condition, for example sums that contain a
-/// number.
+/// `row.from` with sums or products in place of a, b and c if the condition of the row needs them.
 std::string text_for(const RewriteRule& row) {
   const std::string text(row.from);
   if (row.condition == RuleCondition::anchored) {

@@ -148,8 +148,8 @@ TEST_CASE("the code of a closed form is as precise as the reference form") {
     INFO(name);
     CHECK(imprecise(text) == std::vector<std::string>());
   }
-  // The shortest form of the second velocity force is the derived form, in which c cos(y) x' y'
-  // cancels; in the other forms the constant angle 1 + sqrt(2) is added to y.
+  // In the derived form, which is the shortest form of the second velocity force, c cos(y) x' y'
+  // with c = cos(1 + sqrt(2)) cancels. Other forms add the constant angle 1 + sqrt(2) to y.
   CHECK(imprecise(model_text("phase", R"toml(
 [[coordinate]]
 name = "x"

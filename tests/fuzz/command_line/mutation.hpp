@@ -23,7 +23,7 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-/// A token of text: a name, a number, blanks, or one other character.
+/// A token of text: a name, a number, one blank, or one other character.
 struct Token {
   std::size_t begin = 0;
   std::size_t size = 0;
@@ -33,10 +33,10 @@ struct Token {
 
 [[nodiscard]] std::vector<Token> tokens_of(const std::string& text);
 
-/// Applies one to four edits. An edit changes, inserts or removes a byte; replaces a token by
-/// another token of the text or a word of the language; replaces a number by an extreme one;
-/// removes, repeats or exchanges lines; or truncates the text. The same draws give the same text in
-/// every build.
+/// `text` after one to four random edits. An edit changes or inserts a byte, removes up to eight
+/// bytes, or inserts a word; replaces a token by another token of the text or by a word, a number
+/// by an extreme or a small number, or a sign by a sign; removes, repeats or exchanges lines; or
+/// truncates the text. The same draws give the same text in every build.
 [[nodiscard]] std::string mutate(std::string text, Draw& draw);
 
 }  // namespace elgen::test

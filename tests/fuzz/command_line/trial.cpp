@@ -63,7 +63,7 @@ void redirect(const std::filesystem::path& path, int flags, int descriptor) {
   _exit(not_started);
 }
 
-/// Runs words[0] in `folder`, without standard input. Throws if it cannot be started.
+/// Runs the command `words` in `folder` without standard input; throws if the command cannot start.
 ProcessResult run(const std::vector<std::string>& words, const std::filesystem::path& folder,
                   const ProcessLimits& limits) {
   const Workspace captured;
@@ -84,13 +84,12 @@ ProcessResult run(const std::vector<std::string>& words, const std::filesystem::
 
 namespace fs = std::filesystem;
 
-/// Well above the limits given to elgen, so that this limit only ends an elgen that ignores its
-/// own.
+/// Well above the limits in the command: a process reaches them only if elgen ignores its options.
 constexpr ProcessLimits process_limits{.seconds = 40, .memory_mib = 3000};
 constexpr const char* seconds_limit = "seconds=10";
 constexpr const char* memory_limit = "memory_mib=1000";
 
-/// A scene of the project has `model = "../NAME.toml"`; here the model is in the scene's folder.
+/// The scene and its model as files of one folder: `model = "../NAME.toml"` becomes "NAME.toml".
 Input scene_input(const fs::path& scene, const fs::path& models) {
   std::string text = read_text(scene);
   static const std::regex reference("\"\\.\\./([a-z0-9_]+\\.toml)\"");
@@ -148,8 +147,8 @@ std::string line_with(const std::string& text, const std::string& part) {
   return text.substr(begin, text.find('\n', at) - begin);
 }
 
-/// The failed check of a certificate, which is a fault of elgen; empty if none. A failed [[expect]]
-/// is no fault. Neither is an indefinite M, because the M of a mutated model may be indefinite.
+/// The first failed check of `certificate` that is a fault of elgen; empty if there is none. A
+/// failed [[expect]] or an indefinite M is a fault of the mutated model, not of elgen.
 std::string false_alarm(const std::string& certificate) {
   const auto parsed = nlohmann::json::parse(certificate, nullptr, false);
   if (!parsed.is_object() || !parsed.contains("checks")) return {};
@@ -177,8 +176,8 @@ std::string fault_of_ending(const ProcessResult& ended) {
   return false_alarm(ended.output);
 }
 
-/// A path that was written unexpectedly; a failed command may write nothing, a successful one only
-/// its output.
+/// "left behind: PATH" for a file or folder that the command must not write; empty if there is
+/// none. A failed command may write nothing, a successful command only its output.
 std::string unexpected_file(const Trial& trial, const fs::path& folder, bool succeeded) {
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string path = entry.path().lexically_relative(folder).string();

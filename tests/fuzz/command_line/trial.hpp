@@ -9,13 +9,13 @@
 
 namespace elgen::test {
 
-/// Files by name; the command gets the file `name`.
+/// A model, a scene or a robot, and the files that it needs.
 struct Input {
   std::string name = {};                          ///< the file given to the command
-  std::map<std::string, std::string> files = {};  ///< all files of the folder, with `name`
+  std::map<std::string, std::string> files = {};  ///< name -> text; includes `name`
 };
 
-/// All models, scenes and robots below tests/ and models/, and random models.
+/// The models and scenes of models/, the robots of tests/urdf/robots/, and random models.
 class Corpus {
  public:
   explicit Corpus(std::size_t random_models);
@@ -40,8 +40,8 @@ struct Trial {
 struct Verdict {
   bool worked = false;  ///< the exit code was 0
   /// Empty, or the fault: a signal; an exit code that is undocumented or reports an internal error;
-  /// a failed self-check; a failed check other than [[expect]]; an unexpected file; or (`compiles`)
-  /// a header with compiler warnings.
+  /// a failed self-check; a failed check (other than [[expect]] and a positive definite M); an
+  /// unexpected file; or, if `compiles`, a header with compiler warnings.
   std::string fault = {};
 };
 
