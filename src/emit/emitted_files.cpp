@@ -1,5 +1,5 @@
-// emit: Model, Scene, Program -> the text of every file, after checks of names and of the range of
-// numbers.
+// emitted_files: Model, Scene, Program -> the text of every file, after checks of names and of the
+// range of numbers.
 #include "elgen/emitted_files.hpp"
 
 #include "elgen/artifacts.hpp"
@@ -9,7 +9,7 @@
 namespace elgen {
 namespace {
 
-/// The function that writes a kind of file, and the check for names that its language reserves.
+/// The writer of a kind of file, and the check for names that the language of the file reserves.
 struct ArtifactWriter {
   std::string (*write)(const EmissionInput& input);
   /// Null if every name is allowed.

@@ -1,4 +1,4 @@
-// Blocks: every line is padded with blanks to the width of the widest line.
+// block: joins and pads blocks of text. All lines of a block have the same width.
 #include <algorithm>
 #include <array>
 

@@ -121,7 +121,7 @@ std::size_t find_closing_bracket(const std::vector<Glyphs>& parts, std::size_t o
   return parts.size();
 }
 
-/// True if a row is a sum. Signs inside brackets do not count.
+/// True if a row has a sign, such as + or =, outside brackets.
 bool has_outer_sign(const Glyphs& glyphs) {
   for (std::size_t i = 0; i < glyphs.parts.size(); ++i) {
     if (role_of(glyphs.parts[i]) == PieceRole::sign) return true;
@@ -236,7 +236,7 @@ class GlyphRenderer {
         return draw_scripts(glyphs);
       case GlyphKind::space:
         return make_line("");
-      case GlyphKind::prose:  // row() sets the blanks between pieces
+      case GlyphKind::prose:  // draw_row() sets the blanks between pieces
         return make_line(trim_blanks(glyphs.text));
       default:
         return make_line(letter_text(glyphs.text, is_unicode()));

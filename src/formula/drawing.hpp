@@ -1,5 +1,5 @@
-// drawing: converts glyphs to a Block in Unicode or ASCII: two-dimensional text with a base line,
-// for terminals.
+// drawing: converts glyphs to a TextBlock in Unicode or ASCII: two-dimensional text with a base
+// line, for terminals.
 //
 //     1            ⎡ M + m    m l ⎤
 //     ─ m l²   M = ⎢              ⎥

@@ -16,7 +16,7 @@
 namespace elgen {
 namespace {
 
-/// Pieces in a row. If the row is a call, its exponent is set on its first piece: sin^2 x.
+/// Pieces in a row. If the row is a call, an exponent is set on the first piece: sin^2 x.
 struct TypesetRow {
   Glyphs row = {};
   Binding binding = Binding::atom;
@@ -186,8 +186,8 @@ TypesetRow typeset_product(const Formulas& factors) {
   return typeset_fraction(std::move(numerator.row), multiply_rows(std::move(below)).row);
 }
 
-/// Sets a quotient. If the first factor of the numerator is a fraction, it precedes the quotient:
-/// 3/4 g/l.
+/// Sets a quotient. If the first factor of the numerator is a fraction, the fraction precedes the
+/// quotient: 3/4 g/l.
 TypesetRow typeset_quotient(const Formula& formula) {
   const Formula& above = formula.parts[0];
   TypesetRow below = typeset_formula(formula.parts[1]);

@@ -19,7 +19,7 @@ std::string join_items(const std::vector<FormulaText>& items) {
   return list;
 }
 
-/// The binding of a product: a negation if its first operand is one.
+/// The binding of a product: `negation` if the first operand is a negation, otherwise `product`.
 Binding product_binding(const FormulaText& first) {
   return first.binding == Binding::negation ? Binding::negation : Binding::product;
 }

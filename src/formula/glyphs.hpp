@@ -63,7 +63,7 @@ using GlyphRows = std::vector<Glyphs>;
 
 [[nodiscard]] Glyphs make_row(Glyphs piece);
 [[nodiscard]] Glyphs fraction_row(Glyphs above, Glyphs below);
-/// Encloses content in brackets. Growing brackets are separated from it by blanks.
+/// Encloses content in brackets. If the brackets grow, blanks separate the content from them.
 [[nodiscard]] Glyphs enclose(Glyphs content, std::string_view open, std::string_view close,
                              bool grows);
 
@@ -76,7 +76,7 @@ using GlyphRows = std::vector<Glyphs>;
 /// Adds a subscript (place 1) or superscript (place 2) to the last piece of the row.
 void add_script(Glyphs& row, std::size_t place, Glyphs script);
 
-/// Appends the pieces of a row; the first piece gets `has_space_before` if `is_apart`.
+/// Appends the pieces of a row; the first piece gets the given `has_space_before`.
 void append(Glyphs& row, Glyphs pieces, bool has_space_before);
 void append_sign(Glyphs& row, std::string_view sign, bool is_apart);
 

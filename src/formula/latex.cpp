@@ -19,7 +19,7 @@ struct CommandRow {
   std::string_view command;
   std::string_view letter;  ///< text of its glyph
   GlyphKind kind = GlyphKind::letter;
-  std::size_t parts = 0;  ///< number of arguments that become its parts
+  std::size_t parts = 0;  ///< number of arguments, the parts of the glyph
 };
 
 constexpr std::array greek_table{

@@ -113,7 +113,7 @@ Glyphs split_fraction(const Glyphs& fraction) {
   return row;
 }
 
-/// Rewrites fractions that are too wide, so that lines can break inside their numerators.
+/// The display `left` = `right`. Wide fractions are split, so that lines can break inside them.
 DisplayedEquation number_display(const Glyphs& left, const Glyphs& right,
                                  const PageMetrics& shape) {
   const double widest = std::max(shape.width / 2, shape.width - left_width(left, shape));
@@ -273,8 +273,8 @@ bool omits_zeros(const TypesetEquation& equation, const PageMetrics& shape) {
 std::vector<DisplayedEquation> lay_out_equation(const TypesetEquation& equation,
                                                 const PageMetrics& shape) {
   if (equation.entries.size() == 1) {
-    // The symbol of a single number loses its bold type. A definition keeps it, because it contains
-    // vectors.
+    // The symbol of a single number loses its bold type. A definition keeps the bold type of the
+    // vectors in it.
     const bool is_defined = std::ranges::any_of(equation.left.parts, [](const Glyphs& part) {
       return part.text == "=" || bracket_depth_change(part) != 0;
     });

@@ -83,7 +83,8 @@ std::string join_terms(const std::vector<TermTemplate>& terms, std::string_view 
   return text;
 }
 
-/// True if some function depends on rates, momenta, accelerations or the mass matrix.
+/// True if L is not quadratic in the rates, or if a function is M or depends on rates, momenta or
+/// accelerations.
 bool depends_on_motion(const Model& model, const Program& program) {
   const auto knows = [&model](const Function& function) {
     const LeafSet takes = make_request(model, function.kind, function.user).argument_kinds;

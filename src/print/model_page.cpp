@@ -149,8 +149,8 @@ bool fills_page(const PageSection& section) {
   return letters > longest;
 }
 
-/// The equations of an output. If it has a definition, the definition replaces equations that are
-/// not readable, and equations that fill a page unless the user asked for this output.
+/// The equations of an output. If the output has a definition, the definition replaces equations
+/// that are not readable, and equations that fill a page unless the user asked for this output.
 PageSection output_section(const Model& model, const Program& program, std::size_t index,
                            bool is_asked_for) {
   PageSection defined = definition_section(model, program.functions[index]);
@@ -160,8 +160,8 @@ PageSection output_section(const Model& model, const Program& program, std::size
   return is_defined && !is_asked_for && fills_page(result) ? defined : result;
 }
 
-/// The documentation of an output. If the output takes only independent velocities, the text names
-/// these velocities.
+/// The documentation of an output. If the output depends only on the rates and accelerations of
+/// `function.independent`, the text names these velocities.
 std::string independent_output_doc(const Model& model, const Function& function) {
   std::vector<std::string> names;
   for (const std::uint32_t i : function.independent) {
@@ -178,8 +178,8 @@ std::string end_sentence(const std::string& text) {
   return has_end ? text : text + ".";
 }
 
-/// The sentence that a step drifts off the constraints, or that it projects back to the
-/// constraints; "" without constraints.
+/// The sentence that a step drifts off the constraints or projects back to the constraints; ""
+/// without constraints.
 std::string step_drift_note(const Model& model, const StepSpec& step) {
   if (model.constraints.empty()) return {};
   return step.projects

@@ -1,4 +1,4 @@
-// recursion_sections: the recursions of src/derive/tree/ in textbook form: motions from the world
+// named_parts: the recursions of src/derive/tree/ in textbook form: motions from the world
 // outwards, forces and composite inertias back to the world. Featherstone, Rigid Body Dynamics
 // Algorithms (2008), chapters 5 and 6. For each frame, let V be its twist, S the part of V that the
 // frame's own motion adds, and G the inertia of all bodies that the frame carries. This gives M:

@@ -194,7 +194,7 @@ class ScreenPagePrinter : public ScreenDrawing {
     return text;
   }
 
-  /// Draws a display. `left`: width of the longest left side in its block.
+  /// Draws a display. `left`: the width of the longest left side in the block of the display.
   [[nodiscard]] std::string draw_display(const DisplayedEquation& part,
                                          FractionStyle fractions = FractionStyle::stacked,
                                          std::size_t left = 0) const {

@@ -271,7 +271,7 @@ class DerivationOutline {
     if (section.equations.empty() && section.doc.empty()) outline_.pop_back();
   }
 
-  /// Noether's theorem: L does not contain the coordinate q, so p_q = `slope` is conserved.
+  /// The sentence of Noether's theorem: "L does not contain q, so p_q = `slope` is conserved".
   [[nodiscard]] Formula conservation_line(std::size_t function, const Formula& slope,
                                           const Formula& q) const {
     const bool is_free = is_zero(function, LagrangeStepField::force) &&

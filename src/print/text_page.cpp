@@ -16,8 +16,8 @@ namespace elgen {
 namespace {
 
 /// Joins functions into one, so that common subexpressions are computed once. Fields keep the order
-/// of the functions. If a marked name is already in use, the name of the function is inserted after
-/// the mark.
+/// of the functions. If a name that starts with intermediate_mark is already in use, the name of
+/// the function is inserted after the mark.
 Function join_functions(const Program& program, const std::vector<std::size_t>& functions) {
   Function all;
   InstructionBuilder instructions(all);

@@ -187,7 +187,7 @@ class C99Dialect final : public CompiledDialect {
   ScalarKind scalar_kind_;
   std::string scalar_;          ///< "double"
   std::string prefix_;          ///< "cart_pole_"
-  bool has_sine_cosine_calls_;  ///< one call computes sine and cosine in line
+  bool has_sine_cosine_calls_;  ///< true if one in-line call computes sine and cosine
 };
 
 Texts C99Dialect::argument_declarations(const Function& function) const {

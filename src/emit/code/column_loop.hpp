@@ -21,8 +21,8 @@ struct ColumnLoop {
   /// Operands that are computed before the loop and differ between columns: a row per operand, an
   /// entry per column.
   std::vector<std::uint32_t> varying_operands = {};
-  /// Instructions of the first column whose value is an entry of the result, in this or another
-  /// column.
+  /// Instructions of the first column that compute an entry of the result, either themselves or by
+  /// their repetition in another column.
   std::vector<std::uint32_t> stored_instructions = {};
   /// Operands that are computed before the loop and are the same in all columns, without
   /// duplicates.
@@ -31,8 +31,8 @@ struct ColumnLoop {
 
 [[nodiscard]] ColumnLoop column_loop(const Function& function);
 
-/// "solved[3]": the name by which code after the loop reads the value of an instruction of the
-/// loop; "" if the value is no entry of the result.
+/// "solved[3]": the name by which code after the loop reads the value of instruction `at`; "" if
+/// the loop does not store this value.
 [[nodiscard]] std::string solved_array_element(const ColumnLoop& loop, const Function& function,
                                                std::uint32_t at);
 

@@ -19,7 +19,7 @@ struct UsedNames {
 /// Texts of a loop over columns. One pass of the loop computes one or more columns.
 struct ColumnLoopTexts {
   std::string opening = {};  ///< first lines; define `at`, the first column of a pass
-  std::string value = {};    ///< "const double": declares a value, before its name
+  std::string value = {};    ///< "const double": precedes the name of a new value
   std::string load = {};     ///< function: address of the first number of a pass -> value
   std::string store = {};    ///< procedure: (value, address of the first number)
 };

@@ -27,7 +27,7 @@ struct ScaledRatio {
 
 /// Digits of an irrational number for scalar types that are not built in.
 constexpr int irrational_digits = 66;
-/// Powers of ten up to this one are multiplied into the numerator or the denominator.
+/// The largest |k| for which 10^k becomes a factor of the numerator or the denominator.
 constexpr long small_exponent = 6;
 
 ScaledRatio decimal_ratio(const Decimal& decimal) {

@@ -24,8 +24,8 @@ namespace elgen {
 [[nodiscard]] bool is_short_constant(const cln::cl_R& value);
 
 /// The name of the function that returns a long constant: "number_9p81", "number_1_3", "number_pi".
-/// The name contains a hash instead if the text of the constant has more than 40 characters, a sum,
-/// or a function other than sqrt.
+/// The name is "number_" and a hash if the text of the constant is longer than 40 characters, or
+/// contains a sum or a function other than sqrt.
 [[nodiscard]] std::string constant_name(const Constant& constant);
 
 }  // namespace elgen

@@ -15,7 +15,7 @@ namespace elgen {
                                                      const Program& program,
                                                      const Function& function, Storage storage);
 
-/// Assigns every entry to its target, in storage order.
+/// The statements that assign every entry to its target, in storage order.
 [[nodiscard]] std::string entry_assignments(const CompiledDialect& dialect,
                                             const Function& function, const FieldTexts& entries);
 

@@ -40,7 +40,7 @@ std::string shape_text(const Field& field, const Emission& emission) {
   return is_interpreted ? "A number" : "Scalar";
 }
 
-/// "y = y(q, v, a)": q and the leaves that the user's output takes.
+/// "y = y(q, v, a)": the arguments are q and the leaves in `output.argument_kinds`.
 std::string user_output_equation(const OutputRow& row, const UserOutput& output) {
   std::string arguments = "q";
   for (const LeafRow& leaf : leaf_table()) {

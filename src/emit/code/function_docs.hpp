@@ -42,7 +42,7 @@ struct FunctionDocsInput {
 /// names_without_leaf() of its rows unless the list is too long to help.
 [[nodiscard]] std::string field_summary(const FunctionDocsInput& text, const Field& field);
 
-/// "cart mass [kg] in [0, 2]"; the name if the array has no documentation, unit or range.
+/// "cart mass [kg] in [0, 2]": documentation, unit and range; the name if all three are missing.
 [[nodiscard]] std::string parameter_doc(const ParameterArray& array);
 
 }  // namespace elgen

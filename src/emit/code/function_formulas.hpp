@@ -26,8 +26,8 @@ class Vocabulary {
 
   /// The vocabulary of instructions with `is_inner`; null if there is no other vocabulary.
   [[nodiscard]] virtual const Vocabulary* inner_vocabulary() const { return nullptr; }
-  /// `value` in the number type of this vocabulary. `value` is a formula of inner(), or of the
-  /// vocabulary that has this vocabulary as inner().
+  /// `value` in the number type of this vocabulary. `value` is a formula of inner_vocabulary(), or
+  /// of the vocabulary whose inner_vocabulary() is this vocabulary.
   [[nodiscard]] virtual FormulaText convert_scalar(const FormulaText& value) const { return value; }
 };
 
@@ -42,8 +42,8 @@ class FunctionFormulas {
   [[nodiscard]] FormulaText formula(std::uint32_t at) const;
   /// The name of the instruction, or its formula if it has no name.
   [[nodiscard]] FormulaText name_or_formula(std::uint32_t at) const;
-  /// entry(at) as an operand of the instruction `user`, converted if the two instructions have
-  /// different vocabularies.
+  /// name_or_formula(at) as an operand of the instruction `user`, converted if the two instructions
+  /// have different vocabularies.
   [[nodiscard]] FormulaText operand_formula(std::uint32_t user, std::uint32_t at) const;
 
  private:

@@ -82,8 +82,8 @@ void set_counts(TemplateData& data, const EmissionInput& input) {
   data.set("parameter_count", std::to_string(emitted_parameter_count(input.model, input.program)));
 }
 
-/// Removes blanks at line ends and keeps at most `most_empty` empty lines in a row: kainjow leaves
-/// an empty line for each section that is not rendered.
+/// Removes blanks at line ends and keeps at most `max_empty_lines` empty lines in a row: kainjow
+/// leaves an empty line for each section that is not rendered.
 std::string remove_extra_blanks(const std::string& text, std::size_t max_empty_lines) {
   const std::string ends(max_empty_lines + 1, '\n');
   std::string result;

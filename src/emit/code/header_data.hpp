@@ -32,8 +32,8 @@ void set_pivot_data(TemplateData& data, const EmissionInput& input);
                                                         std::string_view interval,
                                                         std::string_view unbounded);
 
-/// True if some number or bound is missing or too large for double, so that the code needs
-/// `unbounded`.
+/// True if a bound is missing, or a number or bound is too large for double, so that
+/// element_literals() writes `unbounded`.
 [[nodiscard]] bool needs_unbounded(const DeclaredArray& array);
 
 /// " step is omitted: it has more than 4096 entries."

@@ -1,6 +1,6 @@
-// statements: follows the operands of each statement to named instructions. Sections: moves each
-// entry behind the last statement whose value it uses, then cuts the statements into parts of equal
-// length.
+// statements: follows the operands of each statement to named instructions. cut_into_parts() moves
+// each entry behind the last statement whose value the entry uses, then cuts the statements into
+// parts of equal length.
 #include "emit/code/statements.hpp"
 
 #include <algorithm>
@@ -75,7 +75,7 @@ std::uint64_t sort_key(const Statement& statement) {
   return uses.empty() ? 0 : 2 * (std::uint64_t{uses.back()} + 1) + 1;
 }
 
-/// The statements by sort_key(). Statements with equal keys keep their order.
+/// The statements in ascending order of sort_key(). Statements with equal keys keep their order.
 std::multimap<std::uint64_t, Statement> sort_statements(const std::vector<Statement>& statements) {
   std::multimap<std::uint64_t, Statement> by_place;
   for (const Statement& statement : statements) by_place.emplace(sort_key(statement), statement);

@@ -51,7 +51,7 @@ struct LoopOperandStatement {
   StatementOperands operands = {};
 };
 
-/// The loop over columns. Its first instruction represents all values that it computes.
+/// The loop over columns. The instruction `first` represents all values that the loop computes.
 struct LoopStatement {
   std::uint32_t first = 0;
   StatementOperands operands = {};

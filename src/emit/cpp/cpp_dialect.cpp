@@ -1,4 +1,4 @@
-// cpp_dialect: straight-line code. It has no branches, so that packs and AutoDiff types can run it.
+// cpp_dialect: code without branches, so that Scalar can also be a pack or an AutoDiff type.
 // sign, min and max are functions of the header: the standard versions do not accept every ordered
 // scalar.
 #include "emit/cpp/cpp_dialect.hpp"

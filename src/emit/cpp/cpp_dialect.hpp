@@ -1,5 +1,5 @@
-// cpp_dialect: functions in C++17. Either templates on the scalar type, whose arguments are arrays
-// or Eigen's vectors and matrices; or functions for a single type, which the header calls Scalar.
+// cpp_dialect: functions in C++17, as templates on the scalar type or for a single type, which the
+// header calls Scalar. Arguments of the templates are arrays, or Eigen's vectors and matrices.
 //
 //     using std::sin;                                  Vector<Scalar, 2> result;
 //     const Scalar sin_theta = sin(q[1]);              result(0) = p.m * sin(q[1]);

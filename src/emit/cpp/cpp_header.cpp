@@ -30,7 +30,7 @@ std::string braced_list(const Texts& elements, std::size_t column) {
   return fmt::format("{{{{\n    {},\n}}}}", fmt::join(elements, ",\n    "));
 }
 
-/// A declared array: names, units, ranges or limits of coordinates and inputs, for instance.
+/// The template data of a declared array, such as the units or ranges of the coordinates.
 TemplateData declared_array_data(const DeclaredArray& array) {
   constexpr std::array types{"const char*", "double", "Interval"};
   const Texts elements = element_literals(array, "{{{0}, {1}}}", "unbounded");

@@ -1,4 +1,4 @@
-// code_interface: computed from the output table and the instructions of the functions.
+// code_interface: derives the interface from the output table and the instructions of functions.
 #include "emit/interface/code_interface.hpp"
 
 #include <fmt/format.h>

@@ -17,14 +17,14 @@ namespace elgen {
 /// by default the scene's base name.
 [[nodiscard]] const std::string& name_space(const Scene& scene);
 
-/// "CART_POLE": for names of macros.
+/// "cart_pole" -> "CART_POLE": for names of macros.
 [[nodiscard]] std::string upper_case(std::string_view name);
 
 /// "forward_dynamics" -> "ForwardDynamics": the C++ result struct of a function.
 [[nodiscard]] std::string camel_case(std::string_view name);
 
-/// The parameters that a function of the program reads, as whole arrays. A parameter is no argument
-/// if the scene fixes it or if no requested output depends on it.
+/// The parameters and parameter arrays that a function of the program reads at least in part. A
+/// parameter is excluded if the scene fixes it or if no requested output depends on it.
 [[nodiscard]] std::vector<ParameterArray> emitted_parameters(const Model& model,
                                                              const Program& program);
 
@@ -43,7 +43,7 @@ struct ParameterMember {
 [[nodiscard]] std::vector<ParameterMember> parameter_leaf_members(const Model& model,
                                                                   const LeafNames& leaves);
 
-/// "m", "l[2]": parameter_leaf_members() as C writes it.
+/// "m", "l[2]": each member of parameter_leaf_members() in the notation of C.
 [[nodiscard]] std::vector<std::string> parameter_member_texts(const Model& model,
                                                               const LeafNames& leaves);
 
@@ -55,8 +55,8 @@ struct ParameterMember {
 /// uses time, and open values if the model has any.
 [[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function);
 
-/// The arguments in a language. A program that reads no parameters omits the argument p, unless the
-/// type of p selects the scalar in this language.
+/// The arguments of `function` in `language`. A program that reads no parameters omits the argument
+/// p, unless the type of p selects the scalar in this language.
 [[nodiscard]] std::vector<Opcode> arguments_of(const Model& model, const Function& function,
                                                const Program& program, LanguageId language);
 

@@ -53,7 +53,7 @@ std::string entry_text(const Constant& constant) {
   return fmt::format("\"{}\"", magnitude_digits(magnitude));
 }
 
-/// The value of a parameter. The form of an irrational value is unknown, so a sum is assumed.
+/// A parameter value as a Constant. The form of an irrational value is unknown: a sum is assumed.
 Constant make_constant(const cln::cl_R& value) {
   if (is_rational(value)) return rational_constant(cln::rational(value));
   Constant constant{value};

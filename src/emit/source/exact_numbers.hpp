@@ -26,7 +26,7 @@ namespace elgen {
 /// the second also gets a name, to prevent constant folding.
 class ExactNumbers {
  public:
-  /// named() and entries() are empty if the language has no names for numbers.
+  /// named_numbers() and dictionary_entries() are empty if `spelling` has no names for numbers.
   ExactNumbers(const Model& model, const Program& program, const SourceSpelling& spelling);
 
   /// "_number_1": the name of a constant or of its negative; "" if it is written as a literal.
@@ -47,7 +47,7 @@ class ExactNumbers {
     std::string name = {};
   };
 
-  /// Adds a number. If an equal number is known, only replaces its decimal text by a fraction.
+  /// Adds a number, or replaces the decimal text of an equal known number by a fraction.
   void add(const Constant& constant, bool is_executed);
   void mark_folded_constants(const Program& program);
   void name_numbers(const SourceSpelling& spelling);

@@ -21,7 +21,8 @@ std::string fill_spelling(std::string_view pattern, std::string_view name,
   return fmt::format(fmt::runtime(pattern), name, more);
 }
 
-/// Whether brackets enclose a value; lines may break only inside brackets.
+/// `present`: brackets enclose the value. `needed`: a value on several lines gets brackets, because
+/// lines may break only inside brackets.
 enum class BracketNeed : std::uint8_t { present, needed };
 
 std::string statement_text(const SourceSpelling& spelling, const std::string& start,
@@ -103,7 +104,7 @@ class SourceDialect final : public Dialect {
             {spelling_.member_comment, spelling_.member_comment}};
   }
 
-  /// Assigns the named values, then returns all entries.
+  /// The emitted body assigns the named values, then returns all entries.
   FunctionDefinition function_definition(const Function& function, Storage storage) const override {
     Function ordered = to_storage_order(function, storage);
     ordered.repeated = {};  // every repetition is written out

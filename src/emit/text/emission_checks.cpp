@@ -12,7 +12,7 @@
 namespace elgen {
 namespace {
 
-/// A value, a description for the message, and its place in the file.
+/// A value, its description in the message, and its span in the file.
 struct CheckedNumber {
   const cln::cl_R& value;
   std::string name;

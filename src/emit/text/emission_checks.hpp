@@ -15,8 +15,8 @@ namespace elgen {
 [[nodiscard]] Diagnostic reserved_name_error(const std::string& name, const char* what,
                                              const Span& span);
 
-/// E701 for the name of a function, at the output's request in the scene. The built-in scene `full`
-/// has no file and thus no span.
+/// E701 for the name of a function, at the span of the output's request in the scene. The built-in
+/// scene `full` has no file and thus no span.
 [[nodiscard]] Diagnostic reserved_name_error(const Scene& scene, const Function& function);
 
 /// E702 for values of run-time parameters and for constants of the equations. A value that becomes

@@ -34,7 +34,7 @@ struct EmissionInput {
 /// The first 8 digits of content_hash(), for names.
 [[nodiscard]] std::string short_hash(std::string_view text);
 
-/// Sixteen zeros, in place of the hash that a file will state of its own text.
+/// Sixteen zeros: the placeholder for the hash that a file states of its own text.
 [[nodiscard]] std::string_view blank_hash();
 
 /// Replaces the blank body hash by the hash of `text`, computed with the blank in place. The blank

@@ -35,7 +35,7 @@ std::optional<int> depth_of_break(std::string_view text, std::size_t space, int 
 }
 
 /// The last of the shallowest breaks in the last two thirds of the first `width` columns. Without a
-/// break there, the last break in the first third; without any, the first beyond `width`.
+/// break there, the last break in the first third; if there is none, the first beyond `width`.
 std::optional<LineBreak> best_break(std::string_view text, std::size_t width) {
   std::optional<LineBreak> best;
   int brackets = 0;

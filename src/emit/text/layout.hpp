@@ -11,7 +11,7 @@ namespace elgen {
 inline constexpr std::size_t line_width = 100;
 
 /// How a text is broken into lines. The first line may have `first_width` columns. All other lines
-/// begin with `indent`; all lines except the last end with `end`.
+/// begin with `indent`; all lines except the last end with `line_end`.
 struct Wrapping {
   std::size_t first_width = line_width;
   std::string indent = {};

@@ -12,7 +12,7 @@
 namespace elgen {
 namespace {
 
-using InstructionNumbers = std::vector<std::uint32_t>;  ///< instruction numbers
+using InstructionNumbers = std::vector<std::uint32_t>;
 
 std::vector<bool> mark_instructions(const Function& function, const InstructionNumbers& places) {
   std::vector<bool> result(function.instructions.size(), false);

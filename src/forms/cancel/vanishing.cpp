@@ -38,8 +38,8 @@ std::vector<bool> mark_kinked_calls(const Function& function) {
   return result;
 }
 
-/// True if 20 digits are lost: the smaller term of a sum disappears in the larger one, a function
-/// hardly depends on its argument, or so strongly that its value has no correct digit.
+/// True if 20 digits are lost: the smaller term of a sum disappears in the larger term, or a
+/// function hardly depends on its argument, or depends on it so strongly that no digit is correct.
 bool loses_digits(const Instruction& i, const Values& values, const Number& x) {
   static const Real hidden(power_of_ten(-20));
   if (i.opcode == Opcode::add || i.opcode == Opcode::subtract) {

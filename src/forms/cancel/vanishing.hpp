@@ -7,10 +7,10 @@
 
 namespace elgen {
 
-/// The indices of the instructions whose values vanish at one random point, in 64 digits: the value
-/// is below 1e-40 E, with E its error bound, and 1e-40 E is below 1e-20 of the operands. Leaves are
-/// excluded, and so are operands of values that are undefined at this point. An instruction found
-/// here need not vanish elsewhere: a root may have another sign there.
+/// The indices of the instructions whose value x vanishes at one random point, in 64 digits: |x| is
+/// at most 1e-40 E, with E the running error of x, and 1e-40 E is at most 1e-20 of the largest
+/// operand. Leaves are excluded, and so are operands of values that are undefined at this point. A
+/// value that vanishes here need not vanish elsewhere: a root may have another sign there.
 [[nodiscard]] std::vector<std::uint32_t> find_vanishing_values(const Program& program,
                                                                const Function& function);
 

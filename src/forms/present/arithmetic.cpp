@@ -16,7 +16,7 @@ Fraction fraction_of(const cl_RA& value) { return {constant_polynomial(value), {
 
 namespace {
 
-/// Equal atoms have equal hashes; the coefficients of their arguments are not hashed.
+/// The hash of an atom, without the coefficients of its arguments. Equal atoms have equal hashes.
 std::size_t hash_of(const Atom& atom) {
   std::size_t hash = 0;
   const auto mix = [&hash](std::size_t part) { hash = hash * 1'000'003 + part; };

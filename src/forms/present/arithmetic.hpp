@@ -1,6 +1,6 @@
 // Arithmetic: field operations and functions on closed forms over one algebra, within a budget.
 //
-// A Value is none if an operand is none, if the budget is used up, or if the result is undefined
+// A result is none if an operand is none, if the budget is used up, or if the value is undefined
 // (division by zero). Atoms are identified by the canonical forms of their arguments.
 #pragma once
 
@@ -43,8 +43,8 @@ class Arithmetic {
 
   [[nodiscard]] OptionalFraction leaf(Opcode leaf, std::uint32_t index);
   [[nodiscard]] OptionalFraction pi();
-  /// The atom in place of an unexpanded sum: `index` is its number in Algebra::sums, `form` its
-  /// expanded value.
+  /// The atom in place of an unexpanded sum: `index` is the number of the sum in
+  /// Algebra::unexpanded_sums, `form` its expanded value.
   [[nodiscard]] OptionalFraction unexpanded_sum(std::uint32_t index, const Fraction& form);
   /// Converts a constant operation by operation: sums, products, roots and calls.
   [[nodiscard]] OptionalFraction constant(const ConstantForm& form);

@@ -211,7 +211,7 @@ OptionalFraction Arithmetic::expand_in_exponentials(FunctionId function, const F
   return function == FunctionId::sinh ? sine : cosine;
 }
 
-/// log1p, expm1 and hypot are replaced by log, exp and a root.
+/// The value of `function` at (x, y); log1p, expm1 and hypot are replaced by log, exp and a root.
 OptionalFraction Arithmetic::call(FunctionId function, const OptionalFraction& x,
                                   const OptionalFraction& y) {
   const FunctionRow& row = function_row(function);

@@ -2,9 +2,8 @@
 //
 //     0 = sin theta   1 = multiply 0 0   2 = cos theta   3 = multiply 2 2   4 = add 1 3   ->   1
 //
-// If the program `whole_sums` lists sums that may stay unexpanded ("whole"), every value has two
-// forms: one fully expanded, by which these sums are recognised, and one in which these sums stay
-// unexpanded.
+// If the caller lists sums that may stay unexpanded, every value has two forms: a fully expanded
+// form, by which these sums are recognised, and a form in which these sums stay unexpanded.
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -100,7 +99,7 @@ ClosedForms present_in_algebra(Algebra algebra, const Program& program,
   return forms;
 }
 
-/// A value fully expanded, and with some sums unexpanded ("whole").
+/// The two forms of a value: fully expanded, and with the caller's sums unexpanded.
 struct ExpansionPair {
   OptionalFraction expanded = {};
   OptionalFraction unexpanded = {};
@@ -148,8 +147,8 @@ class ExpansionPairRules {
  private:
   static ExpansionPair make_equal_pair(const OptionalFraction& x) { return {x, x}; }
 
-  /// If x is a rational multiple of a whole sum, x.whole becomes this multiple. Otherwise x.whole
-  /// becomes x.plain if x.plain has fewer terms.
+  /// If x is a rational multiple of one of `sums_`, x.unexpanded becomes this multiple. Otherwise
+  /// x.unexpanded becomes x.expanded if x.expanded has fewer terms.
   ExpansionPair choose_shorter(ExpansionPair x) {
     if (!x.expanded || x.expanded->numerator.empty()) return make_equal_pair(x.expanded);
     for (std::uint32_t i = 0; i < sums_.size(); ++i) {
@@ -166,10 +165,10 @@ class ExpansionPairRules {
   }
 
   Arithmetic& arithmetic_;
-  const std::vector<OptionalFraction>& sums_;  ///< expanded forms of the whole sums
+  const std::vector<OptionalFraction>& sums_;  ///< the caller's sums, in expanded form
 };
 
-/// The expanded forms of the sums of typed_sums().
+/// The expanded form of each function of `sums`, a program that unexpanded_sums() returned.
 std::vector<OptionalFraction> expanded_forms(Arithmetic& arithmetic, const Program& sums) {
   std::vector<OptionalFraction> forms;
   for (const Function& sum : sums.functions) {

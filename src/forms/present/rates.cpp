@@ -13,7 +13,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// A Value with operators that use its arithmetic, so that the table of derivatives of functions
+/// A closed form with operators that use `arithmetic`, so that the table of derivatives
 /// (function_derivatives.def) applies to closed forms.
 struct ArithmeticValue {
   Arithmetic* arithmetic;

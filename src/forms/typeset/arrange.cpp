@@ -95,7 +95,7 @@ TextbookSum Arranger::arrange_terms(const Polynomial& sum, std::optional<std::ui
   return result;
 }
 
-/// One product per product of rates in the numerator, each over its own reduced denominator.
+/// One term for each product of rates in the numerator, each over its own reduced denominator.
 TextbookSum Arranger::arrange_fraction_parts(const Fraction& form,
                                              std::optional<std::uint32_t> own) {
   TextbookSum result;

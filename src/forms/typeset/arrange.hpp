@@ -23,7 +23,7 @@
 
 namespace elgen {
 
-/// A sum typed in the energies, forces, points or definitions: r - l0.
+/// A sum, such as r - l0, in an expression that the author of the model typed.
 struct TypedSum {
   Polynomial value = {};
   std::vector<AtomId> atoms = {};  ///< of the value, ascending

@@ -64,7 +64,7 @@ struct TextbookFactor {
 /// True for velocities, momenta, accelerations, inputs and multipliers.
 [[nodiscard]] bool is_moving(const Atom& atom);
 
-/// True if a factor of the term is_moving().
+/// True if is_moving() is true for a factor of the term.
 [[nodiscard]] bool contains_rate(const Algebra& algebra, const Monomial& term);
 
 /// True for pi, and for roots and functions of rational numbers.

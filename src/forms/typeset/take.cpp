@@ -148,7 +148,7 @@ Arranger::SplitSum Arranger::split_sum(Polynomial sum) {
 }
 
 /// If rest = c (a + b)^2 with real a and b, extracts the square. For a square of sines, division
-/// gives an imaginary root; it is multiplied by i, and c changes its sign.
+/// gives an imaginary root; this root is then multiplied by i, and c changes its sign.
 void Arranger::take_square(SplitSum& taken) {
   if (taken.rest.size() < 3 || taken.rest.size() > most_collected_terms) return;
   const GaussianRational lead = taken.rest.rbegin()->second;
@@ -211,8 +211,8 @@ void Arranger::divide(TextbookProduct& product, const Polynomial& factor, std::i
   elgen::divide(product, this->book_product(factor), exponent);
 }
 
-/// Divides by the denominator of `form`. Denominator factors with sines and cosines are multiplied
-/// first, since present writes sin x as 2 sin(x/2) cos(x/2).
+/// Divides `product` by the denominator of `form`. Denominator factors with sines and cosines are
+/// multiplied first, because present() writes sin x as 2 sin(x/2) cos(x/2).
 void Arranger::divide(TextbookProduct& product, const Fraction& form) {
   Polynomial circular_factors = constant_polynomial(1);
   for (const auto& [factor, exponent] : form.denominator) {

@@ -163,7 +163,8 @@ std::vector<std::vector<std::uint32_t>> parameters_by_factor(const Model& model,
   return factors;
 }
 
-/// Reorders parameters as in typed products. The first product with a pair decides its order.
+/// Reorders parameters as in typed products. The first product that contains two parameters decides
+/// the order of these two.
 class ParameterOrder {
  public:
   explicit ParameterOrder(std::vector<std::uint32_t> declared)

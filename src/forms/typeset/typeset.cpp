@@ -40,7 +40,7 @@ Function write_function(const Function& like, const Write& write) {
 
 /// The most terms of a typeset form, counted as exponentials: about twice as many terms as anyone
 /// reads. Longer entries, such as accelerations of arms and their derivatives, keep the shortest
-/// form that choose found.
+/// form that choose() found.
 constexpr std::size_t longest_form = 120;
 
 bool is_short_form(const std::optional<Fraction>& form) {
@@ -59,9 +59,9 @@ bool is_sum_of_forces(OutputKind kind) {
   return fields.size() == 1 && fields.front().type == "Forces<Scalar>";
 }
 
-/// The closed form of field number `place` if this field is called `name`, otherwise of the first
-/// field called `name`. The numbers differ if fields that readers do not see are missing. Some
-/// fields have no name.
+/// `fields[place]` if this field has the name `name`, which may be empty; otherwise the first field
+/// with this name. Places differ if fields that readers do not see are missing. Throws
+/// TextbookLengthError if no field has the name.
 const ClosedField& find_closed_field(const std::vector<ClosedField>& fields, std::size_t place,
                                      const std::string& name) {
   if (place < fields.size() && fields[place].name == name) return fields[place];
@@ -82,7 +82,7 @@ void add_scalar_field(Function& function, const std::string& name, std::uint32_t
   function.fields.push_back({name, 1, 1, {entry}});
 }
 
-/// Longer accelerations are not easier to read than the rows themselves.
+/// Accelerations with more written factors are not easier to read than the rows themselves.
 constexpr std::size_t longest_solution = 40;
 
 class Typesetter {
@@ -245,8 +245,8 @@ Program typeset(const CheckedModel& checked, const ClosedForms& forms, Program p
 
 namespace {
 
-/// Replaces the summands of each field by their sum, in terms of the definitions of the derivation.
-/// Pages print this sum if there is no closed form.
+/// Replaces the summands of each field by their sum, and appends d/dt dL/dv - dL/dq + dD/dv for a
+/// velocity, or L = T - V for energies. Pages print these sums if there is no closed form.
 Function replace_summands_by_sum(Program& program, Function function, bool is_velocity) {
   InstructionBuilder instructions(function);
   const auto zero = intern_constant(rational_constant(0), program.constants);

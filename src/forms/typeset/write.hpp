@@ -9,8 +9,8 @@
 
 namespace elgen {
 
-/// Writes into a function of a program, and may add constants to the program. Named values of the
-/// model keep their names in the function.
+/// Writes sums as instructions of `function`, and may add constants to `program`. Named values of
+/// the model keep their names in the function.
 class TextbookWriter {
  public:
   TextbookWriter(const Model& model, const Algebra& algebra, const TypedForms& typed,

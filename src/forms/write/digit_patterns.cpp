@@ -1,4 +1,4 @@
-// rule_patterns: parses the rows of digit_rows.def into terms over a common graph.
+// digit_patterns: parses the rows of digit_rows.def into terms over a common graph.
 #include <algorithm>
 #include <array>
 #include <string>

@@ -1,6 +1,6 @@
-// rewrite_rules: see digit_rows.hpp. The term of a row with the most calls is matched first. Its
-// calls determine letters, and its remaining factors are the common factor of the row. Each other
-// term is then known completely, or determines a further letter.
+// digit_rows: see digit_rows.hpp. The term of a row with the most calls is matched first. The calls
+// of this term determine letters, and its remaining factors are the common factor of the row. Each
+// other term is then known completely, or determines a further letter.
 #include "forms/write/digit_rows.hpp"
 
 #include <algorithm>
@@ -190,7 +190,7 @@ class RuleMatcher : protected ReplacementBuilder {
   }
 };
 
-/// A term that matches the call of a unit row (one call and a constant).
+/// A term that matches the call in a row of one call and a constant: cos(a) in 1 - cos(a).
 struct MatchedCall {
   const RulePattern* row = nullptr;
   Match match = {};
@@ -215,7 +215,8 @@ class SumRuleApplier : RuleMatcher {
   }
 
  private:
-  /// Tries all rows of `size` terms with calls, except unit rows.
+  /// Applies the first matching row of `size` terms with calls. Rows of one call and a constant are
+  /// excluded. False if no row matches.
   bool apply_rules_of_size(std::size_t size) {
     return std::ranges::any_of(rule_patterns().rows, [&](const RulePattern& row) {
       const bool is_tried =
@@ -265,8 +266,8 @@ class SumRuleApplier : RuleMatcher {
     return false;
   }
 
-  /// Rewrites c - c_1 cos(x_1) - c_2 cos(x_2) - ... if the sum of all c_i is at
-  /// least 7/8 of c and at most c.
+  /// Rewrites sums such as c - c_1 cos(x_1) - c_2 cos(x_2) if the sum of all c_i is at least 7/8 of
+  /// c and at most c. False if no sum is rewritten.
   bool apply_constant_rules() {
     std::vector<MatchedCall> all;
     for (std::size_t i = 0; i < split_terms_.size(); ++i) {

@@ -1,4 +1,4 @@
-// rewrite_rules: rewrites terms of a sum, and calls, by the rows of digit_rows.def.
+// digit_rows: rewrites terms of a sum, and calls, by the rows of digit_rows.def.
 //
 //     before    2*k - k*cos(x) - k*cos(y)
 //     after     2*k*sin(x/2)^2 + 2*k*sin(y/2)^2

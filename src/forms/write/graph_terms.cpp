@@ -34,7 +34,7 @@ std::vector<SignedNode> GraphTermBuilder::distribute_products(
   return parts;
 }
 
-/// Like scaled(), but a sum is a single factor.
+/// Like split_term(), but a sum is a single factor.
 ScaledTerm GraphTermBuilder::split_into_factors(SignedNode value) const {
   if (graph_.node(value.node).kind != NodeKind::sum) return split_term(value);
   return {value.is_negative ? -1 : 1, {{value.node, 1}}};

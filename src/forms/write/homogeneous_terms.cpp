@@ -21,12 +21,12 @@ namespace {
 /// Sums of a higher degree are too long to read, and gain nothing.
 constexpr std::int32_t highest_degree = 8;
 
-/// Multiple of a direction -> coefficient of its exponential. Only the positive multiple of each
-/// conjugate pair is stored.
+/// k -> coefficient of e^(i k x), for one direction x (direction() in real_terms.hpp). Only k >= 0
+/// is stored, because the coefficient of -k is the complex conjugate.
 using Harmonics = std::map<std::int32_t, GaussianRational>;
 
-/// The coefficient of one product of atoms that are not e^(i k x): a constant plus multiples of
-/// these exponentials.
+/// The coefficient of one product of atoms that are not exponentials: a constant plus,
+/// for each direction x, a weighted sum of e^(i k x).
 struct ExponentialCoefficient {
   cln::cl_RA constant = 0;
   std::map<Monomial, Harmonics, MonomialLess> directions = {};
@@ -45,7 +45,7 @@ CoefficientsByProduct coefficients_by_product(const Algebra& algebra, const Poly
       factor.directions[direction(angle)][common_divisor(angle)] = coefficient;
     }
   }
-  // If there is only one direction, the constant is stored as multiple 0 of this direction.
+  // If there is only one direction, half the constant is stored at k = 0 of this direction.
   for (auto& [powers, factor] : factors) {
     if (factor.directions.size() != 1 || cln::zerop(factor.constant)) continue;
     factor.directions.begin()->second[0] = {factor.constant / 2, 0};
@@ -54,8 +54,8 @@ CoefficientsByProduct coefficients_by_product(const Algebra& algebra, const Poly
   return factors;
 }
 
-/// The largest base such that all multiples/base are even integers, or all are odd integers; 0 if
-/// no integer is such a base.
+/// The largest base up to whole_angle_units for which all k/base are even integers, or all are odd
+/// integers; 0 if no integer is such a base.
 std::int32_t base_angle(const Harmonics& multiples) {
   std::int32_t base = whole_angle_units;
   for (const auto& [multiple, coefficient] : multiples) base = std::gcd(base, multiple);
@@ -65,7 +65,7 @@ std::int32_t base_angle(const Harmonics& multiples) {
   return base % 2 == 0 ? base / 2 : 0;
 }
 
-/// 2 Re sum(coefficient e^(i multiple)), homogeneous in the sine and cosine of the base angle.
+/// 2 Re sum(coefficient e^(i k x)), homogeneous in the sine and cosine of the angle `base` x.
 CircularPolynomial expand_homogeneous(const Harmonics& multiples, std::int32_t base) {
   const std::int32_t degree = multiples.rbegin()->first / base;
   CircularPolynomial result;
@@ -91,8 +91,8 @@ struct Sinusoid {
   bool is_sine = false;
 };
 
-/// The sine or cosine at the only multiple of a direction. None if there are several multiples, or
-/// both a sine and a cosine.
+/// The sine or cosine of k x for the only k of `multiples`, with x = `direction`. None if there are
+/// several k, or both a sine and a cosine.
 std::optional<Sinusoid> sinusoid_of(const Monomial& direction, const Harmonics& multiples) {
   if (multiples.size() != 1) return std::nullopt;
   const auto& [multiple, coefficient] = *multiples.begin();

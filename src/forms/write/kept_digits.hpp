@@ -1,4 +1,4 @@
-// correct_digits: rewrites differences of nearly equal values so that nothing cancels.
+// kept_digits: rewrites differences of nearly equal values so that nothing cancels.
 //
 //     before    sqrt(l^2 + x^2) - l           exp(x) - 1       log(1 + x)     1/(r - x) - 1/r
 //     after     x^2/(sqrt(l^2 + x^2) + l)     expm1(x)         log1p(x)       x/(r (r - x))

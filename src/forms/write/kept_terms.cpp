@@ -1,4 +1,4 @@
-// rewrite_terms: see kept_terms.hpp; sums of powers are in square_free.cpp. A pair of terms is
+// kept_terms: see kept_terms.hpp; sums of powers are in square_free.cpp. A pair of terms is
 // first tried as a crank, a^2 - b^2 sin(c)^2, then by rows of digit_rows.def, then as quotients.
 #include "forms/write/kept_terms.hpp"
 

@@ -1,4 +1,4 @@
-// rewrite_terms: rewritings of cancelling sums that a row of digit_rows.def cannot express:
+// kept_terms: rewritings of cancelling sums that a row of digit_rows.def cannot express:
 // triangles, pairs, sums of powers.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace elgen {
 ///     before    C a^2 + C b^2 - 2 C a b cos(c)
 ///     after     C ((a - b)^2 + 4 a b sin(c/2)^2)
 ///
-/// With Squares::factored the result is C ((a - b)^2 cos(c/2)^2 + (a + b)^2 sin(c/2)^2), which
+/// SquareHandling::factored gives C ((a - b)^2 cos(c/2)^2 + (a + b)^2 sin(c/2)^2) instead, which
 /// keeps all digits for any signs of a and b. For + 2 C a b cos(c), the sine and the cosine of c/2
 /// are exchanged. Replaces three matching terms by one; false if no three terms match.
 [[nodiscard]] bool replace_triangle(Graph& graph, RewriteOptions keeping,
@@ -27,8 +27,8 @@ namespace elgen {
 ///     before    1/a - 1/b        a^2 - b^2 sin(c)^2
 ///     after     (b - a)/(a b)    (a - b) (a + b) + b^2 cos(c)^2
 ///
-/// The second rewriting applies only to sums of exactly two terms, with Squares::factored. None if
-/// no rewriting applies.
+/// The second rewriting applies only to sums of exactly two terms, with SquareHandling::factored.
+/// None if no rewriting applies.
 [[nodiscard]] std::optional<SignedNode> rewrite_pair(Graph& graph, RewriteOptions keeping,
                                                      const std::vector<ScaledTerm>& terms,
                                                      std::size_t first, std::size_t second);

@@ -1,5 +1,5 @@
-// real_terms: see real_terms.hpp. (cos + i sin)^k is expanded and reduced by sin^2 + cos^2 = 1 in
-// the requested direction. Only one exponential of each conjugate pair is read.
+// real_terms: see real_terms.hpp. (cos + i sin)^k is expanded. Then 1 - cos^2 replaces sin^2, or
+// 1 - sin^2 replaces cos^2, as requested. Only one exponential of each conjugate pair is read.
 #include "forms/write/real_terms.hpp"
 
 #include <algorithm>
@@ -112,7 +112,7 @@ class RealTermsBuilder {
       update_base_angles(split_monomial(algebra, monomial).angle);
   }
 
-  /// The highest power in the expansion of the angle's sines and cosines.
+  /// The highest power of a sine or cosine in the expansion of the exponentials of `monomial`.
   [[nodiscard]] std::int32_t highest_power(const Monomial& monomial) const {
     const Monomial angle = split_monomial(algebra_, monomial).angle;
     if (angle.empty() || trigonometry_ == Trigonometry::multiple_angles) return 0;
@@ -182,8 +182,8 @@ class RealTermsBuilder {
     return known->second;
   }
 
-  /// Updates the base angles: all multiples of a direction, or of a unit, are multiples of its
-  /// base. No base exceeds whole_angle_units.
+  /// Updates the base of the direction of `angle`, and of each unit in `angle`: the greatest common
+  /// divisor of whole_angle_units and all multiples so far.
   void update_base_angles(const Monomial& angle) {
     if (angle.empty()) return;
     for (const AtomPower& part : angle) {

@@ -68,12 +68,12 @@ struct RealTerm {
 inline constexpr std::size_t call_length = 2;
 inline constexpr std::size_t multiple_length = 5;
 
-/// Counts the factors, signs and calls of the written terms.
+/// The number of factors and signs of the written terms, plus call_length and multiple_length.
 [[nodiscard]] std::size_t written_length(const Algebra& algebra,
                                          const std::vector<RealTerm>& terms);
 
-/// The shortest form of `trigonometries`, the earlier one on a tie. None if all exceed `most`
-/// terms.
+/// The terms of `sum` in the shortest of the forms `trigonometries`; on a tie, in the earlier form.
+/// None if every form has more than `most` terms.
 [[nodiscard]] std::optional<std::vector<RealTerm>> shortest_terms(const Algebra& algebra,
                                                                   const Polynomial& sum,
                                                                   std::size_t most);

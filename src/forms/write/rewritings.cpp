@@ -191,7 +191,7 @@ bool rounds_more_angles(const Expressions& rewriting, const Expressions& referen
   return !std::ranges::all_of(rounded_angles(both, own), is_known);
 }
 
-/// The largest error that is accepted in place of the error of x.
+/// The largest error that is_as_precise() admits: max(3 E, 8 |x|), with E the error of x.
 Real admitted_error(const RunningValue<Real>& x) {
   static const Real recounted(3);
   static const Real always(8);

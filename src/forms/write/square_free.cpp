@@ -203,7 +203,8 @@ class SquareFreeFactoriser : GraphTermBuilder {
     return graph_.product(powers);
   }
 
-  /// Factors the terms in `atom` and in factors with a parameter term; adds other terms unchanged.
+  /// Factors the sum of the terms in which every factor is `atom` or has a parameter term; adds the
+  /// other terms unchanged.
   std::optional<SignedNode> factor_group(const Polynomial& all, AtomId atom) {
     Polynomial group;
     Polynomial others;

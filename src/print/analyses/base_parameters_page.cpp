@@ -10,8 +10,8 @@
 namespace elgen {
 namespace {
 
-/// Symbols of inertial parameters. The symbol of hand.Ixx is I with its axes and then its owner as
-/// indices; parameters of the model have their own symbols.
+/// Symbols of inertial parameters. The symbol of hand.Ixx is I with the indices xx and hand;
+/// parameters of the model have their own symbols.
 class ParameterSymbols {
  public:
   explicit ParameterSymbols(const Model& model)

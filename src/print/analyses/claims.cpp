@@ -94,7 +94,7 @@ std::optional<Formula> sinusoid_condition(PageForms& known, const Fraction& sinu
   return relation(absolute_value_of(std::move(*above)), std::move(*bound), "<=");
 }
 
-/// The sine or cosine that all angles at rest have in common; none if there are several.
+/// The c of all rest angles acos(c) or asin(c), if they have the same c; otherwise none.
 std::optional<Fraction> common_sinusoid(ClosedForms& forms, const Equilibria& equilibria) {
   std::optional<Fraction> only;
   for (const RestPoint& point : equilibria.points) {

@@ -22,7 +22,7 @@ std::string input_values_text(const Model& model, const Equilibria& equilibria) 
   return text;
 }
 
-/// The stiffness K of a model with one coordinate; none for other models.
+/// The stiffness K = dr/dq of a model with one coordinate and the residual r; otherwise none.
 OptionalFraction stiffness_of(PageForms& known) {
   if (known.model.velocities.size() != 1 || known.model.coordinates.size() != 1) return {};
   const OptionalFraction row = known.forms.functions[0].fields[0].entries[0];

@@ -1,5 +1,5 @@
-// modes_page: small motions: M and K, in closed form if the point has one; w^2 as a formula for
-// blocks of one or two coordinates; then numbers.
+// modes_page: small motions about a point: M and K, in closed form if possible; w^2 as a formula
+// for blocks of one or two coordinates; then numbers.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -221,7 +221,7 @@ void add_modes(Page& page, const PageForms& known, const std::vector<NormalMode>
                                    fmt::join(equal, ", ")))}});
 }
 
-/// True if a single mode and a single cyclic rate agree in 64 digits.
+/// True if there is one mode and one cyclic rate, and their squares agree to 40 digits.
 bool have_equal_periods(const std::vector<NormalMode>& modes, const std::vector<cln::cl_R>& rates) {
   if (modes.size() != 1 || rates.size() != 1) return false;
   const cln::cl_R& square = modes[0].omega_squared;

@@ -1,5 +1,5 @@
-// page_parts: closed forms, numbers and titles. The title of a scene with [routh] names its
-// momenta.
+// page_parts: closed forms, numbers and titles. The title of a scene with [routh] states the
+// momenta that the scene holds.
 #include "print/analyses/page_parts.hpp"
 
 #include <fmt/format.h>

@@ -33,7 +33,7 @@ Formula symmetries_title(const CheckedModel& checked, const Symmetries& symmetri
        prose(fmt::format("constant: {}", symmetries.symmetries.size()))});
 }
 
-/// The coordinate if it is the only one that changes, else the kind of symmetry in words.
+/// The symbol of the coordinate if only one coordinate changes, else the kind of symmetry in words.
 Formula name_of(const PageForms& known, const Symmetry& symmetry) {
   if (symmetry.kind != SymmetryKind::coordinate) return prose(name_of(symmetry.kind));
   const auto moved = std::ranges::find_if(symmetry.displacement,
@@ -178,7 +178,7 @@ IntegralLine integral_line(const PageForms& known, const Symmetry& symmetry, boo
   return result;
 }
 
-/// "d/dt" = "u*t": the rate by which forces change the integral; none if it is 0.
+/// "d/dt" = "u*t": the rate by which forces change the integral; none if the rate is 0.
 std::optional<PageEquation> rate_equation(const PageForms& known, const Symmetry& symmetry) {
   if (is_zero_form(symmetry.rate)) return std::nullopt;
   const Formula otherwise =
