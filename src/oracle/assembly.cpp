@@ -65,7 +65,7 @@ LinearisedConstraints independent_rows(const LinearisedConstraints& all,
   return kept;
 }
 
-/// The full Newton step x (s = 1) of the equations above; empty if the system has no solution.
+/// The Newton step x with s = 1 (head of file); empty if the linear equations have no solution.
 std::optional<Direction> newton_step(const Model& model, const State& state,
                                      const LinearisedConstraints& shortage,
                                      const std::vector<bool>& fixed) {

@@ -1,4 +1,4 @@
-// Constraints: values and derivatives by jets, linear systems by elimination of the whole matrix.
+// Evaluates constraints by jets, and solves linear systems by elimination of the whole matrix.
 #include "oracle/constraints.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Jet constraint_second_rate(Evaluation& at, const Constraint& constraint) {
   return constraint.is_position ? at.second_rate(constraint.value) : at.rate(constraint.value);
 }
 
-/// dr/dt + 2 zeta omega r + omega^2 f at the motion's acceleration. The last term is for position
+/// dr/dt + 2 zeta omega r + omega^2 f at the motion's acceleration. The term in f is for position
 /// constraints only.
 Jet stabilised_acceleration(Evaluation& at, const Constraint& constraint) {
   Jet result = constraint_second_rate(at, constraint);
@@ -133,7 +133,7 @@ Values column_of(const Values& matrix, std::size_t column, std::size_t columns) 
   return result;
 }
 
-/// `x` with the dependent entries solved from A x = s; the `independent` entries are kept.
+/// `x` with its dependent entries solved from A x = s; its `independent` entries stay unchanged.
 Values solve_dependent(const std::vector<std::uint32_t>& independent, const Values& jacobian,
                        const Values& x, const Values& s) {
   const std::size_t n = x.size();
@@ -337,8 +337,9 @@ Values complete_motion(const Model& model, const std::vector<std::uint32_t>& ind
   return values;
 }
 
-/// u minimises |P (tau - B u)| in the M^-1 norm, P the projection onto the free motions: P r = M x
-/// with M x = r + A^T y, A x = 0. The normal equations are B^T x = 0 for r = tau - B u.
+/// Inputs u, multipliers and residual. u minimises |P (tau - B u)| in the M^-1 norm. P projects a
+/// force r onto the motions with A x = 0: P r = M x, M x = r + A^T y, A x = 0. The normal equations
+/// are B^T x = 0 for r = tau - B u.
 Values constrained_inverse_dynamics(const Model& model, const State& state) {
   Mechanics at(model, state);
   const ConstrainedSystem system = constrained_system(at);
@@ -350,7 +351,7 @@ Values constrained_inverse_dynamics(const Model& model, const State& state) {
   for (std::size_t i = 0; i < n; ++i) force.push_back(inverse_dynamics(at, at.unit(i)));
   const Values answer = solve_constrained(system, force, still).x;
   Values matrix(inputs * (inputs + 1));
-  Values free;  // diagonal of B^T M^-1 B, without constraints: scales of the pivots
+  Values free;  // scales of the pivots: diagonal of B^T M^-1 B without constraints
   for (std::size_t j = 0; j <= inputs; ++j) {
     const Values response =
         j == inputs ? answer : solve_constrained(system, column_of(b, j, inputs), still).x;

@@ -69,11 +69,11 @@ struct ConstrainedSystem {
                                                const std::vector<cln::cl_R>& r,
                                                const std::vector<cln::cl_R>& s);
 
-/// x = a and y = lambda at the state.
+/// The accelerations x = a and the multipliers y = lambda at the state of `at`.
 [[nodiscard]] ConstrainedMotion constrained_motion(Mechanics& at, const ConstrainedSystem& system);
 
-/// Linearised constraints A x = s. To first order, a displacement x of the positions makes f = 0,
-/// or a change x of the rates makes r = 0.
+/// Linear equations A x = s. Each solution x is a displacement of the positions after which f = 0
+/// to first order, or a change of the rates after which r = 0.
 struct LinearisedConstraints {
   std::vector<Direction> rows = {};        ///< rows of A
   std::vector<cln::cl_R> right_side = {};  ///< -f of positions, or -r of rates
@@ -81,8 +81,8 @@ struct LinearisedConstraints {
 [[nodiscard]] LinearisedConstraints linearise_positions(const Model& model, const State& state);
 [[nodiscard]] LinearisedConstraints linearise_rates(const Model& model, const State& state);
 
-/// x with M x = A^T y, A x = s: the solution of A x = s with the least kinetic energy 1/2 x.M x.
-/// Entries of `fixed` velocities are 0.
+/// The solution x of A x = s with the least 1/2 x.M x, and with x_i = 0 for each `fixed` velocity
+/// i. The other rows satisfy M x = A^T y.
 [[nodiscard]] Direction least_energy_correction(const Model& model, const State& state,
                                                 const LinearisedConstraints& constraints,
                                                 const std::vector<bool>& fixed = {});

@@ -69,8 +69,8 @@ Values state_derivatives(Mechanics& at, const ConstrainedSystem& system,
   return matrix;
 }
 
-/// w.(derivative of a along `along`) = y.dc - z.dr with M z = w + A^T y, A z = 0, and with
-/// r = M a + bias - B u - A^T lambda, c = A a + stabilised bias.
+/// w.da = y.dc - z.dr, all derivatives along `along`, with M z = w + A^T y, A z = 0. Here r = M a +
+/// bias - B u - A^T lambda and c = A a + stabilised bias.
 cl_R acceleration_contraction(Mechanics& at, const Direction& w, const Displacement& along) {
   const ConstrainedSystem system = constrained_system(at);
   const ConstrainedMotion motion = constrained_motion(at, system);

@@ -1,4 +1,4 @@
-// Energies: one term per entry of the model, in the order of the file.
+// Energies as sums of one term for each armature, expression of [energy], point and body.
 #include "oracle/energies.hpp"
 
 #include "numbers/echelon.hpp"
@@ -199,7 +199,7 @@ Jet potential_magnitude(Evaluation& at) {
 
 Jet lagrangian(Evaluation& at) {
   if (has_routhian(at.model())) return routhian(at);
-  const Jet kinetic = kinetic_energy(at);  // first: the rates in T memoise values that V needs
+  const Jet kinetic = kinetic_energy(at);  // before V, which needs values that T memoises
   return value_or_zero(at, at.model().energies.L) + kinetic - potential_energy(at);
 }
 

@@ -23,8 +23,8 @@ namespace elgen::oracle {
 [[nodiscard]] Jet potential_magnitude(Evaluation& at);
 /// L, or R if the scene has [routh].
 [[nodiscard]] Jet lagrangian(Evaluation& at);
-/// The motion of the whole model: locked coordinates follow their functions of time, cyclic
-/// coordinates are 0 and at rest.
+/// `motion`, extended to the coordinates of the unreduced model: locked coordinates follow their
+/// functions of time; cyclic coordinates and their rates are 0.
 [[nodiscard]] Motion whole_motion(const Model& model, const Motion& motion);
 /// v_c, in the order of Variant::cyclic. OutsideDomain if M_cc is singular.
 [[nodiscard]] std::vector<Jet> cyclic_rates(const Evaluation& at);

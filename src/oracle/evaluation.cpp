@@ -48,7 +48,8 @@ bool Evaluation::is_known(ExpressionId id, unsigned time_order) const {
   return memoised_values_[id] && memoised_values_[id]->time_order >= time_order;
 }
 
-/// The value of `root`. Uses no recursion, because chains of names may have thousands of links.
+/// The value of `root` with the first `time_order` time generators. Uses no recursion, because
+/// chains of names may have thousands of links.
 Jet Evaluation::evaluate(ExpressionId root, unsigned time_order) {
   struct Wanted {
     ExpressionId id = 0;

@@ -146,7 +146,7 @@ void Jet::depend_on(const Jet& x, const Jet& y) {
   order_ = std::min(x.order_, y.order_);
 }
 
-/// A first-order deviation would be a stored term. Without a term of first order, the order is at
+/// Uses that a deviation of first order is a stored term: without such a term, the order is at
 /// least 2.
 unsigned Jet::deviation_order() const {
   const auto is_first = [](Generators g) { return std::has_single_bit(g & all_generators); };

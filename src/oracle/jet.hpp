@@ -62,7 +62,7 @@ class Jet {
   Jet(Generators generators, const cln::cl_R& coefficient);
 
   [[nodiscard]] const std::vector<Term>& terms() const { return terms_; }
-  /// OutsideDomain if the coefficient is unknown.
+  /// The coefficient of the product of `generators`; OutsideDomain if this coefficient is unknown.
   [[nodiscard]] cln::cl_R coefficient(Generators generators) const;
   [[nodiscard]] cln::cl_R real() const { return coefficient(0); }
 
@@ -75,14 +75,14 @@ class Jet {
   /// All generators on which the value may depend, even if no term contains them.
   [[nodiscard]] Generators dependencies() const { return dependencies_; }
 
-  /// A lower bound on p if the value deviates from its real part with |d|^p, for displacements d
-  /// along `moving()`.
+  /// A lower bound on the power p with which the value deviates from its real part: by |d|^p for
+  /// displacements d along dependencies().
   [[nodiscard]] unsigned deviation_order() const;
 
-  /// The coefficient of a generator: the derivative along it, a jet in the other generators.
+  /// The derivative along the generator `one`, its coefficient: a jet in the other generators.
   [[nodiscard]] Jet tangent(Generators one) const { return part(one, one); }
 
-  /// Drops every term with any of these generators.
+  /// The jet without the terms that contain any of these generators.
   [[nodiscard]] Jet without(Generators any) const { return part(any, 0); }
 
   /// The lowest power of s that occurs, as its grade; 0 if none occurs.
@@ -101,7 +101,7 @@ class Jet {
   /// vanishes.
   [[nodiscard]] Jet nilpotent_part() const;
 
-  /// Sets moving() and order() as for a smooth function of x and y.
+  /// Sets dependencies() and `order_` as for a smooth function of x and y.
   void depend_on(const Jet& x, const Jet& y);
 
   /// real + c |d|^order with c unknown and d a displacement along the generators `moving`.
@@ -110,7 +110,7 @@ class Jet {
   [[nodiscard]] static Jet with_kink(const cln::cl_R& real, Generators moving,
                                      const cln::cl_RA& order);
 
-  /// Converts rationals that are too long to floats.
+  /// Converts coefficients that are rationals of more than max_rational_bits bits to floats.
   void shorten();
 
   friend Jet operator+(const Jet& x, const Jet& y);
@@ -118,17 +118,17 @@ class Jet {
   friend Jet operator*(const Jet& x, const Jet& y);
   /// OutsideDomain if the real part of y is zero.
   friend Jet operator/(const Jet& x, const Jet& y);
-  /// True if x and y have the same coefficients (exact in both or in neither), moving() and order.
+  /// True if coefficients (and their exactness), dependencies() and `order_` of x and y are equal.
   friend bool is_same(const Jet& x, const Jet& y);
 
  private:
-  /// The terms that contain, among the generators `of`, exactly `exactly`; divided by `exactly`.
+  /// The terms whose generators among `of` are exactly `exactly`, divided by these generators.
   [[nodiscard]] Jet part(Generators of, Generators exactly) const;
   void add_term(Generators generators, const cln::cl_R& coefficient);
   void add_unknown_coefficient(Generators generators);
   void depend_on_factors(const Jet& x, const Jet& y);
 
-  /// The value of order() for a constant, which never deviates.
+  /// The `order_` of a constant, which never deviates from its real part.
   static constexpr unsigned constant_order = 255;
 
   std::vector<Term> terms_ = {};  ///< ascending by generators, no exact zeros

@@ -1,5 +1,5 @@
 // Mechanics: each quantity is the coefficient of some generators in one evaluation of an energy.
-// Expansions: expressions of the model give the point, and motions are scaled towards it.
+// Expressions of the model give the expansion point, towards which motions are scaled.
 #include "oracle/mechanics.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ void scale_about(std::vector<Jet>& quantity, const OptionalValues& about, const 
   }
 }
 
-/// Evaluates expressions in parameters; an absent expression has no value.
+/// The values of `expressions` at the parameters of `state`; none for an absent expression.
 OptionalValues evaluate_optional(const Model& model,
                                  const std::vector<std::optional<ExpressionId>>& expressions,
                                  const State& state) {
@@ -246,8 +246,8 @@ cl_R Mechanics::dissipation_force(const Direction& w) {
   return energy_at(dissipation, motion).coefficient(first_generator);
 }
 
-/// Forces along small coordinates are expanded to the order of the equations, forces along other
-/// coordinates to one order more.
+/// exact_force_along() without an expansion point. Otherwise the expanded forces: to the order of
+/// the equations along small coordinates, to one order more along all others.
 Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   if (!expansion_point_) return exact_force_along(motion, w);
   Direction small = w;

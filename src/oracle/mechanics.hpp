@@ -18,10 +18,10 @@ namespace elgen::oracle {
 
 using Direction = std::vector<cln::cl_R>;
 
-/// The i-th unit vector of length n.
+/// The unit vector e_i with n entries.
 [[nodiscard]] Direction unit_direction(std::size_t n, std::size_t i);
 
-/// The state, with long rationals converted to floats.
+/// The state, with rationals of more than max_leaf_bits bits converted to floats.
 [[nodiscard]] State shorten_rationals(const State& state);
 
 /// The state as jets without generators.
@@ -59,8 +59,8 @@ struct Displacement {
   Direction velocity = {};
 };
 
-/// The point about which a scene expands energies and forces. Only small quantities have a value in
-/// it. The expansion is the Taylor polynomial in s, at s = 1, along the motion
+/// The point about which a scene expands energies and forces. Quantities that are not small have no
+/// value in q, v and u. The expansion is the Taylor polynomial in s, at s = 1, along the motion
 ///
 ///     q0 + s (q - q0),  s v,  s a,  u0 + s (u - u0)       for small quantities, others unchanged
 ///
@@ -117,11 +117,11 @@ class Mechanics {
   [[nodiscard]] cln::cl_R position_gradient(const Direction& w);
 
   /// w.(M a + bias) = w.(d/dt dL/dv + [omega]x dL/domega - dL/dq + dD/dv - Q) with acceleration a.
-  /// The second term is for angular velocities only.
+  /// The term [omega]x dL/domega is for angular velocities only.
   [[nodiscard]] cln::cl_R inverse_dynamics(const Direction& w, const Direction& a);
 
   /// Derivative of w.(M a + bias - B u) along `along`, a displacement of q and v; u = `inputs`. For
-  /// a rotation, `along.x` is a rotation vector in body axes.
+  /// a rotation, `along.position` is a rotation vector in body axes.
   [[nodiscard]] cln::cl_R residual_slope(const Direction& w, const Displacement& along,
                                          const Direction& a, const Direction& inputs);
 
@@ -190,7 +190,7 @@ class Mechanics {
 /// w.tau at the acceleration of the state.
 [[nodiscard]] cln::cl_R inverse_dynamics(Mechanics& at, const Direction& w);
 
-/// bias - C v - g - dD/dv + Q: the part of the bias that no other output contains.
+/// w.drift with drift = bias - C v - g - dD/dv + Q.
 [[nodiscard]] cln::cl_R drift(Mechanics& at, const Direction& w);
 
 }  // namespace elgen::oracle

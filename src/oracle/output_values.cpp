@@ -18,7 +18,8 @@ namespace {
 
 using cln::cl_R;
 
-/// w.(M a + bias - B u) of the whole model, for the unit vector w of each held velocity.
+/// w.(M a + bias - B u) of the whole model, for the unit vector w of each velocity in
+/// reaction_row_velocities().
 std::vector<cl_R> reaction_forces(const Model& model, const State& state) {
   const std::vector<std::uint32_t> held = reaction_row_velocities(model);
   if (held.empty()) return {};

@@ -27,7 +27,7 @@ namespace elgen::oracle {
                                                const State& state);
 
 /// A, then B, of dx(t + h) = A dx + B du, dx = (dq, dv) with rotation vectors in dq. Computed by
-/// differences of step(), correct to 80 digits. Cost: at least four steps per column.
+/// differences of take_step(), correct to 80 digits. Cost: at least four steps per column.
 [[nodiscard]] std::vector<cln::cl_R> step_derivatives(const Model& model,
                                                       const OutputRequest& output,
                                                       const State& state);

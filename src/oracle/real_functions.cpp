@@ -26,7 +26,7 @@ const cl_R largest_exponent = 1'000'000;
 /// further digit adds 2 to the bound on |x|, and exp(-4) < 0.1.
 cl_R tanh_saturation() { return 200 + 2 * ExtraDigits::requested_digits(); }
 
-/// A binary exponent. Larger angles throw NumberTooLarge; 2^20000 exceeds every built-in scalar.
+/// Angles above 2^20000 throw NumberTooLarge; no built-in scalar holds such angles.
 constexpr long largest_angle_exponent = 20'000;
 
 unsigned current_digits() { return working_digits + ExtraDigits::requested_digits(); }
@@ -244,7 +244,7 @@ cl_R RealFunctions::value(FunctionId function, const cl_R& x, const cl_R& y) {
   return entry != memoised_values_.end() ? entry->second : compute_and_store(function, x, y);
 }
 
-/// Computes and stores a value; sine and cosine together: the derivative of one is the other.
+/// Computes, stores and returns a value; stores sine and cosine together: derivatives need both.
 cl_R RealFunctions::compute_and_store(FunctionId function, const cl_R& x, const cl_R& y) {
   if (!is_circular(function)) {
     return memoised_values_[Call{function, x, y}] =

@@ -1,5 +1,5 @@
 // Real arithmetic of the oracle: the functions of the model language to working_digits decimal
-// digits. The code under test shares no function with it, except CLN's sines and cosines.
+// digits. This arithmetic and the code under test share only CLN's sines and cosines.
 //
 // Exact rationals stay exact while they are short. Exact zeros stay exact, so derivatives that are
 // 0 cost nothing. Random doubles become floats, which represent them exactly. Arguments are reduced
@@ -63,7 +63,7 @@ inline constexpr unsigned max_leaf_bits = 96;
 /// Memoises every value, because all directions of a derivative use the same arguments.
 class RealFunctions {
  public:
-  /// `y` is the second argument of binary functions.
+  /// f(x), or f(x, y) for binary functions.
   [[nodiscard]] cln::cl_R value(FunctionId function, const cln::cl_R& x, const cln::cl_R& y = 0);
 
  private:

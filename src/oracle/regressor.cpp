@@ -1,4 +1,4 @@
-// Regressor: energies at unit parameters, as expressions of a copy of the model.
+// Computes forces for given inertial parameters by terms of T and V, added to a copy of the model.
 #include "oracle/regressor.hpp"
 
 #include <array>

@@ -14,8 +14,8 @@
 
 namespace elgen::oracle {
 
-/// d.tau = d.(Y pi + rest) for each direction d, at inertial parameters pi = `values`.
-/// `uses_reference`: C(q, v) r, drift and friction use the reference velocity r of the state.
+/// d.tau = d.(Y pi + rest) for each direction d, at inertial parameters pi = `values`. If
+/// `uses_reference`, C(q, v) r, drift and friction use the reference velocity r of the state.
 [[nodiscard]] std::vector<cln::cl_R> forces_of_parameters(const Model& model, State state,
                                                           const std::vector<cln::cl_R>& values,
                                                           const std::vector<Direction>& directions,

@@ -1,4 +1,4 @@
-// Rotations: products of quaternions.
+// Rates and norms of quaternions, by products of quaternions.
 #include "oracle/rotations.hpp"
 
 #include "elgen/oracle.hpp"

@@ -1,14 +1,14 @@
-// Settled values: values are computed with twice as many digits each time (a "look"), until the
-// first 62 digits agree.
+// Settled values: values are computed in trials, each with twice as many digits as the previous
+// one, until two trials agree in the first 62 digits.
 //
-// If all terms cancel, a value consists of rounding errors and shrinks with every look. It counts
-// as 0 if the earlier of two looks had enough digits to show a non-zero Taylor term: 1 -
+// If all terms cancel, a value consists of rounding errors and shrinks with every trial. It counts
+// as 0 if the earlier of two trials had enough digits to show a non-zero Taylor term: 1 -
 // cos(1e-100) is 5e-201, which 155 digits do not show. A value that does not change is accepted
-// under the same condition, or at the last look: with 155 digits log(exp(x)) - x wrongly gives -x
-// at x = 1e-300.
+// under the same condition, or in the last trial. Without this condition, trials with 155 digits
+// would agree on the wrong value -x of log(exp(x)) - x at x = 1e-300.
 //
 // Irrational numbers of a state, such as pi, have 100 digits. A value such as sin(pi) counts as 0
-// if it is far larger with these numbers rounded to 60 digits.
+// if it is far larger at the state rounded to 60 digits.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -30,10 +30,10 @@ constexpr unsigned first_trial_digits = 60;
 constexpr unsigned last_trial_digits = 1920;
 static_assert(working_digits + last_trial_digits >= max_stable_digits);
 
-/// Two looks agree if this many digits agree: two more than elgen prints.
+/// Two trials agree if this many digits agree: two more than elgen prints.
 constexpr int required_equal_digits = 62;
 
-/// Pads the floats of a state with zeros to more digits than a look computes with.
+/// The state, its floats padded with zeros to more digits than a trial with `digits` uses.
 State extend_floats(const State& state, unsigned digits) {
   constexpr unsigned spare_digits = 45;
   const cln::float_format_t format = cln::float_format(working_digits + digits + spare_digits);
@@ -52,7 +52,7 @@ double size_in_digits(const cl_R& x) {
 /// A state has 100 digits. The difference to 100 must exceed the 20 digits of zero_shrink_ratio().
 constexpr unsigned digits_of_rounded_state = 60;
 
-/// A value is taken for rounding errors if it shrinks by at least this factor from one look to the
+/// A value is taken for rounding errors if it shrinks by at least this factor from one trial to the
 /// next.
 const cl_R& zero_shrink_ratio() {
   static const cl_R share = power_of_ten(-20);
@@ -113,11 +113,11 @@ PrecisionTrial evaluate_with_digits(const Computation& values, const State& stat
 }
 
 struct TrialPair {
-  bool is_conclusive = false;  ///< the first look has enough digits to show a non-zero value
+  bool is_conclusive = false;  ///< the first trial has enough digits to show a non-zero value
   bool is_last = false;
 };
 
-/// The value from two looks; empty if it is not settled.
+/// The settled value from two trials; empty if the trials do not settle it.
 std::optional<cl_R> stable_value(const cl_R& before, const cl_R& now, const TrialPair& looks) {
   static const cl_R share_that_stays = power_of_ten(-required_equal_digits);
   const bool stays = cln::abs(now - before) <= cln::abs(now) * share_that_stays;
@@ -128,7 +128,7 @@ std::optional<cl_R> stable_value(const cl_R& before, const cl_R& now, const Tria
   return stays && (looks.is_conclusive || looks.is_last) ? std::optional(now) : std::nullopt;
 }
 
-/// All values from two looks; empty if one is not settled.
+/// All settled values from two trials; empty if any value is not settled.
 std::optional<StableValues> stable_values_of_trials(const PrecisionTrial& before,
                                                     const PrecisionTrial& now,
                                                     const TrialPair& looks) {
@@ -157,7 +157,7 @@ StableValues evaluate_until_stable(const Model& model, const State& state,
                                    const Computation& values) {
   const StableValues undecided{.is_decided = false};
   const unsigned needed_digits = digits_of_powers(model, state);
-  // With too few digits, both looks may agree on the wrong value 1 for 1 + (1 - cos(e))/e^2.
+  // With too few digits, both trials may agree on the wrong value 1 for 1 + (1 - cos(e))/e^2.
   unsigned digits = first_trial_digits;
   while (2 * digits < last_trial_digits && working_digits + digits < needed_digits) digits *= 2;
   PrecisionTrial before = evaluate_with_digits(values, state, digits);

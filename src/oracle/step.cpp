@@ -189,8 +189,8 @@ class DirectionalStep {
                   const Direction& along)
       : model_(model), output_(output), start_(std::move(start)), along_(along) {}
 
-  /// The derivative of x(t + h) along the line; empty unless central differences of two sizes agree
-  /// to 80 digits.
+  /// The derivative of x(t + h) by size at size = 0; empty unless central differences over
+  /// 10^-`digits` and over 10^-(`digits` + 3) agree to 80 digits.
   [[nodiscard]] std::optional<Values> slope(unsigned digits) const {
     const Values wide = central_difference(power_of_ten(-static_cast<long>(digits)));
     const Values narrow = central_difference(power_of_ten(-static_cast<long>(digits) - 3));

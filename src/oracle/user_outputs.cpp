@@ -14,8 +14,8 @@ namespace {
 
 using cln::cl_R;
 
-/// The state as a motion. If the output uses the motion, the accelerations and multipliers of the
-/// dynamics are set.
+/// The state as jets; if the output solves for the motion, with the accelerations and multipliers
+/// of the dynamics.
 Motion make_user_motion(const OutputQuery& query) {
   Motion motion = make_motion(query.state);
   if (!query.user_output().solves_motion) return motion;
@@ -33,8 +33,8 @@ struct MotionChange {
   Direction inputs = {};
 };
 
-/// The derivative of y along a change. If the output uses the motion, accelerations and multipliers
-/// change with the state.
+/// The derivative of y along a change. If the output solves for the motion, accelerations and
+/// multipliers change with the state.
 Values directional_derivatives(const OutputQuery& query, Motion motion,
                                const MotionChange& change) {
   constexpr Generators moving = generator(0);
@@ -79,7 +79,7 @@ Direction& acceleration_of(MotionChange& change) { return change.a; }
 Direction& inputs_of(MotionChange& change) { return change.inputs; }
 
 /// One field of the derivatives: dy/dq along N, dy/dv, dy/da or dy/du. dy/da is empty if the output
-/// uses the motion, because a is then no argument.
+/// solves for the motion, because a is then no argument.
 Values user_output_derivative(const OutputQuery& query, std::size_t field) {
   constexpr std::size_t acceleration = 2;
   constexpr std::array parts{position_of, velocity_of, acceleration_of, inputs_of};

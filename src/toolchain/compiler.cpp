@@ -14,8 +14,8 @@
 namespace elgen {
 namespace {
 
-/// In the order of Build. Without -fno-tree-slp-vectorize, g++ 12 contracts products and sums in
-/// straight-line code to vfmaddsub, despite -ffp-contract=off.
+/// Flags in the order of BuildFlags. Without -fno-tree-slp-vectorize, g++ 12 contracts products and
+/// sums in straight-line code to vfmaddsub, despite -ffp-contract=off.
 constexpr std::array<const char*, 4> flags_of_builds{
     "-O2 -ffp-contract=off -fPIC -shared -Wall -Wextra -Wpedantic -Wconversion -Wshadow "
     "-Wsign-conversion -Wfloat-equal -Wdouble-promotion -Werror",

@@ -1,5 +1,5 @@
-// declarations: the text of a function that writes all declared numbers, one after another. For the
-// parameters m and l[2] in C++ it contains:
+// make_declaration_reader: the text of a function that writes all declared numbers, one after
+// another. For the parameters m and l[2] in C++ it contains:
 //
 //     const emitted::Parameters<double> in_double{};
 //     *to++ = static_cast<double>(in_double.l[1]);
@@ -23,14 +23,14 @@
 namespace elgen {
 namespace {
 
-/// The patterns with which a language reads the declarations in a header.
+/// The patterns of the code that reads the declarations of a header, for one language.
 struct DeclarationRow {
   ArtifactId header;            ///< the header that is read if the scene has no batch header
-  std::string_view array;       ///< name of an array; {0}: namespace, {1}: name without it
+  std::string_view array;       ///< name of an array; {0}: namespace, {1}: unqualified name
   std::string_view size;        ///< size of the array {}
   std::string_view linkage;     ///< linkage of the function that writes the numbers
   std::string_view statement;   ///< statement that writes the number {}
-  std::string_view constant;    ///< {0}: namespace, {1}: name without it, {2}: both in capitals
+  std::string_view constant;    ///< {0}: namespace, {1}: unqualified name, {2}: both in capitals
   std::string_view parameters;  ///< {0}: namespace, {1}: scalar, {2}: name, {3}: {0} in capitals
   std::string_view address;     ///< address of the variable {1} as pointer to the scalar {0}
 };

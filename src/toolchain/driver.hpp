@@ -37,8 +37,8 @@ struct Driver {
   std::string types = {};  ///< "Eigen", "batch", "wide"; "" for the language's own types
   std::string name = {};   ///< part of the symbols: "eigen"
   std::string text = {};
-  std::string needs = {};     ///< as in Source; without this header the text is omitted
-  bool uses_packs = false;    ///< sines and cosines are polynomials (see Sines)
+  std::string needs = {};     ///< as SourceFile::required_header; if it is missing, no text
+  bool uses_packs = false;    ///< sines and cosines are polynomials (SineArithmetic::packs)
   bool is_wide = false;       ///< computes in the scalar Numerics::inner
   bool has_functions = true;  ///< false: wraps only the sine and cosine of packs
 };
@@ -77,7 +77,7 @@ struct DriverUnit {
 [[nodiscard]] std::string driver_symbol(std::string_view driver, std::string_view scalar,
                                         std::size_t function);
 
-/// The text of a function that writes all declared numbers, and the values that these must have.
+/// The text of a function that writes all declared numbers, and the values required of these.
 struct DeclarationReader {
   std::string text = {};
   std::vector<DeclaredNumber> numbers = {};
@@ -87,7 +87,7 @@ struct DeclarationReader {
 /// The numbers or bounds in a declared array, with names such as "input_limits[0].low".
 [[nodiscard]] std::vector<DeclaredNumber> declared_numbers_of(const DeclaredArray& array);
 
-/// The function in Declarations::text, of type void (*)(double* to).
+/// The symbol of the function in DeclarationReader::text, of type void (*)(double* to).
 inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 
 // Helpers for the drivers of all languages.

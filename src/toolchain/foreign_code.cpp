@@ -128,8 +128,8 @@ void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& me
   }
 }
 
-/// The results of the calls that returned. Numbers before a result are a failure, even if the call
-/// that did not return has written them.
+/// The results of the calls that returned. A number written before a result is a failure, even if
+/// the call that did not return wrote the number.
 ForeignResults collect_answers(const LibraryMemory& memory, std::size_t slot,
                                std::size_t answered) {
   ForeignResults answers;

@@ -16,7 +16,7 @@
 
 namespace elgen {
 
-/// While it exists, SIGCHLD is blocked, so that a signalfd can report the end of a child.
+/// Blocks SIGCHLD during its lifetime, so that a signalfd can report the end of a child.
 class ChildSignalBlock {
  public:
   ChildSignalBlock();

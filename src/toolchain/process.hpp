@@ -38,8 +38,8 @@ struct ProcessResult {
 [[nodiscard]] ProcessResult run_process(const std::vector<std::string>& command,
                                         std::uint64_t seconds, const std::string& temporary = {});
 
-/// Like run(), but stdout and stderr are separate, and `output` has the first `most_output` bytes
-/// of stdout. `input` is the content of stdin.
+/// Like run_process(), but stdout and stderr are separate, and `output` has the first `most_output`
+/// bytes of stdout. `input` is the content of stdin.
 [[nodiscard]] ProcessResult run_with_input(const std::vector<std::string>& command,
                                            std::uint64_t seconds, std::size_t most_output,
                                            std::string_view input = {});

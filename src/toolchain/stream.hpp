@@ -1,4 +1,4 @@
-// Stream: a pipe to which a child writes; keeps the first bytes of the text.
+// OutputPipe: a pipe to which a child writes; keeps the first bytes of the text.
 #pragma once
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
-// Workshop: a temporary directory with emitted headers and sources, and the user's compiler for C++
-// and C, which turns each source into a shared object.
+// CompilerSession: a temporary directory with emitted headers and sources, and the user's compiler
+// for C++ and C, which turns each source into a shared object.
 #pragma once
 
 #include <dlfcn.h>
@@ -34,8 +34,8 @@ struct Compiler {
 /// The first candidate that answers `--version`. E704 if none answers.
 [[nodiscard]] Result<Compiler> find_compiler(std::uint64_t seconds);
 
-/// Compiles `source` as C++17, or a `.c` file as C99. Build::as_written turns the warnings that
-/// emitted code must not cause into errors, and disables contraction, so that results can be
+/// Compiles `source` as C++17, or a `.c` file as C99. BuildFlags::as_written turns the warnings
+/// that emitted code must not cause into errors, and disables contraction, so that results can be
 /// compared bit by bit.
 [[nodiscard]] ProcessResult compile_shared(const Compiler& compiler, BuildFlags build,
                                            const std::filesystem::path& source,

@@ -1,5 +1,5 @@
-// Draft: the tables of a model file, collected from the joints and links of a robot. Values are
-// expressions of the model language, or the digits of numbers; "0" means absent.
+// ModelDraft: the tables of a model file, collected from the joints and links of a robot. Values
+// are expressions of the model language, or the digits of numbers; "0" means absent.
 #pragma once
 
 #include <array>
@@ -49,7 +49,7 @@ struct ModelDraft {
   std::vector<std::string> forces = {};
   std::vector<JointTable> inputs = {};
   std::map<std::size_t, Coupling> couplings = {};     ///< by joint
-  std::map<std::size_t, std::string> armatures = {};  ///< key: the joint of the coordinate
+  std::map<std::size_t, std::string> armatures = {};  ///< by joint of the coordinate
 };
 
 using Components = std::array<std::string, 3>;
@@ -109,7 +109,7 @@ struct JointUnits {
 
 [[nodiscard]] JointUnits joint_units(JointType type);
 
-/// The position of a joint that has one coordinate. Repeated calls do not add its parameters again.
+/// The position of a joint that has one coordinate. The first call adds the parameters.
 [[nodiscard]] const Coupling& find_or_add_coupling(ModelDraft& draft, std::size_t joint);
 
 /// Adds the damping, the friction and the rotor of a joint that has one coordinate.

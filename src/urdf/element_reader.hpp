@@ -38,7 +38,7 @@ class ElementReader {
       reader.report_unread();
     }
   }
-  /// Like child(); E803 if there is no such child.
+  /// Like read_child(); E803 if there is no such child.
   template <class Read>
   void require_child(std::string_view name, const Read& read) {
     if (take_first_child(name) == nullptr) report_missing("element", name);

@@ -23,8 +23,8 @@ class NameRegistry {
   std::set<std::string> used_ = {};
 };
 
-/// `text` with every character that names cannot contain replaced: "left-leg.1" becomes
-/// "left_leg_1". The name may be in use.
+/// A well-formed name made from `text`: other characters become underscores, and a first digit gets
+/// the prefix n. "left-leg.1" becomes "left_leg_1". The name may be in use.
 [[nodiscard]] std::string well_formed_name(std::string_view text);
 
 /// The name of the model, in lower case.

@@ -1,4 +1,4 @@
-// import_urdf: XML -> Robot -> Tree -> Draft -> text.
+// import_urdf: XML -> Robot -> LinkTree -> ModelDraft -> text.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -15,7 +15,7 @@ namespace {
 enum class CarriedLinks : unsigned char { all_carried, rigidly_carried };
 
 /// One flag per link: true if the link, or a link that it carries, satisfies `has`. With
-/// CarriedLinks::rigidly_carried, only links carried by fixed joints count.
+/// CarriedLinks::rigidly_carried, only links count that fixed joints carry.
 std::vector<bool> links_carrying_mass(const Robot& robot, const LinkTree& tree, CarriedLinks behind,
                                       bool (Link::*has)() const = &Link::has_mass) {
   std::vector<bool> massive;
@@ -119,7 +119,8 @@ class AxisInertia {
   std::vector<bool> inert_;
 };
 
-/// Whether a rotation about the normal of a planar joint moves mass.
+/// True if a planar joint has inertia about its normal. A joint that carries neither mass nor
+/// inertia has a rotor, because other joints without mass are already held.
 bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& planar) {
   const std::size_t normal =
       *round_axis(robot.joints[planar.joint].axis, AngleRounding::round).index;

@@ -31,7 +31,7 @@ std::string multiple_of_right_angle(int count) {
   return sign + (times == 1 ? "" : fmt::format("{}*", times)) + (size % 2 == 0 ? "pi" : "pi/2");
 }
 
-/// Row i of a signed permutation has `sign` in column `column`: (R x)[i] = sign * x[from].
+/// Row i of a signed permutation has `sign` in column `column`: (R x)[i] = sign * x[column].
 struct SignedAxis {
   std::size_t column = 0;
   int sign = 1;

@@ -121,7 +121,7 @@ CertificateRow compiled_row(const SystemUnderTest& subject, const CompiledHeader
                             const Function& function,
                             const std::vector<SampledState<Scalar>>& states,
                             const std::vector<std::vector<Scalar>>& values) {
-  // A batch evaluates a needs_order() function state by state, with the scalar sine and cosine.
+  // If needs_ordered_scalar(), a batch evaluates state by state, with the scalar sine and cosine.
   const bool in_packs = compiled.is_in_packs && !needs_ordered_scalar(function);
   const SineEvaluator<Scalar> sines(subject.scene,
                                     in_packs ? SineArithmetic::packs : SineArithmetic::numbers);

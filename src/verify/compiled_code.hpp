@@ -16,9 +16,9 @@ template <class Scalar>
     const SystemUnderTest& subject, const CompiledHeader& compiled,
     const std::vector<SampledState<Scalar>>& states);
 
-/// One row per scalar of a header with packs, for any Build; none for other headers. Compares sines
-/// and cosines with 64 digits, at equally distributed angles: half of them up to 4, half of them up
-/// to the end of the domain.
+/// One row per scalar of a header with packs, for any BuildFlags; none for other headers. Compares
+/// sines and cosines with 64 digits, at equally distributed angles: half of them up to 4, half of
+/// them up to the end of the domain.
 [[nodiscard]] std::vector<CertificateRow> check_pack_sines(const SystemUnderTest& subject,
                                                            const CompiledHeader& compiled);
 

@@ -25,8 +25,8 @@ constexpr std::size_t checked_work = 16'000;
 constexpr std::size_t draws_per_state = 8;
 
 /// While the program executes one instruction, the oracle evaluates this many nodes of the
-/// energies. Matters if one coordinate moves ten thousand points: then the oracle takes longer than
-/// the program.
+/// energies. The number matters if one coordinate moves ten thousand points: then the oracle takes
+/// longer than the program.
 constexpr std::size_t nodes_per_instruction = 8;
 
 std::size_t checked_state_count(const SystemUnderTest& subject) {

@@ -203,7 +203,7 @@ std::vector<CertificateRow> check_compiled_headers(const SystemUnderTest& subjec
   return rows;
 }
 
-/// Projections, to save time, if `options.quick` or if velocities are many; otherwise entries.
+/// Projections, to save time, if `options.is_quick` or if velocities are many; otherwise entries.
 ComparisonMode comparison_for(const Model& model, const VerifyOptions& options) {
   const bool is_large = model.velocities.size() >= min_projected_velocities;
   return options.is_quick || is_large ? ComparisonMode::projections : ComparisonMode::entries;

@@ -1,4 +1,4 @@
-// Constants as forms: equality, signs, values and formulas.
+// Constants as forms: compares them, and finds their signs, values and formulas.
 //
 // If digits cancel, or an angle is large, a form is evaluated again with more digits. The weight of
 // a part is a sign in sums and an exponent in products.

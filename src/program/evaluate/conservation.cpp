@@ -10,9 +10,9 @@
 namespace elgen {
 namespace {
 
-/// True if every entry with stands(row, column) is 0. With `needs_proof`, each 0 must be proved and
-/// the function must exist. Without `needs_proof`, a zero found only by sampling is accepted, and a
-/// missing function counts as 0.
+/// True if every entry with is_selected(row, column) is 0. With `needs_proof`, each 0 must be
+/// proved and the function must exist. Without `needs_proof`, a zero found only by sampling is
+/// accepted, and a missing function counts as 0.
 template <class Stands>
 bool are_entries_zero(const Program& program, OutputKind kind, bool needs_proof,
                       const Stands& is_selected) {

@@ -1,5 +1,5 @@
 // ExactValues: every function of a program at one state in 64 digits, with directional derivatives.
-// Balance: sums that must vanish, and their residual.
+// ResidualSums: sums that must vanish, relative to the size of their terms.
 #pragma once
 
 #include <map>
@@ -40,7 +40,7 @@ class ExactValues {
                                                      const Arguments<Real>& direction,
                                                      std::uint32_t user = 0) const;
 
-  /// The zero direction.
+  /// The direction of differentiation with all components 0.
   [[nodiscard]] Arguments<Real> zero_direction() const;
 
   /// dq/dt with these velocities: N(q) v.
@@ -49,7 +49,7 @@ class ExactValues {
   /// d2q/dt2 if the velocities of the state stay constant: 0 except for quaternions.
   [[nodiscard]] std::vector<Real> coasting_accelerations() const;
 
-  /// 1e-20 of the largest intermediate value. Smaller differences are rounding errors.
+  /// 1e-20 times the largest intermediate value; smaller differences are rounding errors.
   [[nodiscard]] Real rounding_floor() const { return rounding_floor_; }
 
  private:

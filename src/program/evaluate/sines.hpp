@@ -57,7 +57,8 @@ struct AngleReduction {
 /// function of numbers calls the library.
 enum class SineArithmetic : std::uint8_t { packs, numbers };
 
-/// Largest permitted error of the polynomials. For packs, the scene may permit a larger error.
+/// The permitted absolute error of the polynomials. For packs: trigonometry_error() of `numerics`.
+/// For numbers: 2^-52, or 2^-23 in float.
 [[nodiscard]] cln::cl_RA sine_error(const Numerics& numerics, SineArithmetic arithmetic,
                                     ScalarKind scalar);
 

@@ -1,5 +1,5 @@
-// Subject: the model, scene and program of one system, which verification compares; and conversions
-// between their states.
+// SystemUnderTest: the model, scene and program of one system, which verification compares. Also
+// converts between states of the oracle and arguments of the program.
 #pragma once
 
 #include <string>

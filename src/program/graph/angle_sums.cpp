@@ -24,7 +24,7 @@ void add_multiple(LinearCombination& to, NodeId node, const cl_RA& coefficient) 
   if (cln::zerop(at->second)) to.erase(at);
 }
 
-/// Adds coefficient * node, with sums and rational multiples expanded.
+/// Adds coefficient * `id` to `to`; expands sums and rational multiples.
 void add_linear_terms(const Graph& graph, NodeId id, const cl_RA& coefficient,
                       LinearCombination& to) {
   const Node& node = graph.node(id);
@@ -88,8 +88,8 @@ std::vector<AngleTerms> collect_angles(const Expressions& expressions) {
 /// More angles are not searched, because the search takes cubic time.
 constexpr std::size_t most_angles = 40;
 
-/// angle = first + second, or first - second, if nothing cancels. q1 + q3 as (q1 + q2) - (q2 - q3)
-/// would contain the rounding error of q2, although q2 does not occur in q1 + q3.
+/// `angle` as first + second or first - second; none if terms would cancel: (q1 + q2) - (q2 - q3)
+/// for q1 + q3 would contain the rounding error of q2.
 std::optional<AngleSplit> try_split(const AngleTerms& angle, const AngleTerms& first,
                                     const AngleTerms& second, ExpandedAngles which) {
   if (first.size + second.size != angle.size) return std::nullopt;
@@ -102,7 +102,7 @@ std::optional<AngleSplit> try_split(const AngleTerms& angle, const AngleTerms& f
   return std::nullopt;
 }
 
-/// The angle as a sum or difference of two simpler angles.
+/// A split of `angle` into two of the angles in `simpler`; none if no split exists.
 std::optional<AngleSplit> find_split(const AngleTerms& angle,
                                      const std::vector<AngleTerms>& simpler, ExpandedAngles which) {
   for (const AngleTerms& first : simpler) {

@@ -25,8 +25,8 @@ namespace elgen {
 
 [[nodiscard]] Expressions factor(const Expressions& expressions);
 
-/// The products that are expanded if they are factors of a product. Sums are expanded only if they
-/// are used once.
+/// The products that are expanded inside other products: products used only once, or all products.
+/// A sum is expanded inside another sum only if it is used once.
 enum class FlattenedProducts : std::uint8_t { used_once, all_products };
 
 [[nodiscard]] Expressions flatten(const Expressions& expressions,

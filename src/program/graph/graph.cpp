@@ -70,7 +70,7 @@ NodeId Graph::intern(Node node) {
     if (is_same_node(nodes_[it->second], node)) return it->second;
   }
   node.constant_size = constant_size(node);
-  // A constant is written in the same order wherever it appears, so it has no birth.
+  // A constant is written in the same order wherever it appears, so its creation rank is 0.
   node.creation_rank = node.constant_size > 0 ? 0 : creation_rank_;
   const auto id = static_cast<NodeId>(nodes_.size());
   nodes_.push_back(std::move(node));

@@ -1,12 +1,12 @@
 // Graph: hash-consed n-ary sums and products, canonical up to sign, in elgen's own order.
 //
-// A Ref is a node and a sign, so negation is free: products carry no sign, the leading term of a
-// sum is positive, sin(-x) = -sin(x), cos(-x) = cos(x). Equal terms and equal bases are merged with
-// exact coefficients. less() orders operands: rational numbers, constants, leaves by kind and
-// declaration, then all other nodes by birth and structure. The birth of a node is the definition
-// during whose import the node first appeared. The order in which operands are passed has no
-// effect. pi, roots and functions of numbers are ordinary nodes: only rational numbers are
-// evaluated.
+// A SignedNode is a node and a sign, so negation is free: products carry no sign, the leading term
+// of a sum is positive, sin(-x) = -sin(x), cos(-x) = cos(x). Equal terms and equal bases are merged
+// with exact coefficients. less() orders operands: rational numbers, constants, leaves by kind and
+// declaration, then all other nodes by creation rank and structure. The creation rank of a node is
+// the index of the definition or instruction whose import first built the node. The order in which
+// operands are passed has no effect. pi, roots and functions of numbers are ordinary nodes: only
+// rational numbers are evaluated.
 #pragma once
 
 #include <cln/rational.h>
@@ -68,8 +68,8 @@ struct Node {
   return node.kind == NodeKind::call && is_circular(node.function);
 }
 
-/// A constant with this many nodes has no form: as a tree it repeats shared nodes and outgrows the
-/// graph.
+/// A constant with this many nodes has no form: the form is a tree, which repeats shared nodes and
+/// would outgrow the graph.
 inline constexpr std::uint32_t most_constant_nodes = 400;
 
 struct Power {
@@ -79,7 +79,8 @@ struct Power {
 
 class Graph {
  public:
-  /// The birth of nodes that are first built from now on; a later birth comes later in the order.
+  /// Sets the creation rank of nodes that are first built from now on. Higher ranks come later in
+  /// the order.
   void set_creation_rank(std::uint32_t birth) { creation_rank_ = birth; }
 
   SignedNode rational(const cln::cl_RA& value);
@@ -109,7 +110,7 @@ class Graph {
     return rationals_[node(id).index];
   }
   [[nodiscard]] bool is_zero(NodeId id) const;
-  /// The form of a constant; has_form(id) must hold.
+  /// The form of a constant; has_constant_form(id) must be true.
   [[nodiscard]] ConstantForm constant_form(NodeId id) const;
   [[nodiscard]] ConstantForm form_of(SignedNode value) const;
 

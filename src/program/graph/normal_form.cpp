@@ -116,7 +116,7 @@ SignedNode Graph::product(const std::vector<Power>& powers) {
   return build_product(std::move(factors));
 }
 
-/// c and the product without c, if the product has a rational coefficient c.
+/// c and the product without c, if `id` is a product with a rational coefficient c; otherwise none.
 std::optional<Graph::Term> Graph::scaled_product(NodeId id) {
   const Node& product = node(id);
   const bool is_scaled = product.kind == NodeKind::product && is_rational(product.operands[0].node);

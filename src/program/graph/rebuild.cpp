@@ -79,7 +79,7 @@ Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
 
 namespace {
 
-/// The new values of the instructions of a cone, by instruction index.
+/// The graph values of the instructions in `cone`; operator[] takes the index of an instruction.
 struct ConeValues {
   const std::vector<std::uint32_t>& cone;
   std::vector<SignedNode> values;

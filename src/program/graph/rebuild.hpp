@@ -15,7 +15,7 @@ struct Expressions {
   std::vector<SignedNode> values = {};
 };
 
-/// One step of a pass: the old node, and the new refs of its operands.
+/// One step of a pass: the old node, and the new values of its operands.
 struct RebuildStep {
   const Graph& old_graph;
   NodeId old_node;
@@ -28,7 +28,7 @@ struct RebuildStep {
 /// Copies the only value of `from` to another graph.
 [[nodiscard]] SignedNode copy_value(Graph& graph, const Expressions& from);
 
-/// Returns the new value of an old node. `rebuild` copies births and names.
+/// Returns the new value of an old node. rebuild() copies creation ranks and names.
 using RebuildRule = std::function<SignedNode(Graph&, const RebuildStep&)>;
 
 [[nodiscard]] Expressions rebuild(const Expressions& expressions, const RebuildRule& rule);

@@ -69,7 +69,7 @@ struct ValueClassRules {
 /// Detects squares: x y x is x^2 y, whatever the order of its factors.
 class SignAnalysis {
  public:
-  /// The next instruction's kind: a smooth product of even powers becomes nonnegative.
+  /// The refined class of the next instruction: a smooth product of even powers is nonnegative.
   ValueClass refine_class(const Instruction& i, ValueClass kind) {
     const auto at = static_cast<std::uint32_t>(odd_factors_.size());
     std::vector<std::uint32_t> odd = odd_factors(i);

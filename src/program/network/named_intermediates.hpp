@@ -18,13 +18,13 @@ namespace elgen {
 /// Magnitude of a value at random leaves -> its name, and true if the value is negative.
 using NamedIntermediates = std::map<double, std::pair<std::string, bool>>;
 
-/// The values of `told` and their names, one name per value. Of equal values the first is kept.
+/// The values of `named` and their names, one name per value: of equal values, only the first.
 [[nodiscard]] NamedIntermediates named_intermediates(const Expressions& named,
                                                      const std::vector<std::string>& names,
                                                      const LeafNames& leaves);
 
-/// Names each instruction that has no name and computes a named intermediate. The leaves of
-/// `program` must be the `leaves` of named_intermediates.
+/// Gives each unnamed instruction the name of the intermediate with the same value in `told`. The
+/// leaves of `program` must be the `leaves` of named_intermediates().
 void name_intermediates(const NamedIntermediates& told, const Program& program, Function& function);
 
 }  // namespace elgen

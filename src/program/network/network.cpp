@@ -35,7 +35,7 @@ class NetworkBuilder {
     return static_cast<NodeId>(network.operations.size() - 1);
   }
 
-  /// The number of a form, as magnitude and sign; none if the form has no value.
+  /// The operation of the form's magnitude, with the form's sign; none if the form has no value.
   std::optional<SignedNode> add_constant(const ConstantForm& form) {
     Graph scratch;
     std::optional<Constant> constant = make_constant(scratch.form_of(scratch.constant(form)));

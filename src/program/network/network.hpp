@@ -1,13 +1,13 @@
 // Network: n-ary operations on plain operand lists. Common-subexpression elimination and
-// linearisation work on it.
+// linearisation work on networks.
 //
 //     Graph:    m^2*x/(y*z)
 //     Network:  quotient(product(m, m, x), product(y, z))
 //
 // A power is a repeated factor. A divisor of two or more products becomes a reciprocal, computed
-// once. The constants of a sum or product are folded into one number, which keeps its form. NodeIds
-// are dense and follow the canonical order of the graph, so that later passes may use them to
-// decide ties.
+// once. The constants of a sum or product are folded into one number, which keeps its form. The ids
+// of operations are dense and follow the canonical order of the graph, so that later passes may use
+// them to decide ties.
 #pragma once
 
 #include "program/graph/rebuild.hpp"

@@ -303,7 +303,7 @@ class TemporaryNamer {
   std::map<std::uint32_t, std::set<FunctionId>> angles_;  ///< functions called with each angle
   const std::vector<std::uint64_t> hashes_;
   std::vector<std::optional<std::string>> sums_;  ///< names of short sums of leaves
-  std::vector<std::string> own_;                  ///< names of the first two kinds listed above
+  std::vector<std::string> own_;                  ///< names of the first two kinds (head of file)
   std::vector<OperandName> spellings_;
 };
 

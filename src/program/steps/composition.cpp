@@ -180,7 +180,7 @@ std::vector<std::size_t> Composition::columns_to_repeat(
   return result;
 }
 
-/// The body is composed once, on leaves that no function has, in a copy of the function.
+/// Composes `body` once, on leaves that no function has, in a copy of the function.
 std::vector<InstructionIndices> Composition::repeat_for_columns(
     const std::vector<InstructionIndices>& columns, const Body& body) {
   Function pattern = function_;

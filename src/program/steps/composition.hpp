@@ -62,8 +62,8 @@ class Composition {
   using Body = std::function<InstructionIndices(Composition&, const InstructionIndices&)>;
   /// Applies `body` to each column. Columns with few zeros become the repetitions of the function
   /// (Function::repeated), and no instruction may follow them. A column that needs at most two
-  /// thirds of the operations is composed without repetition. If fewer than 16 columns need more,
-  /// all columns are composed without repetition.
+  /// thirds of the operations of a repetition is composed without repetition. If fewer than 16
+  /// columns remain, all columns are composed without repetition.
   ///
   ///     r -> r/d   of   (0 = q), (1 = v)   ->   3 = divide 0 2   4 = divide 1 2
   [[nodiscard]] std::vector<InstructionIndices> repeat_for_columns(
@@ -111,7 +111,7 @@ class MassFactorisation {
     return back_substitute(compose_, forward_substitute(compose_, r));
   }
 
-  /// x with M x = r for every column r, by Composition::repeat.
+  /// x with M x = r for every column r, by Composition::repeat_for_columns().
   [[nodiscard]] std::vector<InstructionIndices> solve_columns(
       const std::vector<InstructionIndices>& columns) const;
 

@@ -54,7 +54,8 @@ bool carries_tangents(const Model& model, const OutputRequest& step) {
          model.rotations.empty() && model.velocities.size() < min_composed_velocities;
 }
 
-/// A and B from their columns; if `columns` is empty, from derivatives of the step's instructions.
+/// `function` with the fields A and B from `columns`; if `columns` is empty, from derivatives of
+/// the instructions of the step.
 Function differentiate_step(const Model& model, const Program& calls, Function function,
                             std::vector<InstructionIndices> columns, Program& program) {
   if (columns.empty()) {

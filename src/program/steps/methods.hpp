@@ -8,7 +8,7 @@
 
 namespace elgen {
 
-/// The inputs of composing a step.
+/// The model, the called outputs, and the values from which a step is composed.
 struct StepContext {
   /// `the_calls` contains the outputs that outputs_for_step returns for `request`. All arguments
   /// must outlive this object.
@@ -45,10 +45,10 @@ struct NextState {
       {};  ///< d(q, v) along each direction of q, v, u; may be empty
 };
 
-/// The columns of A = dPhi/dx, then of B = dPhi/du, for x(t + h) = Phi(x, u), x = (dq, v): exact
-/// derivatives of the instructions of `step`, including iterations and scalings of quaternions.
-/// Appends to the function of `compose`, which must begin with these instructions. `calls` needs
-/// coordinate_rates if the model has rotations. Cost: about one step per column.
+/// The columns of A, then of B, of dx(t + h) = A dx + B du, dx = (dq, dv) with rotation vectors in
+/// dq: exact derivatives of the instructions of `step`, including iterations and scalings of
+/// quaternions. Appends to the function of `compose`, which must begin with these instructions.
+/// `calls` needs coordinate_rates if the model has rotations. Cost: about one step per column.
 [[nodiscard]] std::vector<InstructionIndices> step_jacobian_columns(const Model& model,
                                                                     const Program& calls,
                                                                     const Function& step,

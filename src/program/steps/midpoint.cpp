@@ -9,8 +9,8 @@
 // Each substitution multiplies the error of w by about h/2 |M^-1 (dp/dq - d2L/dv dq)|. Newton's
 // method would need half as many substitutions, but each would also need a Coriolis matrix and the
 // elimination of an unsymmetric matrix. M is evaluated at each point to keep the bound on rounding
-// errors small: w -= M^-1 r(w) would multiply the bound by 1 + cond M each time; here it shrinks
-// with the error.
+// errors small: w -= M^-1 r(w) would multiply the bound by 1 + cond M each time; here the bound
+// shrinks with the error of w.
 //
 // Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. VIII.6.
 #include <algorithm>
@@ -25,7 +25,7 @@ class Midpoint {
  public:
   explicit Midpoint(const StepContext& step) : step_(step), compose_(step.composition) {}
 
-  /// p passes through the parts of the step; v is computed after the last part. The last w of a
+  /// Carries p through the parts of the step, and computes v after the last part. The last w of a
   /// part is the first w of the next part.
   NextState operator()() {
     InstructionIndices p = call_dynamics_output(OutputKind::momentum, step_.start);
@@ -78,7 +78,7 @@ class Midpoint {
     return sum;
   }
 
-  /// M^-1 (p - b) at a point; its v is ignored.
+  /// M^-1 (p - b) at the position and time of `at`; at.v is ignored.
   InstructionIndices solve_velocities(CallPoint at, const InstructionIndices& p) {
     const MassFactorisation mass(compose_, elimination_order(step_.model),
                                  call_dynamics_output(OutputKind::mass_matrix, at));
@@ -87,7 +87,7 @@ class Midpoint {
         compose_.add(Opcode::subtract, p, call_dynamics_output(OutputKind::momentum, at)));
   }
 
-  /// The midpoint of the part of the step that begins at `begin` with p, with the last w.
+  /// The midpoint m of the part of the step that begins at `begin` with p; m.v is the last w.
   CallPoint solve_midpoint(const CallPoint& begin, const InstructionIndices& p,
                            const cln::cl_RA& length) {
     const std::uint32_t half = step_.step_multiple(length / 2);

@@ -1,4 +1,4 @@
-// player_controls: a slider covers the range that the model declares; without a range, an interval
+// player_controls: a slider covers the declared range; if the model declares no range, an interval
 // around the value.
 #include "run/player/player_controls.hpp"
 

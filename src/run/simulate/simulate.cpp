@@ -163,7 +163,7 @@ class SimulationRun {
   std::chrono::duration<double> elapsed_ = {};
 };
 
-/// The columns of a run, with x and y of `point` if it is not empty.
+/// The columns of a run; x and y of `point` are included if `point` is not empty.
 std::vector<TrajectoryColumn> trajectory_columns(const SimulatedSystem& system,
                                                  const std::string& point) {
   const Model& model = system.model();
@@ -214,7 +214,7 @@ Diagnostic unknown_name_error(std::string_view kind, const std::string& name,
           suggestion(name, known, all)};
 }
 
-/// Assigns a panel to each column in options.show. E201 for an unknown column or point.
+/// Assigns a panel to each column in options.panel_columns. E201 for an unknown column or point.
 Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
                           std::vector<TrajectoryColumn>& columns) {
   Diagnostics wrong;
@@ -316,7 +316,7 @@ std::string outputs_for_run(const Model& model) {
   return names;
 }
 
-/// The products for a run. The pipeline runs twice: the checked model determines the outputs.
+/// The products for a run. Two pipeline runs, because the checked model determines the outputs.
 Products derive_for_run(const PipelineSources& inputs, PipelineOptions options,
                         const std::optional<StepSpec>& step) {
   PipelineOptions first = options;

@@ -38,7 +38,7 @@ struct LineStyle {
 constexpr std::array line_styles{LineStyle{"solid", "none"}, LineStyle{"dashed", "9 4"},
                                  LineStyle{"dotted", "2 3"}, LineStyle{"dash-dotted", "9 3 2 3"}};
 
-/// 1, 2 or 5 times a power of ten; with this distance an axis has three to seven ticks.
+/// 1, 2 or 5 times a power of ten; with this distance an axis has three to eight ticks.
 double tick_distance(const ChartAxis& axis) {
   const double rough = (axis.high - axis.low) / 3;
   const double power = std::pow(10.0, std::floor(std::log10(rough)));

@@ -36,11 +36,12 @@ class Stepper {
   /// Why step() returned none.
   [[nodiscard]] virtual std::string_view failure_reason() const = 0;
 
-  /// The hint of the error that reports obstacle().
+  /// The hint of the error that reports failure_reason().
   [[nodiscard]] virtual std::string_view failure_hint() const { return default_hint; }
 };
 
-/// Steps of equal length. Method: constructed from System&, with restart() and step(state, t, h).
+/// Steps of equal length. Method: constructed from SimulatedSystem&, with restart() and step(state,
+/// t, h).
 template <class Method>
 class FixedStepper final : public Stepper {
  public:
@@ -89,7 +90,7 @@ struct StepRule {
   double shortest_step = 0;  ///< the shortest adapted step, in s
 };
 
-/// fixed: all steps have the length in the options. adapted: the tolerance determines each length,
+/// fixed: all steps have the length in the options. adaptive: the tolerance determines each length,
 /// unless the options have a length.
 enum class StepKind : std::uint8_t { fixed, adaptive };
 

@@ -1,4 +1,4 @@
-// Pieces: finds the sides of kinks, the rates that dry friction holds, and their shares.
+// PiecewiseMotion: finds the sides of kinks, the rates that dry friction holds, and their shares.
 #include "run/steps/pieces.hpp"
 
 #include <algorithm>
@@ -113,7 +113,7 @@ PiecewiseMotion::RateResponse PiecewiseMotion::rate_response(
   return result;
 }
 
-/// A thousandth of the error of a step, but more than rounding errors.
+/// max(tolerance/1000, 8 epsilon) (1 + |value|): below the error of a step, above rounding errors.
 double PiecewiseMotion::kink_distance(double value) const {
   const double least = 8 * std::numeric_limits<double>::epsilon();
   return std::max(tolerance_ / 1000, least) * (1 + std::abs(value));
@@ -141,8 +141,8 @@ void PiecewiseMotion::begin_piece(const Numbers& before, Numbers& state, double 
   sides_ = kinks_.sides(state, t);
 }
 
-/// The rate at which the kink's side changes, by bisection between two states; exactly 0 if it is
-/// nearly 0.
+/// The rate at which the side of `kink` changes, by bisection from `from` to `to`; exactly 0 if the
+/// rate is nearly 0.
 double PiecewiseMotion::find_kink_rate(std::size_t kink, Numbers from, const Numbers& to,
                                        double t) {
   double& v = system_.v_of(from)[*kinks_.rate_of(kink)];

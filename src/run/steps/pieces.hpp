@@ -1,4 +1,4 @@
-// Pieces: a motion between the kinks of its forces. Dry friction may hold rates at a kink.
+// PiecewiseMotion: a motion between the kinks of its forces. Dry friction may hold rates at a kink.
 //
 // At a kink in one rate v_i, the force on i jumps. From both sides v_i returns to the kink if
 //

@@ -18,7 +18,7 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// find_rates() of a System or of Pieces, as a function for odeint.
+/// find_rates() of a SimulatedSystem or PiecewiseMotion, as a function for odeint.
 template <class Source>
 auto rate_function(Source& source) {
   return [&source](const Numbers& state, Numbers& rates, double t) {
@@ -32,8 +32,8 @@ void discard_rates(Steps& steps) {
   if constexpr (requires { steps.reset(); }) steps.reset();
 }
 
-/// Call at the end of a step. Restores the state; then the rates at the end of the step are invalid
-/// and are discarded.
+/// Call at the end of a step. Projects the state, and discards the rates at the end of the step,
+/// which belong to the unprojected state.
 template <class Steps>
 void project_state(SimulatedSystem& system, Steps& steps, Numbers& state, double t) {
   if (!system.needs_projection()) return;
@@ -115,7 +115,7 @@ class AdaptiveStepper final : public Stepper {
     return std::max(1e3 * shortest_, 4 * shortest_step());
   }
 
-  /// Makes one step and sets `t_`; false if the tolerance needs a shorter step than shortest().
+  /// Makes one step and sets `t_`; false if the tolerance needs less than shortest_step().
   bool advance(Numbers& state) {
     while (true) {
       // The piece ends somewhere before `piece_end_bound_`, so each step goes half of the distance.

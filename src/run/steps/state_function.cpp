@@ -9,7 +9,7 @@
 namespace elgen {
 namespace {
 
-/// The constructor rounds numbers, so that calls do not evaluate them again.
+/// True for a number, which the constructor rounds, so that calls do not evaluate it again.
 bool is_number(const Expression& node) { return node.kind == ExpressionKind::number; }
 
 }  // namespace

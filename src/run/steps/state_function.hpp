@@ -11,8 +11,8 @@ namespace elgen {
 
 class StateFunction {
  public:
-  /// `others` gives the values of all leaves except q, v and t. Every call reads it, so it must
-  /// outlive this object.
+  /// `others` gives the values of all leaves except q, v and t. Every call reads `others`, which
+  /// must outlive this object.
   StateFunction(const Model& model, ExpressionId root, const Arguments<double>& others);
 
   /// Cost: for each node, one operation on a value and its time derivative.

@@ -1,4 +1,4 @@
-// System: calls functions on flat arrays of numbers, and computes the work.
+// SimulatedSystem: calls functions on flat arrays of numbers, and computes the work.
 #include "run/steps/system.hpp"
 
 #include <fmt/ranges.h>
@@ -94,7 +94,7 @@ SimulatedSystem::SimulatedSystem(const CheckedModel& checked, const Program& pro
   for (const Expectation& expectation : model_.expectations) add_conserved(expectation);
 }
 
-/// Adds `conserved` entries; none for an expansion, because they hold for the exact model only.
+/// Adds the entries of a `conserved` expectation, unless an expansion makes the entries inexact.
 void SimulatedSystem::add_conserved(const Expectation& expectation) {
   if (!expectation.claims_conservation() || model_.approximation) return;
   for (std::size_t i = 0; i < expectation.entries.size(); ++i) {
@@ -231,7 +231,7 @@ void SimulatedSystem::add_input_force(const double* q, const double* v, double t
   }
 }
 
-/// Adds A^T lambda to `force_`, with the inputs of the last inputs().
+/// Adds A^T lambda to `force_`, with the inputs of the last update_inputs().
 void SimulatedSystem::add_constraint_force(const double* q, const double* v, double t) {
   const std::size_t n = velocity_count();
   call_output(OutputKind::forward_dynamics, q, v, t, solution_.data());

@@ -1,4 +1,4 @@
-// System: the functions of a model that integration in time needs, on flat arrays of numbers.
+// SimulatedSystem: the functions of a model that integration needs, on flat arrays of numbers.
 //
 // A state is one list: q, then v, then the work W of inputs, forces, constraints and explicit time
 // dependence:
@@ -61,7 +61,7 @@ struct EnergyParts {
 /// The law of an input, and the limits to which its values are clamped.
 struct InputLaw {
   std::optional<ExpressionId> expression = {};  ///< none: the input is 0
-  std::optional<StateFunction> function = {};   ///< evaluates `value`
+  std::optional<StateFunction> function = {};   ///< evaluates `expression`
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
@@ -94,10 +94,11 @@ class SimulatedSystem {
   /// The start of the model with normalised quaternions, and work 0.
   [[nodiscard]] Numbers start_state();
 
-  /// Sets the inputs to the laws at this state, and keeps these values until the next hold().
+  /// Sets the inputs to the laws at this state, and keeps these values until the next call.
   void hold_inputs(const double* q, const double* v, double t);
   [[nodiscard]] bool holds_inputs() const { return holds_inputs_; }
-  /// The held inputs, or else the laws at wrapped angles, clamped to `limits`; 0 without a law.
+  /// The held inputs; if none are held, the laws at wrapped angles, clamped to the limits of the
+  /// input; 0 for an input without a law.
   [[nodiscard]] const Numbers& update_inputs(const double* q, const double* v, double t);
   /// q as rows show it: angles with `wraps` in (-pi, pi].
   [[nodiscard]] const Numbers& displayed_position(const double* q);
@@ -131,7 +132,7 @@ class SimulatedSystem {
   [[nodiscard]] const Numbers& generalized_force(const double* q, const double* v, double t);
   /// dW/dt = v.F - dL/dt.
   [[nodiscard]] double power(const double* q, const double* v, double t);
-  /// power(), but with the inputs of the last inputs().
+  /// power(), but with the inputs of the last update_inputs().
   [[nodiscard]] double power_at_last_inputs(const double* q, const double* v, double t);
   /// M, n x n, row-major.
   [[nodiscard]] const Numbers& mass_matrix(const double* q, const double* v, double t);
@@ -141,7 +142,7 @@ class SimulatedSystem {
   /// sum_j |M_ij v_j| by i: the scale of p_i, without terms of L linear in v.
   [[nodiscard]] const Numbers& momentum_scales(const double* q, const double* v, double t);
   [[nodiscard]] double energy(const double* q, const double* v, double t);
-  /// The entries of the model's `conserved_quantities`.
+  /// The entries of the `conserved` expectations of the model; none for an expansion.
   [[nodiscard]] const std::vector<ConservedDrift>& conserved_quantities() const {
     return conserved_;
   }

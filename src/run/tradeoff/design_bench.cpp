@@ -49,7 +49,7 @@ class DesignCompiler {
       : request_(request), base_(base), process_(process) {}
 
   /// The scene of `design` as a text, used as a key. Two designs with the same derivation have the
-  /// same key_of(derivation_key(design)).
+  /// same design_key(derivation_key(design)).
   [[nodiscard]] std::string design_key(const Design& design) const {
     return scene_text(base_.design_source(), design, request_.inputs.model->path);
   }
@@ -211,7 +211,7 @@ class DesignBench {
   }
 
   /// Searches the errors of all designs, separately from the timing, because errors do not depend
-  /// on it.
+  /// on the timing.
   void search_errors(const Products& exact) {
     for (const auto& [rows, functions] : libraries_) {
       for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -1,5 +1,5 @@
-// state_errors: the error of a design at each state. errors_of: combines the errors of a design
-// from several samples of states.
+// state_errors: the error of a design at each state. combine_errors: the errors of a design from
+// several samples of states.
 #include "run/tradeoff/errors.hpp"
 
 #include <algorithm>

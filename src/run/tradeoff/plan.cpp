@@ -4,7 +4,6 @@
 //     scalar double, float   batch one, packs   trigonometry full, 1e-7
 //     parameters arguments, fixed
 //     ->   10 designs: sines of 1e-7 only exist in packs of double
-//     ->   10 designs: sines of 1e-7 only exist in packs of double
 #include <cln/rational.h>
 #include <fmt/ranges.h>
 

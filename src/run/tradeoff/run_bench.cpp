@@ -128,7 +128,7 @@ class RunBench {
   }
 
   /// The compiled step. If the method does not suit the system, or if the function is too long, the
-  /// result has no rows, and `refusals_` gets a sentence.
+  /// result has `is_measured` false, and `refusals_` gets a sentence.
   StepCode compile_step(const StepSpec& step) {
     Products products = derive_run(step);
     if (!products.program) {

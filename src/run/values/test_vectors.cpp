@@ -74,7 +74,7 @@ std::optional<State> evaluation_state(const SystemUnderTest& subject, OutputKind
   return exact_state(subject, arguments_at<double>(state));
 }
 
-/// How many digits, relative to `size`, remain correct in double, with rounding errors up to u E.
+/// The number of correct digits in double, relative to `size`, if the rounding error is u E.
 int correct_digits(const RunningValue<Real>& value, const cl_R& size) {
   if (value.is_lost || !value.error.is_defined()) return 0;
   const cl_R error = value.error.value() * rounding_constants<double>().roundoff.value();

@@ -23,12 +23,12 @@ struct FieldRecord {
   std::vector<double> errors = {};  ///< at nominal states
   std::size_t compared = 0;         ///< number of compared states
   std::map<SkipReason, std::size_t> skipped = {};
-  std::size_t skipped_inside = 0;  ///< skipped nominal states; 0 in float
+  std::size_t skipped_inside = 0;  ///< number of skipped nominal states; not counted in float
   std::string mistake = {};        ///< the first mistake
   std::string mistake_state = {};
 };
 
-/// The obstacle that a row reports for a state that was not compared.
+/// The obstacle that a row reports for a state that was not compared because of `regime`.
 SkipReason obstacle_of(Regime regime) {
   if (regime == Regime::overflow) return SkipReason::overflow;
   return regime == Regime::unsettled ? SkipReason::undecided : SkipReason::undefined;
@@ -203,7 +203,7 @@ class LostDigits {
   };
 
   std::set<std::size_t> states_ = {};
-  std::size_t entries_without_reference_ = 0;  ///< entries at states with R = 0
+  std::size_t entries_without_reference_ = 0;  ///< number of entries with an error, but R = 0
   WorstLoss entry_loss_ = {};
   WorstLoss field_loss_ = {};
 };

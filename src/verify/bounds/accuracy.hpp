@@ -36,8 +36,8 @@ void check_states(const SystemUnderTest& subject, const std::vector<SampledState
                   const AccuracyOptions& options, const FindingsHandler& take);
 
 /// One row per field of each output; one row for code as users compile it, and one for code in a
-/// wider scalar, if `options.visit` has such code; one row per output for its lost digits, if they
-/// are measured at some state. A row fails at a state in four cases:
+/// wider scalar, if `options.check_options` has such code; one row per output for its lost digits,
+/// if they are measured at some state. A row fails at a state in four cases:
 ///     the exact value differs from the oracle's by more than agrees_with_oracle() permits
 ///     the state is nominal, and the exact value is undefined although the oracle has a value
 ///     the rounded value is not finite

@@ -1,4 +1,4 @@
-// Computes R at one state, if needed. The weights of solved columns come from the oracle's M and A.
+// Computes K and R at one state, if needed. Weights of solved columns come from the oracle.
 #include "verify/bounds/loss.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ std::vector<SolvedColumn> solved_columns(const ComparedField& place, OracleCache
   std::vector<Real> weights = sqrt_of_mass_diagonal(oracle);
   if (is_multiplier && !weights.empty()) weights = jacobian_row_norms(weights, oracle);
   if (weights.empty()) return {};
-  // The first rows of a linearisation are the rates of positions, which no solution contains.
+  // In a linearisation, the rows of dq/dt come first; they are not solved for.
   const std::size_t above = field.rows - weights.size();
   std::vector<SolvedColumn> columns(field.columns);
   for (std::size_t k = 0; k < field.columns; ++k) {
@@ -103,7 +103,7 @@ LossMeter::LossMeter(const SystemUnderTest& subject, OracleCache& oracle,
       min_loss_(least),
       depends_on_fixed_(mark_fixed_constants(subject.model, subject.scene, subject.program)) {}
 
-/// K of one entry of the field.
+/// K = sum |z dx/dz| over the inputs z of the function, for one entry x of the field.
 Real LossMeter::conditioning(const ComparedField& place, const ExactRun& run, std::size_t entry) {
   std::unique_ptr<Conditioning>& known = conditioning_[place.function];
   if (known == nullptr) {
@@ -150,8 +150,8 @@ auto LossMeter::group_entries(const ComparedField& place, const std::vector<Real
   return result;
 }
 
-/// The loss of a group in u R, or group.most if this bound is negligible; 0 if R is undefined. None
-/// if R is at most 1e-45 of E, because such an R may be a rounding error of the exact values.
+/// The loss of a group in u R, or group.max_loss if this bound is negligible; 0 if R is undefined.
+/// None if R is at most 1e-45 of E, because such an R may be a rounding error of the exact values.
 std::optional<double> LossMeter::group_loss(const ComparedField& place, const ExactRun& run,
                                             const LossGroup& group, const std::vector<Real>& errors,
                                             const std::vector<Real>& exact) {

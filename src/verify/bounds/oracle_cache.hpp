@@ -26,11 +26,11 @@ class OracleCache {
   [[nodiscard]] const std::vector<cln::cl_R>& diagonal_of_mass();
 
   /// |E| plus the magnitudes of the terms of V; 0 if E is undefined. If the oracle's value is 0 in
-  /// exact arithmetic, its rounding error is usually smaller than 1e-60 of this.
+  /// exact arithmetic, its rounding error is usually smaller than 1e-60 of this sum.
   [[nodiscard]] const cln::cl_R& energy_magnitude();
 
-  /// The scale of the rounding errors of any value that is 0 in exact arithmetic: energy() plus the
-  /// following terms, each 0 if it is undefined:
+  /// The scale of the rounding errors of any value that is 0 in exact arithmetic:
+  /// energy_magnitude() plus the following terms, each 0 if it is undefined:
   ///
   ///     |force| of the motion    differences of forces (drift), if larger than |E|
   ///     |M| (|v| + |a|)          derivatives of inertial forces if M does not depend on q
@@ -49,12 +49,12 @@ class OracleCache {
   [[nodiscard]] cln::cl_R largest_inertial_force();
 };
 
-/// |value - truth| <= 1e-50 (E + |truth|) + 1e-52 drowning, E = number.error. `scale` is the
-/// scale of rounding errors for values that are exactly 0, because their E is too small. False if
+/// True if |value - truth| <= 1e-50 (E + |truth|) + 1e-52 `scale`, E = number.error. `scale` is the
+/// scale of rounding errors of values that are exactly 0, because their E is too small. False if
 /// the number is undefined.
 [[nodiscard]] bool agrees(const RunningValue<Real>& number, const Real& truth, const Real& scale);
 
-/// True if agrees() holds with `scale` = 0, oracle.energy() or oracle.rounding_scale().
+/// True if agrees() holds with `scale` = 0, oracle.energy_magnitude() or oracle.rounding_scale().
 [[nodiscard]] bool agrees_with_oracle(const RunningValue<Real>& number, const cln::cl_R& truth,
                                       OracleCache& oracle);
 

@@ -1,7 +1,7 @@
-// Compares projections with oracle_contraction(). Up to four coordinates, relative pivots and
+// Compares projections with oracle_contraction(). With up to four coordinates, relative pivots and
 // accelerations come from the oracle's own solution. With more coordinates, they come from the
-// program's mass matrix and accelerations, which are checked by themselves. With constraints the
-// oracle solves the equations, because few outputs return the multipliers.
+// program's mass matrix and accelerations, which have their own rows. With constraints the oracle
+// solves the equations, because few outputs return the multipliers.
 #include "verify/bounds/projection.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
-// Visit: compares a program with the oracle at one state, field by field. The exact values must
-// equal the oracle's, which checks the mathematics. The rounded values must be finite; the digits
-// that they lose are only reported. Code as users compile it may round differently, within the
-// running error E of the program.
+// StateCheck: compares a program with the oracle at one state, field by field. The exact values
+// must equal the oracle's, which checks the mathematics. The rounded values must be finite; the
+// digits that they lose are only reported. Code as users compile it may round differently, within
+// the running error E of the program.
 #pragma once
 
 #include <map>
@@ -75,7 +75,7 @@ struct StateCheckOptions {
 template <class Scalar>
 class StateCheck {
  public:
-  /// The references must stay valid as long as the visit.
+  /// The arguments must outlive this object.
   StateCheck(const SystemUnderTest& subject, const SampledState<Scalar>& sample,
              const StateCheckOptions& options);
 
@@ -113,8 +113,8 @@ class StateCheck {
                                          const Reference& reference_of) const;
   [[nodiscard]] CodeFinding compare_user_code(const ComparedField& place) const;
   [[nodiscard]] CodeFinding compare_wide_code(const ComparedField& place) const;
-  /// True if the inner scalar can hold all intermediate values. Fills `float_entries_` for inner
-  /// float.
+  /// True if the inner scalar can hold all intermediate values. If the inner scalar is float, fills
+  /// `float_entries_`.
   bool fits_inner_scalar();
   /// The loss of a field; none if an entry has no exact value.
   [[nodiscard]] std::optional<Loss> measure_loss(const ComparedField& place);

@@ -18,7 +18,7 @@
 namespace elgen {
 namespace {
 
-/// Calls `pass` with every member in turn.
+/// Calls `pass` with every member of `finding` in turn.
 template <class AnyFinding, class Pass>
 void for_each_member(AnyFinding& finding, const Pass& pass) {
   auto& [regime, is_compared, is_finite, mistake, errors, loss, users, wide] = finding;
@@ -91,9 +91,9 @@ class FindingsFile {
   std::unique_ptr<std::FILE, FileCloser> file_;
 };
 
-/// True if the output is compared at this sample. The oracle's derivatives of the dynamics cost n
-/// times as much as all other outputs together. With Comparison::entries and more than three
-/// velocities, these derivatives are compared at every sixteenth sample.
+/// True if the output is compared at this sample. The oracle's derivatives of the dynamics cost
+/// `velocities` times as much as all other outputs together. With ComparisonMode::entries and more
+/// than three velocities, these derivatives are compared at every sixteenth sample.
 bool is_compared_at(OutputKind kind, std::size_t velocities, std::size_t sample,
                     ComparisonMode comparison) {
   const bool is_costly = comparison == ComparisonMode::entries && velocities > 3;

@@ -1,4 +1,4 @@
-// The list of conventions, and their maps in one form for all.
+// Lists the conventions, and applies their maps to states and to values of fields.
 #include "verify/foreign/conventions.hpp"
 
 #include <fmt/format.h>

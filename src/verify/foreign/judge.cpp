@@ -134,7 +134,7 @@ class ForeignComparison {
     return all;
   }
 
-  /// The largest entry of each field.
+  /// The largest |entry| of each field.
   [[nodiscard]] RealNumbers largest_by_field(const RealNumbers& values) const {
     RealNumbers largest;
     std::size_t first = 0;

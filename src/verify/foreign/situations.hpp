@@ -14,11 +14,11 @@ namespace elgen {
 
 /// The kinds of states, used in turn:
 ///
-///     whole     velocities, accelerations and inputs are random
-///     rest      all of these are 0
-///     driven    velocities and momenta are 0
-///     moving    accelerations and inputs are 0
-///     varied    as whole, with parameters between half and twice their values
+///     general            velocities, accelerations and inputs are random
+///     rest               velocities, momenta, accelerations and inputs are 0
+///     driven             velocities and momenta are 0
+///     moving             accelerations and inputs are 0
+///     varied_parameters  as general, with parameters between half and twice their values
 enum class Situation : std::uint8_t { general, rest, driven, moving, varied_parameters };
 inline constexpr std::size_t situation_count = 5;
 
@@ -29,7 +29,7 @@ struct ForeignStates {
   std::size_t unmet = 0;  ///< states without a projection onto the constraints; skipped
 };
 
-/// Draws the states for an output; `is_moved`: projected onto the constraints.
+/// The states drawn for an output; if `is_moved`, projected onto the constraints.
 [[nodiscard]] ForeignStates draw_foreign_states(const SystemUnderTest& subject,
                                                 const ForeignOptions& options, OutputKind output,
                                                 bool is_moved);

@@ -1,4 +1,4 @@
-// Kinks: on which sides of the kinks of abs, sign, min and max a set of states lies.
+// KinkCoverage: the sides of the kinks of abs, sign, min and max that the sampled states cover.
 //
 // Functions that agree on one side of a kink may differ on the other, so states are drawn until
 // both sides have a state.

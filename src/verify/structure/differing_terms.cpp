@@ -101,8 +101,8 @@ bool are_terms_in_forms(Algebra& algebra, const Fraction& right, const Fraction&
          });
 }
 
-/// Compares the written denominator with the denominator that the written numerator needs; none if
-/// the latter is not a sum.
+/// The differing terms of the written denominator and of n / `right`, n the written numerator; none
+/// if n / `right` has a denominator.
 std::optional<DifferingTerms> denominator_terms(Algebra& algebra, const Fraction& right,
                                                 const Fraction& written) {
   Arithmetic arithmetic(algebra, most_work_of_terms);

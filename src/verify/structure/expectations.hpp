@@ -37,9 +37,9 @@ struct ExpectedEntry {
 /// The row of the entry, without a verdict.
 [[nodiscard]] CertificateRow unjudged_row(const ExpectedEntry& entry);
 
-/// Proves each entry by `forms`. If `forms` is null or gives no proof, the entry is sampled, and
-/// its row says so, at 64 points or more. Coordinates, rates and inputs are rational numbers in
-/// their ranges. Parameters lie between half and twice their values; even parameters that the scene
+/// Proves each entry by `forms`. If `forms` is null or gives no proof, the entry is sampled at 64
+/// points or more, and its row says so. Coordinates, rates and inputs are rational numbers in their
+/// ranges. Parameters lie between half and twice their values; even parameters that the scene
 /// fixes, because an expectation describes the model. A `conserved` entry holds if its rate along
 /// the motion at u = 0 is 0; an equation, if left - right is 0 along the motion. Expectations `at`
 /// a state are compared at that state. Hints give the difference of a wrong entry from the derived

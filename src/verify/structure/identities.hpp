@@ -30,8 +30,8 @@ struct OutputIdentity {
 
 [[nodiscard]] const std::vector<OutputIdentity>& output_identities();
 
-/// Terms of a balance. Entry i of the balance has the terms factor * values[per_entry i], ...,
-/// factor * values[per_entry i + per_entry - 1].
+/// Terms of a balance. Entry i of the balance has the terms factor * values[n i], ..., factor *
+/// values[n i + n - 1], n = `terms_per_entry`.
 struct BalanceTerms {
   std::vector<Real> values = {};
   int factor = 1;

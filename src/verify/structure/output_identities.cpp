@@ -8,8 +8,9 @@ namespace {
 using K = OutputKind;
 using Values = std::vector<Real>;
 
-// The twist of a frame (angular velocity; velocity of the origin) is linear in the pose [R p], and
-// linear in its rate. So the rate of the twist is a sum of two such products:
+// The twist of a frame: the angular velocity omega, and the velocity v of the origin. The twist is
+// linear in the pose [R p] and linear in the rate of the pose, so the rate of the twist is a sum of
+// two terms of the form:
 //
 //     in the world's axes    S = dR/dt R^T    v = dp/dt
 //     in the frame's axes    S = R^T dR/dt    v = R^T dp/dt        omega = (S_32, S_13, S_21)

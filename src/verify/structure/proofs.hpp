@@ -44,7 +44,7 @@ class ExpectationProver {
   /// The forms for proofs, which contain quotients. Null if no proof has needed these forms so far,
   /// or if they contain powers of exponentials, because no author types such powers.
   [[nodiscard]] ClosedForms* quotient_forms();
-  /// Null if there are no forms.
+  /// The algebra of the closed forms; null if there are no forms.
   [[nodiscard]] Algebra* algebra() const { return forms_ == nullptr ? nullptr : &forms_->algebra; }
 
  private:

@@ -142,8 +142,8 @@ bool satisfies_all_equations(const Model& model, const Expectation& equations, c
 /// The search runs along lines on which all but one equation are constant to first order. On a
 /// line, left - right of the remaining equation is f(s), with f(0) = 0. The candidates are the
 /// other zero of a parabola, s = f'/(f' - f(1)), and for even functions the reflection of d(left -
-/// right)/da a. None if the motion itself does not satisfy the equations: with a wrong sign they
-/// may determine another acceleration.
+/// right)/da a. None if the motion itself does not satisfy the equations: equations with a wrong
+/// sign may determine another acceleration.
 std::optional<State> find_other_motion(const Model& model, const Expectation& equations,
                                        const State& motion, const std::vector<cl_R>& slopes) {
   if (!satisfies_all_equations(model, equations, motion, slopes)) return std::nullopt;

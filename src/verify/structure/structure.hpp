@@ -1,4 +1,4 @@
-// Structure: identities between the functions of a program, checked in 64-digit arithmetic at
+// check_structure: identities between the functions of a program, checked in 64-digit arithmetic at
 // nominal states.
 #pragma once
 
