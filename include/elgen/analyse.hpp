@@ -69,7 +69,7 @@ struct RestCoordinate {
 enum class Stability : std::uint8_t {
   minimum,  ///< stable: W has a strict minimum, L does not contain t, all forces are constant, and
             ///< D >= 0
-  degenerate_minimum,  ///< stable: as `minimum`, but K is 0 along one coordinate
+  degenerate_minimum,  ///< stable: as `minimum`, but K is 0 along some coordinates
   decaying,            ///< stable: all poles have negative real parts
   unstable,            ///< unstable: a pole has a positive real part
   undecided,           ///< undecided: the linear equations do not determine the stability
@@ -79,7 +79,7 @@ enum class Stability : std::uint8_t {
   return kind != Stability::unstable && kind != Stability::undecided;
 }
 
-/// The leading term of W along the coordinate in which K is 0: coefficient (q - q0)^order.
+/// The leading term of W along a coordinate q in which K is 0: coefficient (q - q0)^order.
 struct LeadingTerm {
   std::uint32_t coordinate = 0;
   std::uint32_t order = 0;
@@ -119,13 +119,13 @@ using UndecidedBox = std::map<std::uint32_t, Interval>;
 /// Whether a list of equilibria is complete at the values of the parameters.
 enum class Completeness : std::uint8_t {
   proved,     ///< no other equilibrium exists
-  undecided,  ///< no other equilibrium exists outside the undecided boxes
+  undecided,  ///< any other equilibrium is inside one of the `undecided_boxes`
   searched,   ///< Newton's method found some equilibria from starts; others may exist anywhere
 };
 
 struct Equilibria {
-  ClosedForms forms = {};  ///< of r, M and W at rest; all forms below refer to this algebra
-  std::vector<SearchKind> kinds = {};    ///< by coordinate
+  ClosedForms forms = {};  ///< of r, M and W at rest, with the algebra of all Fractions below
+  std::vector<SearchKind> kinds = {};    ///< one per coordinate
   bool has_rest_kinetic_energy = false;  ///< T0 is not 0
   std::vector<RestPoint> points = {};
   std::vector<ChartSingularity> chart_singularities = {};  ///< inside and outside the ranges
@@ -135,7 +135,7 @@ struct Equilibria {
   std::uint64_t starts = 0;  ///< number of starts of Newton's method
   std::string limit = {};    ///< the limit that ended the search: "enclosures=420000000"
   std::vector<cln::cl_R> inputs = {};
-  /// True: AnalysisInput::about gave the only point, and no other was searched.
+  /// True: `points` has only the point that AnalysisInput::equilibrium_name selects.
   bool has_given_point = false;
 };
 
@@ -172,8 +172,8 @@ struct LinearMotions {
 
 /// The linear motions about some points of rest.
 struct Modes {
-  ClosedForms forms = {};                   ///< of the equilibria
-  std::vector<cln::cl_R> inputs = {};       ///< at the points of rest
+  ClosedForms forms = {};                   ///< as Equilibria::forms
+  std::vector<cln::cl_R> inputs = {};       ///< u at the points of rest
   std::vector<LinearMotions> motions = {};  ///< one for each point
 };
 
@@ -187,14 +187,14 @@ enum class SymmetryKind : std::uint8_t {
   translation,    ///< only b: several coordinates shift by constants
   boost,          ///< only c: coordinates shift by constants times t
   rotation,       ///< only A, which is skew
-  body_rotation,  ///< only s and b of rotations
+  body_rotation,  ///< only s and b of rotation variables
   other,          ///< any other combination
   time,           ///< only dt
 };
 
 /// A change dq = A q + b + c t of the coordinates, with a constant dt, for which dL = dF/dt. A
-/// rotation of the model, with the matrix R from body to world axes, turns by R^T s + b in body
-/// axes. By Noether's theorem,
+/// rotation variable, with the matrix R from body to world axes, turns by R^T s + b in body axes: s
+/// is a constant turn in world axes, b a constant turn in body axes. By Noether's theorem,
 ///
 ///     I = dL/dv.dq - E dt - F,   dI/dt = (dq - v dt).(B u + Q - dD/dv)
 ///
@@ -203,7 +203,7 @@ enum class SymmetryKind : std::uint8_t {
 struct Symmetry {
   SymmetryKind kind = SymmetryKind::other;
   std::vector<Fraction> generator = {};        ///< A by rows; c; b; s and b of each rotation; dt
-  std::vector<Fraction> displacement = {};     ///< dq of every velocity
+  std::vector<Fraction> displacement = {};     ///< dq, one entry per velocity
   Fraction momentum_form = {};                 ///< I + F, over the leaves p and E instead of v
   std::optional<Fraction> velocity_form = {};  ///< I + F in closed form; none if no form is known
   std::optional<Fraction> gauge_function =
@@ -216,10 +216,10 @@ struct Symmetry {
 };
 
 struct Symmetries {
-  ClosedForms forms = {};    ///< all forms below refer to this algebra
-  std::size_t unknowns = 0;  ///< entries of a generator
+  ClosedForms forms = {};    ///< with the algebra of all Fractions below
+  std::size_t unknowns = 0;  ///< number of entries of a generator
   bool is_exact = false;     ///< found by closed forms, for generic parameters
-  /// True: the list is complete, because it is exact and every relation between functions is known.
+  /// True: `symmetries` is complete, because closed forms know all relations of functions in L.
   bool is_complete = false;
   std::size_t states = 0;  ///< states at which Lagrange's equations were sampled
   /// Number of symmetries found by samples at the parameter values of the scene.
@@ -245,7 +245,7 @@ enum class ClaimStatus : std::uint8_t {
   proved,   ///< by closed forms, for all values of the parameters
   sampled,  ///< true at random values of the parameters
   wrong,
-  undecided,  ///< undecided: the claim has no value at any parameters that were tried
+  undecided,  ///< undecided: the claim has no value at any tried values of the parameters
 };
 
 /// The verdicts on the two claims of an [[equilibrium]]: bias(q, 0) = B u at the point; and

@@ -38,8 +38,8 @@ struct BaseParameter {
 struct BaseParameters {
   std::vector<InertialParameter> parameters = {};
   std::vector<BaseParameter> base = {};
-  std::vector<std::uint32_t> unidentifiable = {};  ///< parameters with a zero column
-  std::size_t states = 0;                          ///< at which Y was evaluated
+  std::vector<std::uint32_t> unidentifiable = {};  ///< parameters whose column of Y is 0
+  std::size_t states = 0;                          ///< number of states at which Y was evaluated
   /// True: factors are rational. False: they are floats, and factors below 1e-100 of the largest
   /// are 0.
   bool is_exact = false;

@@ -24,23 +24,23 @@ struct BenchOptions {
 struct SingleOutputModel {
   CheckedModel checked = {};               ///< checked.scene requests only the output
   std::optional<FileSyntax> scene = {};    ///< none: no scene file
-  std::vector<SourcePointer> ranges = {};  ///< in addition to the ranges of the scene
+  std::vector<SourcePointer> ranges = {};  ///< of the command; they replace ranges of the scene
 
-  /// The result refers to *this.
+  /// The model, scene and ranges as a source of designs. The result refers to *this.
   [[nodiscard]] DesignSource design_source() const {
     return {checked, scene ? &*scene : nullptr, {}, ranges};
   }
 };
 
-/// The model and scene of `inputs`, reduced to `output`. If `output` is empty, the output is
-/// inverse_dynamics or, if the scene lacks it, the first output; warnings and notes on the model
-/// are then among the diagnostics. Errors: E601, E606, E630, E633, and the errors of check().
+/// The model and scene of `inputs`, reduced to `output`. An empty `output` means inverse_dynamics
+/// or, if missing, the first output of the scene, and adds warnings and notes on the model to the
+/// diagnostics. Errors: E601, E606, E630, E633, and the errors of check().
 [[nodiscard]] Result<SingleOutputModel> read_single_output_model(
     const PipelineSources& inputs, const std::string& output,
     const std::vector<SourcePointer>& ranges, const Limits& limits);
 
-/// Removes all outputs except `outputs` from the scene and the program, for example the output
-/// `reaction` that a lock added.
+/// Removes all outputs except `outputs` from the scene and the program of `products`, for example
+/// the output `reaction` that a lock added.
 void keep_outputs(const std::vector<std::string>& outputs, Products& products);
 
 struct DesignRequest {
@@ -51,7 +51,7 @@ struct DesignRequest {
 };
 
 struct MeasuredTable {
-  TradeoffTable table = {};          ///< without ranks and Pareto front: see judged()
+  TradeoffTable table = {};          ///< without ranks and Pareto front, which rank_rows() adds
   Diagnostics compiler_errors = {};  ///< compiler errors of designs that the table lists as failed
 };
 

@@ -16,8 +16,8 @@
 namespace elgen {
 
 /// `program` with every value that is found to be identically zero replaced by 0. Cost: one
-/// evaluation of every function in 60 digits, 63 more if it has candidates without a proof, and a
-/// second lowering of the functions that change.
+/// evaluation of every function in 60 digits; 63 more for each function that has candidates without
+/// a proof; and a second lowering of the functions that change.
 [[nodiscard]] Program cancel(Program program);
 
 }  // namespace elgen

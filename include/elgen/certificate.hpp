@@ -101,10 +101,10 @@ struct VerifyOptions {
 
 /// The result of verify(), which compares oracle, program and compiled code, and checks the
 /// structure of M, C and the energies. If `compiled` is empty (quick), the certificate has no rows
-/// on compiled code. Headers of Build::user_flags must agree with the program within its running
-/// errors, all other headers bit by bit. Lost digits never fail a check; they are only reported. A
-/// value fails if it is NaN or infinite although all exact intermediate values are inside the range
-/// of the scalar. Each wrong [[expect]] has a diagnostic with a state as witness.
+/// on compiled code. Headers of BuildFlags::user_flags must agree with the program within its
+/// running errors, all other headers bit by bit. Lost digits never fail a check; they are only
+/// reported. A value fails if it is NaN or infinite although all exact intermediate values are
+/// inside the range of the scalar. Each wrong [[expect]] has a diagnostic with a state as witness.
 struct Verification {
   Certificate certificate;
   Diagnostics diagnostics;
@@ -147,8 +147,8 @@ struct SelfCheck {
 [[nodiscard]] std::string lost_digits_text(double digits);
 
 /// "compared with 60-digit arithmetic at 32 states; at most 0.4 digits lost", and if they apply:
-/// "; 3 outside the domain"; "; not finite in double at 11 of 16 states inside the ranges" (only
-/// for more than a tenth of the states); "2 entries rest on zeros found at 64 points, not proved".
+/// "; 3 outside the domain"; "; not finite in double at 11 of 16 states inside the ranges" (if more
+/// than a tenth); "; 2 entries rely on zeros sampled at 64 points, not proved".
 [[nodiscard]] std::string self_check_text(const SelfCheck& result);
 
 }  // namespace elgen

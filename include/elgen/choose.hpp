@@ -49,16 +49,16 @@ struct FormCosts {
 };
 
 struct FormChoice {
-  Program program = {};               ///< with `readable` filled in
+  Program program = {};               ///< has forms for readers in `readable`
   std::vector<FormCosts> costs = {};  ///< parallel to program.functions
 };
 
-/// Coordinates of states at which typed sums (typed_sums()) are 0.
+/// Each element: the coordinates q of a state at which sums of unexpanded_sums() are 0.
 using SumZeros = std::vector<std::vector<double>>;
 
 /// Chooses the form of every function of `recursive`; `forms` are its closed forms. A form that
 /// avoids the loss of a quarter of the digits may cost a quarter more than the cheapest form. If
-/// `zeros` is given, forms are also compared near these states, and a form that keeps more digits
+/// `zeros` is given, forms are also compared near its states, and a form that keeps more digits
 /// may cost four times as much. E608: the demanded closed form is over budget.
 [[nodiscard]] Result<FormChoice> choose(const Program& recursive, const ClosedForms& forms,
                                         const Domain& domain, const Scene& scene,
@@ -70,9 +70,9 @@ enum class Audience : std::uint8_t {
   people,  ///< each entry separately, in its shortest form
 };
 
-/// Replaces functions by their closed forms if the closed forms are short enough: for code in
-/// `functions`, for people in `readable`. Unlike choose(), it does not compare costs and lost
-/// digits with the recursive form.
+/// `program` with the closed forms that are short enough: in `functions` if `reader` is code, in
+/// `readable` if `reader` is people. Unlike choose(), this function does not compare the costs and
+/// lost digits of the forms.
 [[nodiscard]] Program with_closed_forms(Program program, Audience reader,
                                         const ClosedFormBudget& budget = {});
 

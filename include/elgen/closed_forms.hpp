@@ -46,7 +46,7 @@ enum class AtomKind : std::uint8_t {
 struct Atom {
   AtomKind kind = AtomKind::leaf;
   Opcode leaf = Opcode::constant;
-  std::uint32_t index = 0;  ///< of the leaf, or of the sum in Algebra::sums
+  std::uint32_t index = 0;  ///< of the leaf, or of the function of Algebra::unexpanded_sums
   FunctionId function = FunctionId::sin;
   cln::cl_RA divisor = 1;
   std::vector<Fraction> arguments = {};
@@ -56,7 +56,7 @@ struct Atom {
 /// The atoms and denominator factors to which fractions refer by number.
 struct Algebra {
   std::vector<Atom> atoms = {};
-  std::unordered_multimap<std::size_t, AtomId> atoms_by_hash = {};  ///< atoms by their hash
+  std::unordered_multimap<std::size_t, AtomId> atoms_by_hash = {};  ///< hash -> index in `atoms`
   /// `shown`: the factor as first found. `normal`: the factor without its common monomial, scaled
   /// to the leading coefficient 1.
   struct Factor {
@@ -64,8 +64,8 @@ struct Algebra {
     Polynomial normal = {};
   };
   std::vector<Factor> factors = {};
-  /// The typed sums that are not expanded, each a function of one entry, as typed. Example: the
-  /// expanded form of a^2 sin^2 + b^2 cos^2 is unreadable. Null if all sums are expanded.
+  /// The typed sums that are not expanded, each as a function with one entry. Null if all sums are
+  /// expanded. A sum such as a^2 sin^2 + b^2 cos^2 stays as typed, because its expansion is long.
   std::shared_ptr<const Program> unexpanded_sums = {};
   /// True: stumpff(x, k) with k > 0 is written as its quotient over powers of x, which has no value
   /// at x = 0.
@@ -125,14 +125,14 @@ struct ClosedFormBudget {
 ///     after     (x - 1)^2 + (y - 3/10)^2,   x - 1,   y - 3/10
 [[nodiscard]] Program unexpanded_sums(const Program& program);
 
-/// Closed forms in which `unexpanded_sums`, the functions of a typed_sums() program, stay
-/// unexpanded. A combination of several of them is expanded if that is shorter: (x + r) + (x - r)
-/// becomes 2 x.
+/// Closed forms in which the sums `unexpanded_sums` (functions that unexpanded_sums() returned)
+/// stay unexpanded. A combination of several such sums is expanded if the expansion is shorter, as
+/// 2 x is for (x + r) + (x - r).
 [[nodiscard]] ClosedForms present(const Program& program, Program unexpanded_sums,
                                   const ClosedFormBudget& budget = {});
 
-/// True if x - y is the empty sum, which proves x = y. False proves x != y only if neither contains
-/// roots or calls.
+/// True if x - y is the empty sum, which proves x = y. False proves nothing if x or y contains
+/// roots or calls, or if x - y is over budget.
 [[nodiscard]] bool is_proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
 
 /// True for atoms without algebraic relations between them: leaves, pi, and e^(i m/12) for
@@ -142,18 +142,18 @@ struct ClosedFormBudget {
 
 /// The result of an attempt to prove that an entry is 0.
 enum class ZeroProof : std::uint8_t {
-  undecided,  ///< undecided
+  undecided,  ///< the form is over budget, or neither empty nor known to be unique
   zero,       ///< the canonical form is the empty sum
   not_zero,   ///< the form is not empty, and unique: it has only leaves, numbers, pi, sin and cos
 };
 
-/// One result per entry of `function`, field by field. Entries that are open after present() are
+/// One result per entry of `function`, field by field. Entries that present() leaves undecided are
 /// tried again with present_for_proofs(). A form over budget proves nothing. Cost: one or two
 /// closed forms per entry, within `budget`.
 [[nodiscard]] std::vector<ZeroProof> prove_zeros(const Program& program, Function function,
                                                  const ClosedFormBudget& budget = {});
 
-/// dq/dt = N(q) v of every coordinate; empty if the model has no rotation, because dq/dt is v.
+/// dq_i/dt = (N(q) v)_i, one entry per coordinate; empty if the model has no rotation (N = 1).
 [[nodiscard]] std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model);
 
 /// The term f_i dx_i/dt of the rate of an open value f: f_i is its derivative by argument x_i.
@@ -178,8 +178,8 @@ struct LeafRates {
   Fraction time = {};
 };
 
-/// dx/ds = sum dx/dleaf dleaf/ds, with `rates` = dleaf/ds. None if it is over budget, a rate is
-/// unknown, or x contains a function with kinks.
+/// dx/ds = sum dx/dleaf dleaf/ds, with `rates` = dleaf/ds. None if the sum is over budget, a rate
+/// is unknown, or x contains a function with kinks.
 [[nodiscard]] std::optional<Fraction> directional_derivative(ClosedForms& forms, const Fraction& x,
                                                              const LeafRates& rates);
 
@@ -196,7 +196,7 @@ struct LeafRates {
     const std::vector<Fraction>& coordinate_rates = {}, const OpenValueRates& open_values = {});
 
 /// An expression of the model over the atoms of `forms`, with the `fixed` parameters as numbers.
-/// None if it is over budget.
+/// None if the closed form is over budget.
 [[nodiscard]] std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
                                                   const FixedParameters& fixed,
                                                   ExpressionId expression);

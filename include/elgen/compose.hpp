@@ -26,8 +26,8 @@ inline constexpr std::string_view velocity_part = "by_velocity";
 inline constexpr std::string_view input_part = "by_input";
 inline constexpr std::string_view rate_part = "rates";
 
-/// Models without constraints and with at least this number of velocities compose the outputs
-/// above. For all other models these outputs are expanded, and have closed forms.
+/// Models without constraints and with at least this number of velocities compose derivatives of
+/// accelerations and the linearization. For all other models these outputs have closed forms.
 inline constexpr std::size_t min_composed_velocities = 10;
 
 /// `program`, with every function that computes the parts of an output replaced by the output.

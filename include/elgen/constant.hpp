@@ -69,7 +69,7 @@ struct Constant {
 
 [[nodiscard]] Constant rational_constant(const cln::cl_RA& number);
 
-/// The constant with this form; none if it has no value.
+/// The constant with this form; none if enclosed_value(form) is none.
 [[nodiscard]] std::optional<Constant> make_constant(ConstantForm form);
 
 [[nodiscard]] bool is_rational(const Constant& constant);

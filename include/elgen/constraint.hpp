@@ -32,9 +32,9 @@ struct Constraint {
   bool is_position = true;
   std::optional<ExpressionId> omega = {};  ///< omega of `stabilise`; none: 0
   std::optional<ExpressionId> zeta = {};
-  std::optional<Unit> unit = {};  ///< of f or phi; none: unknown
+  std::optional<Unit> unit = {};  ///< unit of f or phi; none: unknown
   std::string doc = {};
-  Span span = {};  ///< of the name of the entry
+  Span span = {};  ///< of the name of the [[constraint]]
   Span equation_span = {};
   std::string equality = {};  ///< "z(P[i]) = z(Q)" for coincident points
 };
@@ -55,7 +55,7 @@ struct HeldCoordinate {
   std::uint32_t coordinate = 0;  ///< index; for a rotation, of its first coordinate
   std::uint32_t velocity = 0;    ///< index; for a rotation, of its first velocity
   bool is_rotation = false;
-  bool has_reaction = false;  ///< the force that holds it is an output
+  bool has_reaction = false;  ///< the output `reaction` has the force that holds it
   Span span = {};
 
   [[nodiscard]] std::uint32_t velocity_count() const { return is_rotation ? axis_count : 1; }
@@ -83,12 +83,12 @@ struct CyclicCoordinate : HeldCoordinate {
   std::optional<cln::cl_R> momentum = {};
 };
 
-/// The held variables of a scene, and the whole model, which still contains them. They are
-/// eliminated twice, independently: the stage check removes them from the Model, which the oracle
-/// evaluates, and specialise removes them from the Lagrangian. Verification compares the results.
+/// The held variables of a scene, and `unreduced`, the model that still contains them. The stage
+/// check removes the variables from the Model, which the oracle evaluates; independently,
+/// specialise removes the variables from the Lagrangian. Verification compares the results.
 struct ModelReduction {
-  std::vector<LockedCoordinate> locks = {};     ///< in the order of v of the whole model
-  std::vector<CyclicCoordinate> cyclic = {};    ///< in the order of v of the whole model
+  std::vector<LockedCoordinate> locks = {};     ///< in the order of v of `unreduced`
+  std::vector<CyclicCoordinate> cyclic = {};    ///< in the order of v of `unreduced`
   std::shared_ptr<const Model> unreduced = {};  ///< null if no variable is held
 };
 

@@ -82,7 +82,7 @@ struct DiagnosticFormatRow {
   std::string_view word;  ///< the argument of --format
 };
 
-/// In the order of the enumeration.
+/// The rows of all formats, in the order of DiagnosticFormat.
 [[nodiscard]] const std::vector<DiagnosticFormatRow>& diagnostic_formats();
 [[nodiscard]] const DiagnosticFormatRow& format_row(DiagnosticFormat format);
 

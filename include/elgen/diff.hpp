@@ -24,7 +24,7 @@
 
 namespace elgen {
 
-/// In ascending order of the harm to users of the code.
+/// The effect of a change on users of the code (impacts.def), in ascending order of the harm.
 enum class Impact : std::uint8_t {
 #define ELGEN_IMPACT(name, doc) name,
 #include "elgen/impacts.def"
@@ -38,7 +38,7 @@ struct ImpactRow {
 
 [[nodiscard]] const ImpactRow& impact_row(Impact impact);
 
-/// None if no impact has this word.
+/// The impact with ImpactRow::word = `word`; none if no impact has this word.
 [[nodiscard]] std::optional<Impact> find_impact(std::string_view word);
 
 /// Renamed entries, old name -> new name.
@@ -72,7 +72,7 @@ struct KeyChange {
 };
 
 /// The changed keys, in the order of `after`, with missing keys last. Entries are matched by
-/// `name`, else by `on`, `state_text` or `frame`, else by number; keys by name; items of lists by
+/// `name`, else by `on`, `at` or `frame`, else by number; keys by name; items of lists by
 /// number. A new or missing entry is one change. Cost: quadratic in the entries of a file and in
 /// the keys of an entry.
 [[nodiscard]] std::vector<KeyChange> changed_keys(const FileSyntax& before, const FileSyntax& after,
@@ -118,7 +118,7 @@ struct OutputChange {
 
 struct InterfaceChange {
   Impact impact = Impact::equal;
-  std::string text = {};   ///< "there is no function `bias` any more"
+  std::string text = {};   ///< "function `bias` is removed"
   bool is_silent = false;  ///< callers still compile, but the meaning changes as `text` says
 };
 
@@ -160,7 +160,7 @@ struct OperationsChange {
 };
 
 struct SystemChange {
-  std::string name = {};  ///< base name of the newer version
+  std::string name = {};  ///< Scene::base_name of the newer version
   std::string path = {};  ///< of the newer version; "" if unknown
   Impact impact = Impact::equal;
   std::vector<KeyChange> keys = {};
@@ -175,20 +175,20 @@ struct SystemChange {
   Diagnostics warnings = {};  ///< only warnings that the older version lacks
 };
 
-/// Compares two versions. `impact` considers all outputs, even if options.only hides some.
+/// Compares two versions. `impact` considers all outputs, not only options.reported_outputs.
 [[nodiscard]] SystemChange compare(const Version& before, const Version& after,
                                    const CompareOptions& options = {});
 
 /// True if more than comments, blanks and the order of keys changed.
 [[nodiscard]] bool has_changes(const SystemChange& system);
 
-/// A model or scene with errors in either version, and the first error.
+/// A model or scene that has errors in one of its versions, and the first of these errors.
 struct UnreadableSystem {
   std::string path = {};
   Diagnostic error;
 };
 
-/// The models and scenes that one command compares.
+/// The changes of all models and scenes that one run of `elgen diff` compares.
 struct DiffReport {
   std::vector<SystemChange> systems = {};
   std::vector<std::string> added = {};    ///< paths that only the newer side has

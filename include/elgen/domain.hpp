@@ -28,8 +28,8 @@ struct Range {
 struct Domain {
   const Model& model;
   LeafValues<Range> ranges = {};
-  /// Random states in the ranges (sample/states.hpp), with parameters at their values. They are the
-  /// same on every machine.
+  /// Random states in the ranges (sample/states.hpp), with parameters at their values. The states
+  /// are the same on every machine.
   std::vector<LeafValues<double>> states = {};
 };
 

@@ -22,7 +22,7 @@ struct EmittedFiles {
 };
 
 /// The files that the scene requests; `book` is used only if one of them is a page. E701: the
-/// target language cannot use a name. E702: a number does not fit a requested scalar, see fits().
+/// target language cannot use a name. E702: literals_fit() is false for a requested scalar.
 [[nodiscard]] Result<EmittedFiles> emit(const Model& model, const Scene& scene,
                                         const Program& program, const PagePrograms& book);
 

@@ -47,9 +47,9 @@ struct Expectation {
   std::optional<ExpectationState> state = {};
   Span span = {};
 
-  /// True if the entries are constants of motion, not entries of an output.
+  /// True if the claim is that the entries are constant along every motion.
   [[nodiscard]] bool claims_conservation() const { return output == "conserved"; }
-  /// True if the entries vanish along the motion.
+  /// True if the claim is that the entries are 0 along every motion.
   [[nodiscard]] bool claims_equations() const { return output == "equations"; }
 };
 

@@ -34,7 +34,7 @@ enum class ExpressionKind : std::uint8_t {
 enum class NamedKind : std::uint8_t {
   prescribed,  ///< prescribed[index].value, a function of t
   definition,  ///< definitions[index].value
-  point,       ///< points[index].at[component]
+  point,       ///< points[index].position[component]
   body,        ///< bodies[index].com[component]
   frame,       ///< a number of frames[index], see FrameComponent
 };
@@ -45,7 +45,7 @@ enum FrameComponent : std::uint32_t {
   frame_rotation = 0,  ///< Frame::rotation, row-major
   frame_origin = 9,
   frame_angular_velocity = 12,
-  frame_recursive_spin = 15,  ///< Frame::turning
+  frame_recursive_spin = 15,  ///< Frame::recursive_spin
   components_per_frame = 18,
 };
 

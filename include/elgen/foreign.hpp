@@ -38,9 +38,9 @@ struct ForeignOptions {
 /// For a wrong function, the row and a diagnostic E717 report the kinds of states with wrong
 /// values, the convention (such as the sign of a coordinate) under which all values would be right,
 /// and the ignored parameters. The scene must contain the outputs. E601: the scene lacks the
-/// output, or the output lacks the field. E603: `dynamics`, which only repeats other outputs. E716:
-/// the function cannot be called. Cost: the oracle at each state; for wrong results, once more for
-/// each of up to 300 conventions.
+/// output, or the output lacks the field. E603: a claim names `dynamics`, which only repeats other
+/// outputs. E716: the function cannot be called. Cost: the oracle at each state; for wrong results,
+/// once more for each of up to 300 conventions.
 [[nodiscard]] Result<Verification> compare_foreign_code(const CheckedModel& checked,
                                                         const ForeignOptions& options);
 

@@ -27,8 +27,8 @@ struct ForeignResults {
   std::string error_output = {};
 };
 
-/// Calls the function at each state. Its results should be the entries of fields of `output`, in
-/// order. Its arguments are the arguments of emitted code, but with all parameters of the model. A
+/// Calls `function` at each state. The results should be the entries of fields of `output`, in
+/// order. The arguments are the arguments of emitted code, but with all parameters of the model. A
 /// library function is called in a separate process, with a pointer to doubles for each argument
 /// and for the result. A command receives one line of JSON for each state and answers with one line
 /// of numbers in brackets. E716: the function cannot be called.

@@ -61,7 +61,7 @@ struct FunctionRow {
 [[nodiscard]] std::span<const FunctionRow> function_table();
 [[nodiscard]] const FunctionRow& function_row(FunctionId id);
 
-/// Null if no function has that name.
+/// The row of the function `name`; null if no function has this name.
 [[nodiscard]] const FunctionRow* find_function(std::string_view name);
 
 /// True if the function lacks a derivative somewhere; only forces may call it.
@@ -69,7 +69,8 @@ struct FunctionRow {
   return function_row(id).use == FunctionUse::forces_only;
 }
 
-/// True for sin and cos, which are bounded with all derivatives and are computed as a pair.
+/// True for sin and cos. Their values and all derivatives are bounded; code computes them as a
+/// pair.
 [[nodiscard]] constexpr bool is_circular(FunctionId id) {
   return id == FunctionId::sin || id == FunctionId::cos;
 }
@@ -80,7 +81,7 @@ struct FunctionRow {
          id == FunctionId::tanh;
 }
 
-/// The function with the same growth for large |x|: stumpff(x, k) with k < 0 grows like cosh(x).
+/// A function that grows like `id` for large |x|: cosh for stumpff(x, k) with k < 0, else `id`.
 [[nodiscard]] constexpr FunctionId growth_function(FunctionId id, bool has_negative_order) {
   return id == FunctionId::stumpff && has_negative_order ? FunctionId::cosh : id;
 }

@@ -64,7 +64,7 @@ using ExpressionMap = std::unordered_map<GiNaC::ex, Value, ExpressionHash, Expre
 struct SymbolPlace {
   bool is_definition = false;
   std::uint32_t index = 0;       ///< index of the definition, or rank of the leaf
-  LeafSet leaf_dependence = {};  ///< Definition::depends, or the kind of the leaf
+  LeafSet leaf_dependence = {};  ///< Definition::leaf_dependence, or the kind of the leaf
 };
 
 /// The physical meaning of the values that are being defined, for names of temporaries
@@ -298,7 +298,7 @@ struct UnreducedLagrangian : Lagrangian {
   std::vector<HeldCoordinateMotion> cyclic = {};
 };
 
-/// Sets the name of the definition of `symbol`, unless the definition has a name.
+/// Sets the name of the definition of `symbol` to `text`, unless the definition already has a name.
 void name_definition(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
 
 /// Builds the Lagrangian of a checked model. E502: dot() of an expression that contains rates.

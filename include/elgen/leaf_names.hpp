@@ -37,8 +37,8 @@ struct LeafNames : LeafValues<std::string> {
 
 [[nodiscard]] LeafNames leaf_names(const Model& model);
 
-/// Names the leaves of each kind in `takes`, if the kind has Passed::if_used. A list of leaves gets
-/// the names of the velocities; a single leaf gets its symbol.
+/// Names the leaves of each kind in `takes`, if the kind has ArgumentRule::if_used. A list of
+/// leaves gets the names of the velocities; a single leaf gets its symbol.
 void name_optional_leaves(LeafSet takes, LeafNames& leaves);
 
 /// True if a coordinate, parameter, input, function, prescribed motion or definition has the name.

@@ -105,8 +105,8 @@ template <class T>
   return list != nullptr ? list->size() : 1;
 }
 
-/// True if emitted functions may take leaves of this kind (see Passed). For the kinds if_any and
-/// if_used: true if the list is not empty. True for h, which is a single leaf; functions take h
+/// True if emitted functions may take leaves of this kind (see ArgumentRule). For the kinds if_any
+/// and if_used: true if the list is not empty. True for h, which is a single leaf; functions take h
 /// only if h has a name.
 template <class T>
 [[nodiscard]] bool may_be_argument(const LeafValues<T>& leaves, Opcode kind) {

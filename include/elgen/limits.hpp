@@ -8,8 +8,8 @@
 
 namespace elgen {
 
-/// Interval operations that a search may do per second of the time limit. It is a quarter of the
-/// measured rate (4e8 in 15 s), to allow for slower machines and for other stages.
+/// Interval operations that a search may do per second of the time limit. The number is a quarter
+/// of the measured rate (4e8 in 15 s), to allow for slower machines and for other stages.
 inline constexpr std::uint64_t enclosures_per_second = 7'000'000;
 
 struct Limits {

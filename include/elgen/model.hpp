@@ -45,8 +45,8 @@ struct Coordinate {
   std::optional<Interval> range = {};
   cln::cl_R start_value = 0;
   bool wraps = false;  ///< an angle that may make full turns; it is compared modulo 2 pi
-  /// Index of its rate in Model::velocities; for a component of a rotation, of the first velocity
-  /// of the rotation.
+  /// Index of dq/dt in Model::velocities; for a component of a rotation, index of the first
+  /// velocity of the rotation.
   std::uint32_t velocity = 0;
   /// For a component of a rotation: index in Model::rotations.
   std::optional<std::uint32_t> rotation = {};
@@ -57,7 +57,7 @@ struct Coordinate {
   Span span = {};
 };
 
-/// One entry of v. `name` is the argument of dot(): "q[3]" for the rate of that coordinate,
+/// One entry of v. `name` is the argument of dot(): "q[3]" for the rate of coordinate q[3],
 /// "attitude[2]" for a component of the angular velocity of a rotation.
 struct Velocity {
   std::string name;
@@ -136,7 +136,7 @@ struct ElementaryTransform {
   Vector3 vector{};
   ExpressionId angle = 0;
   std::array<ExpressionId, 4> quaternion{};  ///< w, x, y, z
-  /// The rotation of the model that is this unit quaternion.
+  /// If `quaternion` is a rotation variable of the model: index in Model::rotations.
   std::optional<std::uint32_t> rotation = {};
 };
 
@@ -151,7 +151,7 @@ struct Frame {
   Vector3 origin{};                                  ///< in the world
   Vector3 spin{};              ///< angular velocity in frame axes: [spin]x = R^T dR/dt
   Vector3 recursive_spin{};    ///< the vector `spin`, computed from the parent and the transforms
-  Vector3 angular_velocity{};  ///< in world axes: R turning
+  Vector3 angular_velocity{};  ///< in world axes: R spin
   std::string doc = {};
   Span span = {};
 };
@@ -175,7 +175,7 @@ struct Point {
   std::string identifier;
   std::uint32_t dimension = 3;  ///< 2 or 3 declared components; `position` is padded with 0
   Vector3 position{};           ///< in the world
-  std::optional<PointInFrame> local = {};  ///< if it is declared in a frame
+  std::optional<PointInFrame> local = {};  ///< if the point is declared in a frame
   std::optional<ExpressionId> mass = {};
   std::vector<LineEnd> line_ends = {};  ///< for drawings only
   bool has_springs = false;             ///< draws `line_ends` as springs, not rods
@@ -254,7 +254,7 @@ struct UserOutput {
   bool has_jacobian = false;
   bool solves_motion = false;   ///< true: a and multipliers solve the equations of motion; false: a
                                 ///< is an argument
-  bool is_requested = true;     ///< requested by the scene; locks then keep the inputs in `values`
+  bool is_requested = true;     ///< by the scene; locks do not remove inputs in requested `values`
   LeafSet argument_kinds = {};  ///< kinds of leaves in the values, of v, a, u and t
   std::string doc = {};
   Span span = {};
@@ -268,7 +268,7 @@ struct Energies {
   std::optional<ExpressionId> L = {};
 };
 
-/// A condition on the parameters: `excess` > 0, or >= 0 if it is not strict.
+/// A condition on the parameters: `excess` > 0 if `is_strict` is set, otherwise `excess` >= 0.
 struct Condition {
   ExpressionId excess = 0;
   bool is_strict = true;
@@ -283,8 +283,8 @@ struct OperatingPoint {
   std::optional<Condition> condition = {};                    ///< none: all parameter values
 };
 
-/// An [[equilibrium]]: its point, and the squares w_i^2 of the frequencies of small motions about
-/// it, with det(x M - K)/det M = product of (x - w_i^2).
+/// An [[equilibrium]]: a point of rest, and the squares w_i^2 of the frequencies of small motions
+/// about this point, with det(x M - K)/det M = product of (x - w_i^2), K as in elgen/analyse.hpp.
 struct Equilibrium : OperatingPoint {
   std::string name = {};
   std::vector<ExpressionId> frequencies_squared = {};  ///< one per velocity, or empty
@@ -293,10 +293,10 @@ struct Equilibrium : OperatingPoint {
 };
 
 /// `[approximate]` of a scene: the expansion point and the small coordinates. The expansion
-/// variables are the deviations, rates and accelerations of the small coordinates, and with
-/// small_inputs the deviations of the inputs. Energies become polynomials of joint degree order + 1
-/// in these variables. Forces on small coordinates become polynomials of degree `order`, all other
-/// forces of degree order + 1.
+/// variables are the deviations, rates and accelerations of the small coordinates and, if
+/// `has_small_inputs` is set, the deviations of the inputs. Energies become polynomials of joint
+/// degree order + 1 in these variables. Forces on small coordinates become polynomials of degree
+/// `order`, all other forces of degree order + 1.
 struct Approximation : OperatingPoint {
   std::uint32_t order = 1;
   std::vector<bool> small = {};   ///< by coordinate
@@ -343,7 +343,7 @@ struct Model {
 
   /// The held variables of the scene. The other members describe a Model without them: locked
   /// variables are replaced by functions of time, cyclic coordinates by 0. With `[routh]`, the
-  /// Lagrangian is Routh's function R of the whole model.
+  /// Lagrangian is Routh's function R of the unreduced model.
   ModelReduction reduction = {};
   std::vector<std::uint32_t> affine_parameters =
       {};  ///< parameters in which the forces are jointly affine
@@ -361,11 +361,11 @@ struct Model {
   return coordinate.unit_text == "rad";
 }
 
-/// Adds a coordinate and its rate. Returns its index.
+/// Adds a coordinate and its rate. Returns the index of the coordinate.
 std::uint32_t append_coordinate(Model& model, Coordinate coordinate);
 
 /// Adds a rotation, its coordinates NAME_w, NAME_x, NAME_y, NAME_z and its velocities NAME[1],
-/// NAME[2], NAME[3]. Returns its index.
+/// NAME[2], NAME[3]. Returns the index of the rotation.
 std::uint32_t append_rotation(Model& model, Rotation rotation);
 
 /// The model with the held variables; `model` itself if no variable is held.
@@ -373,13 +373,13 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
   return model.reduction.unreduced ? *model.reduction.unreduced : model;
 }
 
-/// The velocities of the whole model for which the output `reaction` has a row, in the order of v.
+/// The velocities of the unreduced model for which the output `reaction` has a row, ascending.
 [[nodiscard]] inline std::vector<std::uint32_t> reaction_row_velocities(const Model& model) {
   return model.reduction.unreduced ? velocities_with_reaction(model.reduction.locks)
                                    : std::vector<std::uint32_t>{};
 }
 
-/// The new positions of the variables of the whole model after the held variables are removed.
+/// The new positions of the variables of `whole` after the held variables are removed.
 /// Inputs that act only on locked variables are removed too. An input that does no work is removed
 /// if another input of the same wrench is removed. Inputs in a requested output are kept.
 [[nodiscard]] RemainingVariables remaining_variables(const Model& whole);

@@ -67,11 +67,11 @@ inline constexpr std::size_t leaf_kind_count = leaf_kinds.size();
   return opcode > Opcode::constant && opcode < Opcode::negate;
 }
 
-/// When emitted functions take a kind of leaf.
+/// The condition under which the leaves of a kind are an argument of emitted functions.
 enum class ArgumentRule : std::uint8_t {
-  always,   ///< even an empty list
+  always,   ///< always, also if the list of leaves is empty
   if_any,   ///< if the system has leaves of the kind
-  if_used,  ///< if a function of the program takes the kind; otherwise its leaves have no names
+  if_used,  ///< if a function of the program takes the kind; otherwise such leaves have no names
   never     ///< not in emitted functions: E occurs in `conserved`, multipliers in derivations
 };
 
@@ -106,7 +106,7 @@ struct LeafNotation {
   std::string_view text;        ///< in models: "dot({})"; {} is the name of the owning entry
   std::string_view identifier;  ///< in code and dumps: "{}_dot"
   std::string_view latex;       ///< "\\dot{s}"; s is the symbol of the owning entry
-  std::string_view own_latex;   ///< as `latex`, if s is a symbol of the velocity (in rotations)
+  std::string_view own_latex;   ///< as `latex`, but s is the symbol of a velocity (of rotations)
 };
 
 /// The use of a kind of leaf in products, functions and states.
@@ -132,7 +132,8 @@ struct LeafRow : LeafNotation, LeafUse {
   return leaf_row(leaf).owner == LeafOwner::system;
 }
 
-/// True if a state contains the kind: functions take it, and it is not `parameter`.
+/// True if a state contains leaves of the kind `leaf`: functions may take such leaves, and the kind
+/// is not `parameter`.
 [[nodiscard]] inline bool is_in_state(Opcode leaf) {
   return leaf != Opcode::parameter && leaf_row(leaf).argument_rule != ArgumentRule::never;
 }

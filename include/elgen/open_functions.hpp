@@ -44,8 +44,8 @@ struct OpenValue {
 
 struct Model;
 
-/// The number of the open value that is the derivative of `value` by one more argument of its
-/// function; none beyond second order.
+/// The number of the open value that is the derivative of `value` by argument number `argument` of
+/// the function; none beyond second order.
 [[nodiscard]] std::optional<std::uint32_t> find_open_derivative(const Model& model,
                                                                 std::uint32_t value,
                                                                 std::uint32_t argument);

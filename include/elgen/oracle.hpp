@@ -39,7 +39,7 @@ using State = LeafValues<cln::cl_R>;
 /// nominal_state() with the declared starts of coordinates and rates.
 [[nodiscard]] State start_state(const Model& model, const Scene& scene);
 
-/// Replaces every quaternion by a rational one of length 1, computed from its last three
+/// Replaces every quaternion by a rational quaternion of length 1, computed from the last three
 /// components.
 void set_rational_quaternions(const Model& model, State& state);
 
@@ -76,8 +76,8 @@ inline constexpr unsigned max_stable_digits = 2000;
                                                              const std::vector<cln::cl_R>& x,
                                                              const std::vector<cln::cl_R>& y);
 
-/// Directions that contract a field of an output: w.x for columns, w.(X y) for matrices. w has one
-/// entry per row, y one per column; y is empty for columns.
+/// Vectors that contract a field X of an output to a number: w.X if X is a column, w.(X y) if X is
+/// a matrix. w has one entry per row of X, y one per column; y is empty if X is a column.
 struct Contraction {
   std::vector<cln::cl_R> w = {};
   std::vector<cln::cl_R> y = {};
@@ -100,19 +100,19 @@ struct Contraction {
 struct Assembly {
   State state = {};
   bool has_pose = false;   ///< f = 0 to 60 digits of the coordinates
-  bool has_rates = false;  ///< the rates are consistent with the pose
+  bool has_rates = false;  ///< r = 0 for the rates at the pose (see Constraint)
 };
 
-/// Marks, by velocity, for the coordinates and rates that an assembly must not change. Empty: it
-/// may change all.
+/// For each velocity: true if an assembly must not change the coordinate (in `positions`) or the
+/// rate (in `rates`). Empty: an assembly may change all coordinates or rates.
 struct FixedVariables {
   std::vector<bool> positions = {};
   std::vector<bool> rates = {};
 };
 
-/// Moves a state onto the constraints by Newton steps (see the output `projected`), halved until
-/// the residuals decrease, and then projects the rates. None if an equation has no value at the
-/// state.
+/// `state` moved onto the constraints by Newton steps (see the output `projected`), each halved
+/// until the residuals decrease, and with projected rates. The variables in `kept` do not change.
+/// None if an equation has no value at the state.
 [[nodiscard]] std::optional<Assembly> oracle_assembly(const Model& model, const State& state,
                                                       const FixedVariables& kept = {});
 
@@ -128,8 +128,8 @@ struct FixedVariables {
                                                                ExpressionId expression,
                                                                const State& state);
 
-/// The derivative of an expression along a direction of all leaves. The expression contains no open
-/// function.
+/// sum d(expression)/dx dx over all leaves x, with dx from `direction`, at `state`. The expression
+/// must not contain open functions.
 [[nodiscard]] std::optional<cln::cl_R> oracle_directional_derivative(const Model& model,
                                                                      ExpressionId expression,
                                                                      const State& state,

@@ -85,9 +85,9 @@ enum class Need : std::uint8_t {
   smooth_values,          ///< an [[output]] without kinks
 };
 
-/// The fault to report if a matrix other than M, with which an output solves, is singular at every
-/// state. Outputs that solve only with M do not use this member. src/inspect/singular_mass.hpp has
-/// the messages.
+/// The fault to report if an output solves with a matrix other than M, and this matrix is singular
+/// at every state. G and A_d: src/derive/outputs/outputs.hpp; messages:
+/// src/inspect/singular_mass.hpp. Outputs that solve only with M ignore OutputRow::singular_fault.
 enum class SingularFault : std::uint8_t {
   redundant_constraint,  ///< A M^-1 A^T: a constraint follows from the others
   redundant_inputs,      ///< B^T G B: the force of an input depends linearly on other inputs
@@ -109,7 +109,7 @@ enum class OutputOption : std::uint8_t {
 struct OptionRow {
   OutputOption id;
   std::string_view key;
-  std::string_view pronoun;  ///< for the message to other outputs: "one" in "`step` has one"
+  std::string_view pronoun;  ///< pronoun in an error message: "one" in "`step` has one"
 };
 
 inline constexpr std::array option_table{OptionRow{OutputOption::method, "method", "one"},
@@ -192,22 +192,22 @@ struct OutputRow {
   Notation equation = {};
   Notation rotation_equation = {};             ///< with rotations; empty: `equation`
   Notation constrained_equation = {};          ///< with constraints; empty: `equation`
-  std::string_view definition = {};            ///< by other outputs, in LaTeX, for pages
+  std::string_view definition = {};            ///< equation with other outputs, in LaTeX, for pages
   std::string_view driftless_definition = {};  ///< `definition` for models with drift = 0
-  std::string_view doc = {};                   ///< one sentence
+  std::string_view doc = {};                   ///< meaning, in one sentence
   std::string_view constrained_doc = {};       ///< with constraints; empty: `doc`
   std::string_view doc_without_pivots = {};
   std::string_view constrained_doc_without_pivots = {};
   EnumSet<Need> needs = {};
-  EnumSet<OutputOption> options = {};  ///< options that its entry in `[outputs]` accepts
+  EnumSet<OutputOption> options = {};  ///< options that the output accepts in `[outputs]`
   SingularFault singular_fault = SingularFault::redundant_constraint;
   bool is_energy = false;           ///< an energy of (q, v), in which V occurs without derivatives
   bool solves_mass_matrix = false;  ///< solves M x = b
   bool differentiates = false;      ///< contains derivatives of the equations of motion
   bool gives_pivots = false;        ///< also returns the relative pivots of M = L D L^T
   bool is_constrained = false;      ///< if the model has constraints, solves with A M^-1 A^T
-  bool is_on_request = false;       ///< `full` omits it; a scene must name it
-  bool is_user_output = false;      ///< a function of every [[output]] of a model
+  bool is_on_request = false;       ///< `full` omits the output; a scene must name the output
+  bool is_user_output = false;      ///< every [[output]] of a model gets a function of this kind
   std::string_view suffix = {};     ///< appended to the name of the [[output]]
   bool is_summary = false;          ///< a struct of all requested outputs that take neither a nor u
   bool is_step = false;             ///< composed by the method of the scene, not derived
@@ -253,7 +253,7 @@ struct EquationSetting {
 /// of a single number.
 [[nodiscard]] const FieldRow& field_row(OutputKind kind, std::string_view name);
 
-/// Null if no built-in output has the name.
+/// The row of the built-in output with this name; null if no built-in output has the name.
 [[nodiscard]] const OutputRow* find_output(std::string_view name);
 
 }  // namespace elgen

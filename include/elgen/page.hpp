@@ -42,7 +42,7 @@ struct FunctionEquations {
 [[nodiscard]] FunctionEquations equations(const Model& model, const Program& program,
                                           std::size_t index);
 
-/// The first entry of readable[0] over the leaves, in the symbols of the model.
+/// The first entry of program.readable[0] over the leaves, in the symbols of the model.
 [[nodiscard]] Formula first_entry_formula(const Model& model, const Program& program);
 
 /// The matrix equation "M(q) a + C(q,v) v + g(q) = B(q) u", with constraints "+ A(q)^T lambda" on
@@ -55,7 +55,7 @@ struct FunctionEquations {
 /// the equation that the accelerations satisfy.
 [[nodiscard]] std::vector<std::string> variable_lines(const Model& model, const Program& program);
 
-/// A conserved quantity, its name "p(phi)" and its definition.
+/// A conserved quantity: the name, for example "p(phi)", and the definition.
 struct ConservedQuantity {
   std::string name = {};
   Formula definition = {};
@@ -96,8 +96,8 @@ struct PageSection {
   Formula title = {};         ///< "Mass matrix"; may be empty
   std::string function = {};  ///< name in code: "mass_matrix"; an equal title is printed as code
   std::optional<OutputKind> kind = {};
-  std::string doc = {};     ///< one sentence on its meaning
-  Formula definition = {};  ///< may be empty
+  std::string doc = {};     ///< meaning of the function, in one sentence
+  Formula definition = {};  ///< equation that defines the function; may be empty
   Formulas lines = {};      ///< formulas and sentences before the equations
   std::vector<PageEquation> equations = {};
   PageTable table = {};
@@ -179,7 +179,7 @@ struct Screen {
   Alphabet alphabet = Alphabet::unicode;
 };
 
-/// Title and sections in the model language, one line per entry of an equation.
+/// The title and the sections as text in the model language, one line per entry of an equation.
 [[nodiscard]] std::string text_of(const Page& page);
 [[nodiscard]] std::string text_of(const std::vector<PageSection>& sections);
 
@@ -191,13 +191,13 @@ struct Screen {
 /// "…312" if 312 characters are cut.
 [[nodiscard]] std::string overview(const Page& page, const Screen& screen);
 
-/// GitHub Markdown with $$ blocks.
+/// The page as GitHub Markdown with $$ blocks.
 [[nodiscard]] std::string markdown_page(const Page& page);
 
-/// A complete document for pdflatex; needs amsmath and longtable.
+/// The page as a complete document for pdflatex, which needs the packages amsmath and longtable.
 [[nodiscard]] std::string latex_document(const Page& page);
 
-/// The sections as HTML with MathML Core, and a complete page.
+/// The sections, or the complete page, as HTML with MathML Core.
 [[nodiscard]] std::string html_sections(const std::vector<PageSection>& sections);
 [[nodiscard]] std::string html_page(const Page& page);
 

@@ -44,7 +44,7 @@ inline constexpr std::array stage_names{
 [[nodiscard]] constexpr std::string_view name_of(Goal goal) {
   return stage_names[static_cast<std::size_t>(goal)];
 }
-/// None if no stage has the name.
+/// The stage with this name; none if no stage has the name.
 [[nodiscard]] std::optional<Goal> find_stage(std::string_view name);
 
 /// A row of analyses.def, for stages and commands.
@@ -66,7 +66,7 @@ inline constexpr std::array analysis_table{
 #include "elgen/analyses.def"
 };
 
-/// Null if the stage is no analysis.
+/// The row of the stage `goal`; null if the stage is no analysis.
 [[nodiscard]] constexpr const AnalysisRow* find_analysis(Goal goal) {
   const auto* const row = std::ranges::find(analysis_table, goal, &AnalysisRow::stage);
   return row == analysis_table.end() ? nullptr : row;

@@ -9,9 +9,9 @@
 
 namespace elgen {
 
-/// Checks whether a page can run with these options: only rk4, verlet and midpoint with a fixed
+/// The errors in `options` of a page, which supports only rk4, verlet and midpoint with a fixed
 /// step. E620: another method. E621: too many steps. E647: another order. E913: `row_interval` or
-/// `hold` is set.
+/// `input_hold_time` is set.
 [[nodiscard]] Diagnostics check_player_options(const SimulationOptions& options);
 
 /// `options`, changed so that derive_for_run() makes the program of a page: in JavaScript, with the

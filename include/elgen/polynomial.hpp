@@ -100,7 +100,7 @@ struct GaussianRational {
 };
 
 /// Terms ascending by MonomialLess; no coefficient is 0, and the empty sum is 0. Unlike the
-/// types of sums for pages and code it is canonical: equal sums have equal terms.
+/// types of sums for pages and code, a Polynomial is canonical: equal sums have equal terms.
 class Polynomial {
  public:
   using key_type = Monomial;

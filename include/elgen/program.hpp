@@ -55,12 +55,12 @@ struct InstructionHash {
   return instruction.opcode == Opcode::add || instruction.opcode == Opcode::subtract;
 }
 
-/// The same operation with its operands renumbered by `places`.
+/// `instruction` with places[k] in place of every operand k that is an instruction.
 [[nodiscard]] Instruction renumber_operands(Instruction instruction,
                                             const std::vector<std::uint32_t>& places);
 
-/// The prefix of names that the derivation gives to intermediate values: "~moment_link5_y". They
-/// only become names of temporaries.
+/// The prefix of names that the derivation gives to intermediate values: "~moment_link5_y". Names
+/// with this prefix only become names of temporaries.
 inline constexpr char intermediate_mark = '~';
 
 /// Sets `known` to `name` if `known` is empty, or if `known` has intermediate_mark and `name` does
@@ -109,7 +109,7 @@ struct Function {
   std::vector<std::uint32_t> elimination_order = {};
 };
 
-/// A copy without instructions and fields, for the same request.
+/// `function` without instructions and fields, for the same request.
 [[nodiscard]] inline Function without_body(const Function& function) {
   return {.kind = function.kind,
           .user = function.user,
@@ -121,7 +121,7 @@ struct Function {
 /// The number of the first repeated instruction; the number of instructions if none is repeated.
 [[nodiscard]] std::size_t first_repeated_instruction(const Function& function);
 
-/// Points at which a value has to vanish before it counts as zero.
+/// Number of random points at which a value has to vanish before the value counts as zero.
 inline constexpr std::size_t zero_sample_count = 64;
 
 /// The number of entries of all fields.
@@ -156,8 +156,8 @@ struct Program {
 /// loads are omitted.
 [[nodiscard]] std::vector<Constant> executed_constants(const Program& program);
 
-/// For each instruction the number of operations if it is expanded over the leaves. Counting stops
-/// at `most` + 1, because the number may double with every instruction.
+/// For each instruction the number of operations if the instruction is expanded over the leaves.
+/// Counting stops at `most` + 1, because the number may double with every instruction.
 [[nodiscard]] std::vector<std::size_t> expanded_sizes(const Function& function, std::size_t most);
 
 /// The operations that one call executes. `add` includes subtractions; `sincos` counts the distinct
@@ -204,8 +204,8 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 /// Measured by tests/bench/operation_costs (g++ 12, glibc 2.36, one run).
 [[nodiscard]] std::size_t cost(const OperationCounts& counts);
 
-/// For each instruction: true if it is one of `wanted` or an operand of one, directly or
-/// indirectly.
+/// For each instruction: true if the instruction is in `wanted`, or if an instruction in `wanted`
+/// depends on it.
 [[nodiscard]] std::vector<bool> needed_instructions(const Function& function,
                                                     const std::vector<std::uint32_t>& wanted);
 
@@ -221,7 +221,7 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 [[nodiscard]] Function reorder_instructions(const Function& function,
                                             const std::vector<std::uint32_t>& order);
 
-/// Removes the instructions that no entry needs.
+/// `function` without the instructions that no entry needs.
 ///
 ///     before    0 = parameter m   1 = parameter l   2 = multiply 0 0   result = 2
 ///     after     0 = parameter m   1 = multiply 0 0                     result = 1
@@ -231,11 +231,11 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 /// entries do not need are removed.
 [[nodiscard]] Function with_entries(Function function, const std::vector<std::uint32_t>& entries);
 
-/// Empty if all invariants hold; else the first violation with function and instruction.
+/// The first violation of an invariant, with function and instruction; empty if there is none.
 [[nodiscard]] std::string find_invariant_violation(const Program& program);
 
-/// Throws std::logic_error with the first violation (E912), in every build. Cost: linear in the
-/// instructions.
+/// Throws std::logic_error (E912) if find_invariant_violation() is not empty, in every build. Cost:
+/// linear in the instructions.
 void require_invariants(const Program& program);
 
 [[nodiscard]] std::string dump(const Program& program);

@@ -64,7 +64,7 @@ class Real {
 [[nodiscard]] Real operator/(const Real& x, const Real& y);
 [[nodiscard]] Real sqrt(const Real& x);
 
-/// False if an operand is undefined, as for NaN.
+/// x < y; false if an operand is undefined, as for NaN.
 [[nodiscard]] bool operator<(const Real& x, const Real& y);
 [[nodiscard]] bool operator<=(const Real& x, const Real& y);
 [[nodiscard]] inline bool operator>(const Real& x, const Real& y) { return y < x; }

@@ -15,7 +15,7 @@ namespace elgen {
 [[nodiscard]] std::optional<ExpressionId> value_of_name(const Model& model,
                                                         const Expression& expression);
 
-/// The operands of an expression; for a name, the expression that it stands for.
+/// The operands of `expression`; for a name, the expression that the name stands for.
 [[nodiscard]] std::vector<ExpressionId> references(const Model& model, ExpressionId expression);
 
 enum class EntityKind : std::uint8_t {
@@ -57,7 +57,7 @@ enum class RootRole : std::uint8_t {
   twist
 };
 
-/// An expression that an entry of the model contains, with its role there.
+/// An expression in an entry of the model, and the role of the expression in this entry.
 struct Root {
   ExpressionId expression = 0;
   Entity entity = {};

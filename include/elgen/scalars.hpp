@@ -16,7 +16,7 @@ enum class ScalarKind : std::uint8_t { single_precision, double_precision, long_
 struct ScalarRow {
   ScalarKind kind;
   std::string_view name;  ///< in C++, C and scenes
-  int digits;             ///< decimal digits, rounded; a value cannot lose more
+  int digits;             ///< decimal digits, rounded: the most that a value can lose
 };
 
 inline constexpr std::array scalar_table{ScalarRow{ScalarKind::single_precision, "float", 7},

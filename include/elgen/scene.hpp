@@ -61,7 +61,7 @@ struct FixedValue {
       {};  ///< in Model::expressions, for an irrational value
 };
 
-/// By index of the parameter.
+/// Index of a parameter -> its fixed value.
 using FixedParameters = std::map<std::uint32_t, FixedValue>;
 
 /// For the stage specialise: the fixed parameters, which become exact numbers.
@@ -110,7 +110,7 @@ struct Numerics {
   bool has_library_sines = false;
   /// The largest permitted error of any output, as `tradeoff` measures it. `verify` checks it.
   std::optional<double> max_error = {};
-  /// The ranges in which max_error must hold, in addition to the ranges of the model.
+  /// The ranges in which max_error must hold. They replace the ranges of the model, name by name.
   std::vector<NamedRange> ranges = {};
 };
 
@@ -131,17 +131,17 @@ struct Emission {
   bool has_eigen_header = false;  ///< C++: a second header with the same functions on Eigen types
   bool has_batch_header =
       false;                ///< C++: a second header with the same functions on arrays of states
-  bool has_sidecar = true;  ///< the sidecar file
+  bool has_sidecar = true;  ///< true: the equations are also written in JSON
   bool has_page = true;
 };
 
-/// The built-in scene `full` omits outputs with more entries; a scene must name them.
+/// The built-in scene `full` omits outputs with more entries than this; a scene must name them.
 inline constexpr std::uint64_t max_entries_in_full = 4096;
 
 /// Why the built-in scene `full` omits an output.
 enum class OmissionReason : std::uint8_t {
   too_many_entries,  ///< more than max_entries_in_full
-  kinked_force,      ///< needs derivatives of a force, which jump at kinks; no scene can have it
+  kinked_force,      ///< needs derivatives of a force with a kink, so no scene can have the output
 };
 
 [[nodiscard]] std::string_view name_of(OmissionReason reason);
@@ -165,8 +165,8 @@ enum class ShownValues : std::uint8_t { places, masses, laws, integrals };
 
 /// The leaves that `--state` sets. The values of q and v replace the start of the model.
 struct StateOverrides {
-  std::set<std::string> coordinates = {};  ///< names of the coordinates; all four of a rotation
-  std::set<std::string> velocities = {};   ///< names of the velocities; all three of a rotation
+  std::set<std::string> coordinates = {};  ///< names; a rotation has all four or none
+  std::set<std::string> velocities = {};   ///< names; a rotation has all three or none
   /// The values of accelerations, momenta, t and h, by their text: "dot(dot(theta))".
   std::map<std::string, cln::cl_R> others = {};
 };
@@ -209,7 +209,8 @@ struct CheckedModel {
   Scene scene;
 };
 
-/// What a command requires of check(), in addition to the scene. True means:
+/// The requirements of a command on check(), in addition to the scene. Each comment below says what
+/// check() does if the member is true.
 struct Purpose {
   /// SceneOptions::starts may also name accelerations, momenta, t and h (StateOverrides::others).
   bool accepts_all_leaves = false;
@@ -228,20 +229,20 @@ struct Purpose {
   bool keeps_large_forms = false;
 };
 
-/// The purpose of each command.
+/// The values of SceneOptions::purpose, one for each kind of command.
 namespace purpose {
 
-inline constexpr Purpose generate{};                            ///< also for diff, show and vectors
-inline constexpr Purpose rest{.samples_open_functions = true};  ///< equilibria and modes
+inline constexpr Purpose generate{};  ///< for generate, diff, show and vectors
+inline constexpr Purpose rest{.samples_open_functions = true};  ///< for equilibria and modes
 inline constexpr Purpose evaluate{.accepts_all_leaves = true, .samples_open_functions = true};
 inline constexpr Purpose simulate{
     .samples_open_functions = true, .keeps_pivots = true, .keeps_large_forms = true};
-/// The table of a time run has no conserved quantities, so large closed forms are dropped.
+/// For runs of `tradeoff --time`, whose table has no conserved quantities: large forms are dropped.
 inline constexpr Purpose time_run{.samples_open_functions = true, .keeps_pivots = true};
 inline constexpr Purpose show_motion{
     .samples_open_functions = true, .keeps_pivots = true, .shows_motion = true};
 inline constexpr Purpose verify{.keeps_large_forms = true};
-/// For the exact model, with which the check of `max_error` compares an expansion.
+/// For the exact model, to which `verify` compares an expanded model if it checks `max_error`.
 inline constexpr Purpose verify_expansion{.ignores_expansion = true};
 
 }  // namespace purpose
@@ -268,8 +269,8 @@ struct SceneOptions {
 };
 
 /// Resolves the syntax of a model and a scene. `scene` may be null: the built-in scene `full`.
-/// Errors, all in one run: E2xx names, E3xx domains, E4xx units, E5xx mechanics, E6xx scene, E9xx
-/// limits.
+/// All errors are reported in one run: E2xx names, E3xx domains, E4xx units, E5xx mechanics, E6xx
+/// scene, E9xx limits.
 [[nodiscard]] Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
                                          const SceneOptions& options, const Limits& limits);
 

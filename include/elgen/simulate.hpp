@@ -23,9 +23,9 @@ struct SimulationOptions {
   std::string method = "dopri5";            ///< a method of run/steps/methods.cpp
   std::optional<std::uint32_t> order = {};  ///< none: the order of the method without composition
   double from = 0;
-  double duration = 0;  ///< duration
+  double duration = 0;  ///< the run ends at `from` + `duration`
   std::optional<double> step =
-      {};  ///< upper bound; each interval has a whole number of equal steps
+      {};  ///< largest step; equal steps fill each interval between rows or holds
   std::optional<double> tolerance = {};     ///< none: 1e-9 if `step` is not set either
   std::optional<double> row_interval = {};  ///< time between rows; none: no rows
   std::optional<double> input_hold_time =
@@ -42,7 +42,7 @@ struct SimulationOptions {
 struct Drift {
   std::string name = {};
   std::string measure = {};  ///< the quantity whose largest value is `scale`: "|T| + |V|"
-  double worst = 0;          ///< largest magnitude
+  double worst = 0;          ///< largest magnitude of the deviation
   double secular = 0;  ///< mean over the last tenth of the run minus mean over the first tenth
   double scale = 1;
 };
@@ -96,12 +96,12 @@ struct Trajectory {
   std::vector<std::vector<double>> rows = {};
   std::vector<double> work = {};  ///< work done up to each row, in J; empty if no force does work
   std::vector<double> last = {};  ///< the row at the end of the run
-  /// The drift of the energy function E relative to the largest |T| + |V| (|v.p| + |L| if L is
-  /// declared). It is the deviation from the energy balance
+  /// The drift of the energy balance
   ///
   ///     E - E0 - int v.(B u + Q - dD/dv) dt + int dL/dt dt - int v.A^T lambda dt
   ///
-  /// The last term counts only for constraints that contain t.
+  /// relative to the largest |T| + |V|, or to the largest |v.p| + |L| if T and V are not separate.
+  /// The last integral is present only for constraints that contain t.
   Drift energy = {};
   bool loses_energy = false;  ///< with a fixed step: the loss exceeds 10 % of the scale of E648
   std::vector<Drift> momenta = {};  ///< of cyclic coordinates without forces and constraints
@@ -130,7 +130,7 @@ struct Trajectory {
 [[nodiscard]] Products derive_for_run(const PipelineSources& inputs, PipelineOptions options,
                                       const std::optional<StepSpec>& step);
 
-/// Compiles products of derive_for_run() for a run without `step`. Errors: as compile().
+/// Compiles products of derive_for_run() for a run without `step`. Errors: as emit() and compile().
 [[nodiscard]] Result<CompiledHeaders> compile_for_run(const Products& products,
                                                       const Limits& limits);
 
@@ -153,7 +153,7 @@ struct Trajectory {
 struct ReferenceRun {
   std::vector<double> last = {};        ///< from a run in long double with tolerance 1e-15
   std::vector<double> rough_last = {};  ///< from a run in double with tolerance 1e-12
-  std::vector<double> largest = {};     ///< largest magnitude of each during the run
+  std::vector<double> largest = {};     ///< largest magnitude of each number during the run
 };
 
 /// Runs from the assembled start of the model by Fehlberg's method of order 8, in the interpreter.
@@ -163,7 +163,7 @@ struct ReferenceRun {
 
 /// The last state, the drifts and the cost of a step, for people.
 [[nodiscard]] std::string to_text(const Trajectory& trajectory);
-/// The rows. Each number has the fewest digits that read back the same double.
+/// The rows as CSV. Each number has the fewest digits that read back the same double.
 [[nodiscard]] std::string to_csv(const Trajectory& trajectory);
 [[nodiscard]] std::string to_json(const Trajectory& trajectory);
 /// A plot over time, with one panel each for coordinates, inputs and E - E0 - work. Rates have no

@@ -25,7 +25,7 @@ struct SourceText {
 
 using SourcePointer = std::shared_ptr<const SourceText>;
 
-/// A half-open byte range [begin, end) of `source`; without a source it has no position.
+/// A half-open byte range [begin, end) of `source`; a null `source` means no position.
 struct Span {
   const SourceText* source = nullptr;
   std::uint32_t begin = 0;

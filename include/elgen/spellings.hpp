@@ -17,7 +17,7 @@ struct ListSpelling {
   std::string_view opening;
   std::string_view separator;
   std::string_view closing;
-  std::string_view after_single;  ///< after a single value
+  std::string_view after_single;  ///< text after the value of a list with one value: ","
   std::string_view empty;         ///< an empty list; {0}: the number of columns
 };
 
@@ -28,7 +28,7 @@ struct SourceSpelling {
   std::uint32_t first_index;
   std::string_view definition;
   std::size_t indent;        ///< indentation of statements
-  std::string_view local;    ///< before the name in a definition of a local variable
+  std::string_view local;    ///< text before the name in the definition of a local variable
   std::string_view library;  ///< a call of a library function; {0}: its name
   /// The functions that the library has under their C names, between spaces.
   std::string_view functions;
@@ -52,20 +52,20 @@ struct SourceSpelling {
   std::string_view end_of_value;    ///< text after the value of a parameter
   std::string_view number_member;   ///< a number in the documentation of a struct of results
   std::string_view array_member;    ///< an array in the documentation of a struct of results
-  std::string_view comment;         ///< start of a comment behind a parameter
+  std::string_view comment;         ///< start of the comment after a parameter: "# "
   std::string_view member_comment;  ///< text before the description of a member
-  char quote;                       ///< quotation mark
-  char escape;                      ///< escapes a quotation mark, and itself
+  char quote;                       ///< quotation mark around texts
+  char escape;                      ///< character that escapes `quote` and itself inside texts
   /// Characters written as \u003c, because they would be markup on a page.
   std::string_view coded_in_texts;
   std::string_view escaped_in_docs;  ///< characters that need a backslash in documentation
-  std::string_view end_of_docs;  ///< ends documentation; inside docs, a blank splits its characters
-  std::string_view own_function;  ///< a call of a function that the module defines
+  std::string_view end_of_docs;      ///< ends documentation; docs contain it with a blank inside
+  std::string_view own_function;     ///< a call of a function that the module defines
   /// The name of a constant; {0}: its number; "": constants are written as literals.
   std::string_view named_number;
   bool has_reflection;          ///< the template has the placeholders of emit/source/reflection.hpp
   std::string_view unbounded;   ///< an infinite number
-  std::size_t max_empty_lines;  ///< most consecutive empty lines
+  std::size_t max_empty_lines;  ///< largest number of consecutive empty lines
   std::size_t max_nesting;      ///< deepest nesting of brackets that the language parses; 0: any
   std::size_t max_name_length;  ///< in characters; 0: no limit
   std::string_view reserved;    ///< reserved words, between spaces; `_` is appended to such a name

@@ -60,7 +60,7 @@ struct StepSpec {
   friend auto operator<=>(const StepSpec&, const StepSpec&) = default;
 };
 
-/// A method with its default number of iterations.
+/// The step by `method` with the default number of iterations.
 [[nodiscard]] constexpr StepSpec default_step(StepMethod method, std::uint32_t composed_order = 0) {
   return {method, composed_order, step_method_row(method).iterations};
 }
@@ -70,12 +70,12 @@ struct StepSpec {
   return step.composed_order > 0 ? step.composed_order : step_method_row(step.method).order;
 }
 
-/// The available orders, with composition, of a method of order `own`: 2, 4, 8 for `own` = 2.
+/// The orders that a method of order `own` has with and without composition: 2, 4, 8 for `own` = 2.
 [[nodiscard]] std::vector<std::uint32_t> step_orders(std::uint32_t own);
 
 /// The coefficients g_1 ... g_s of a composition: order 4 by Suzuki (1/9 of the error of Yoshida's
-/// composition at equal cost), order 8 by Kahan and Li; {1} if not composed (0). The middle
-/// coefficient is the largest.
+/// composition at equal cost), order 8 by Kahan and Li; {1} for order 0 (not composed). The
+/// middle coefficient is negative, and the largest in magnitude.
 [[nodiscard]] std::vector<cln::cl_RA> composition_coefficients(std::uint32_t composed_order);
 
 }  // namespace elgen

@@ -55,8 +55,8 @@ struct ValueSyntax {
   std::string text = {};  ///< the text of a string, or the source text of an expression
   bool boolean = false;
   ExpressionSyntax expression = {};
-  std::vector<ValueSyntax> items = {};  ///< list
-  std::vector<KeySyntax> entries;       ///< table, in file order
+  std::vector<ValueSyntax> items = {};  ///< of a list
+  std::vector<KeySyntax> entries;       ///< of a table, in file order
 
   /// The entry with this key; null if the table lacks the key.
   [[nodiscard]] const KeySyntax* find(std::string_view key) const;
@@ -84,8 +84,8 @@ struct FileSyntax {
   std::vector<EntrySyntax> entries = {};  ///< in file order
 };
 
-/// An entry that is not an array of tables, one of its keys, and all its keys; null or empty if
-/// missing. `file` may be null.
+/// The entry `name` (not an array of tables), the key `key` of an entry, and all keys of an entry;
+/// null or empty if missing. `file` may be null.
 [[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);
 [[nodiscard]] const KeySyntax* find_key(const FileSyntax* file, std::string_view entry,
                                         std::string_view key);
@@ -174,7 +174,7 @@ struct EntryRow {
 [[nodiscard]] std::string default_text(const KeyRow& row);
 /// A type in words: "expression", "one of".
 [[nodiscard]] std::string_view type_text(KeyType type);
-/// The header of an entry in a file: "[[frame]]", "[outputs]" of "scene.outputs".
+/// The header of an entry in a file: "[[frame]]" for "frame", "[outputs]" for "scene.outputs".
 [[nodiscard]] std::string header_text(const EntryRow& row);
 /// All entries and keys in Markdown: the text of models/REFERENCE.md.
 [[nodiscard]] std::string reference_page();
@@ -186,8 +186,8 @@ struct EntryRow {
 /// each other, or references by name; only elgen checks these.
 [[nodiscard]] std::string file_schema(FileKind kind);
 
-/// The value of the key `model = "…"` of a scene. None if the text is not TOML or has no such key;
-/// in a model file, `model` is a table.
+/// The value of the key `model = "…"` of a scene. None if the text is not TOML, or if `model` is
+/// missing or is a table, as in a model file.
 [[nodiscard]] std::optional<Span> find_model_key(const SourceText& source);
 
 /// True if the text is TOML with a table [model].

@@ -54,8 +54,8 @@ void call_compiled_function(DriverFunction<Scalar> function,
       result);
 }
 
-/// values[function][state] has the entries of all fields. It is empty if the function raised an
-/// exception, which interpreters do instead of returning infinity or NaN.
+/// Element [function][state] has the entries of all fields, or is empty if the function raised an
+/// exception. Interpreters raise exceptions instead of returning infinity or NaN.
 template <class Scalar>
 using FunctionResults = std::vector<std::vector<std::vector<Scalar>>>;
 
@@ -63,10 +63,10 @@ using FunctionResults = std::vector<std::vector<std::vector<Scalar>>>;
 class CompiledModel {
  public:
   virtual ~CompiledModel() = default;
-  /// A pointer to the function, valid while the CompiledModel lives; null if it is not compiled for
-  /// double. The function writes the entries of all fields, in the order of Function::fields.
+  /// A pointer to `function`, valid while the CompiledModel lives; null if not compiled for double.
+  /// The function writes the entries of all fields, in the order of Function::fields.
   [[nodiscard]] virtual DriverFunction<double> find(std::string_view function) const = 0;
-  /// The entries of all fields of an output, in the order of Function::fields.
+  /// Calls `function`. Returns the entries of all fields, in the order of Function::fields.
   [[nodiscard]] virtual std::vector<double> call(std::string_view function,
                                                  const Arguments<double>& arguments) const = 0;
   [[nodiscard]] virtual std::vector<float> call(std::string_view function,
@@ -111,7 +111,7 @@ struct CompiledHeader {
   std::unique_ptr<CompiledModel> functions = {};
   BuildFlags build = BuildFlags::as_written;
   std::string failure_reason = {};            ///< why `functions` is null; else empty
-  std::vector<DeclaredNumber> declared = {};  ///< numbers of all headers; only in the first header
+  std::vector<DeclaredNumber> declared = {};  ///< in the first header: the numbers of all headers
   bool is_wide = false;  ///< computes in Numerics::inner: not bit-identical to the program
   /// Functions that the interpreter implements itself, between spaces. roundings: the tolerance of
   /// all other functions, in u of the largest entry of a field; 0: bit-identical to the program.
@@ -150,7 +150,7 @@ struct Machine {
 /// The machine on which this process runs. E704 and E909: as compile().
 [[nodiscard]] Result<Machine> this_machine(const Limits& limits);
 
-/// The way in which a timed function processes its states. It is compiled with Build::timing.
+/// The way in which a timed function, compiled with BuildFlags::timing, processes its states.
 struct TimedVariant {
   ScalarKind scalar = ScalarKind::double_precision;  ///< or float
   bool in_packs = false;  ///< true: several states per call, by the batch header; false: one
@@ -193,7 +193,7 @@ struct TimingOptions {
 using StepLoop = void (*)(std::size_t count, std::size_t steps, double t, double h,
                           const double* inputs, double* state, double* spare);
 
-/// An emitted `step` in loops.
+/// Loops that call an emitted `step`.
 struct StepLoops {
   std::shared_ptr<const void> code = {};  ///< keeps the loops callable
   StepLoop one_state_loop = nullptr;      ///< for one state; ignores `count`

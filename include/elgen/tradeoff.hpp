@@ -1,7 +1,7 @@
 // TradeoffTable: costs and errors of the designs of one output, or of runs.
 //
-// A design is a scene. plan() lists designs; the pipeline and the compiler then run for each
-// design. measure_costs() and find_errors() measure the results, and rank_rows() ranks them.
+// A design is a scene. plan_designs() lists designs; the pipeline and the compiler then run for
+// each design. measure_costs() and find_errors() measure the results, and rank_rows() ranks them.
 // check_max_error() checks `max_error` of a scene.
 //
 // Costs and errors have noise. Two costs are equal if their ratio is at most equality_factor or
@@ -82,7 +82,7 @@ struct DesignChoices {
                                           const std::vector<PinnedDimension>& pinned);
 
 struct PlannedDesign {
-  std::vector<std::string> values = {};  ///< by dimension
+  std::vector<std::string> values = {};  ///< one per dimension
   Design design = {};
 };
 
@@ -119,8 +119,8 @@ struct TradeoffStates {
   std::vector<std::size_t> field_sizes = {};
   std::vector<std::vector<TwoDoubleNumber>> exact = {};  ///< by state and entry
   Arguments<double> low = {};   ///< lower ends of the ranges from which states are drawn
-  Arguments<double> high = {};  ///< upper ends
-  std::uint64_t seed = 1;       ///< of the search for worse states
+  Arguments<double> high = {};  ///< upper ends of these ranges
+  std::uint64_t seed = 1;       ///< seed of the search for worse states
 };
 
 /// The number of states and their seed.
@@ -129,9 +129,10 @@ struct TradeoffSampling {
   std::uint64_t seed = 1;
 };
 
-/// States inside the ranges of the model, narrowed by the scene, and the values of the first
-/// function of the program at these states, in 60 digits with exact parameters. E521: the function
-/// has no value. Cost: one operation of Real per instruction and state.
+/// States inside the ranges of the model, in which Numerics::ranges replace ranges of the same
+/// name, and the values of the first function of `program` at these states, in 60 digits with exact
+/// parameters. E521: the function has no value. Cost: one operation of Real per instruction and
+/// state.
 [[nodiscard]] Result<TradeoffStates> sample_tradeoff_states(const CheckedModel& exact,
                                                             const Program& program,
                                                             const TradeoffSampling& sampling);
@@ -203,9 +204,8 @@ struct TimedWork {
   Quartiles* cost = nullptr;
 };
 
-/// Measures the costs of all works in alternating rounds, so that changes of the machine affect all
-/// of them. The number of rounds is chosen so that the measurement takes about `seconds`, but
-/// between 9 and 1001.
+/// Measures the costs of all `works` in alternating rounds, so that changes of the machine affect
+/// all works. Rounds are repeated for about `seconds`, at least 9 and at most 1001 times.
 void measure_costs(const std::vector<TimedWork>& works, double seconds = 1.5);
 
 /// A run by an emitted step of fixed length.
@@ -227,7 +227,7 @@ struct PlannedRun {
                                              double time);
 
 /// A piece of work for measure_costs(): some steps of `length` from the start of the model, for one
-/// state, or for 256 states in packs. Its parts are the steps of each state.
+/// state or, if `in_packs` is set, for 256 states. One part of the work is one step of one state.
 [[nodiscard]] TimedWork make_step_work(const CheckedModel& checked, const Program& program,
                                        const StepLoops& loops, bool in_packs, double length);
 
@@ -238,7 +238,7 @@ struct PlannedRun {
                                       const ReferenceRun& reference, const Model& model);
 
 struct TradeoffRow {
-  std::vector<std::string> values = {};  ///< by dimension
+  std::vector<std::string> values = {};  ///< one per dimension
   Design design = {};
   Quartiles cost = {};
   Quartiles call_cost = {};  ///< cost of a call with one state, which fills one lane of a pack
@@ -272,7 +272,7 @@ struct TradeoffTable {
 /// Ranks and sorts the planned rows, and marks the Pareto front.
 [[nodiscard]] TradeoffTable rank_rows(TradeoffTable table);
 
-/// "float, packs, full, fixed"
+/// The values of a row as text: "float, packs, full, fixed".
 [[nodiscard]] std::string name_of(const TradeoffRow& row);
 
 /// The cheapest row with a worst error of at most `max_error`; if several of these rows have the

@@ -34,10 +34,10 @@ namespace elgen {
 /// entry: `functions` over the definitions of the derivation, `readable` as in books. The function
 /// of a velocity has the fields of LagrangeStepField.
 ///
-/// A last function is added, with one field per acceleration: its equation of motion, solved for
-/// it. The field has no rows if the scene expands the equations, if constraints act, if a closed
-/// form is missing or too long, if the equation contains two other accelerations, or if the
-/// equation of the other acceleration contains a third one.
+/// A last function is added, with one field per acceleration: the equation of motion of its
+/// velocity, solved for the acceleration. The field has no rows if the scene expands the equations,
+/// if constraints act, if a closed form is missing or too long, if the equation contains two other
+/// accelerations, or if the equation of the other acceleration contains a third acceleration.
 [[nodiscard]] Program typeset_derivation(const CheckedModel& checked, const ClosedForms& forms,
                                          Program derived);
 

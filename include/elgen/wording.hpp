@@ -37,7 +37,7 @@ namespace elgen {
                                      const std::vector<std::string>& candidates,
                                      const std::string& otherwise = {});
 
-/// One column of a table as strings: column_words(entry_table(), &EntryRow::entry).
+/// The column `word` of a table, as strings: column_words(entry_table(), &EntryRow::entry).
 template <class Rows, class Word>
 [[nodiscard]] std::vector<std::string> column_words(const Rows& rows, const Word& word) {
   std::vector<std::string> words;
