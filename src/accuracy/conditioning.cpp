@@ -11,7 +11,7 @@
 namespace elgen {
 namespace {
 
-/// The operands of an instruction as dual numbers; one of them has tangent 1.
+/// The operands of an instruction as dual numbers. `seed_operand` has tangent 1, all others 0.
 struct DualOperands {
   const std::vector<Real>& values;
   std::uint32_t seed_operand;
@@ -21,8 +21,8 @@ struct DualOperands {
   }
 };
 
-/// x rounded to a double, within an ulp, which the error bound includes. Infinite or 0 if x is
-/// outside the range of doubles.
+/// x rounded to a double, within an ulp; the error bounds of Adjoint include this error. Infinite
+/// or 0 if x is outside the range of doubles.
 double round_to_double(const Real& x) {
   return x.is_defined() ? cln::double_approx(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
@@ -69,8 +69,8 @@ Conditioning::Conditioning(const Program& program, const Function& function,
   for (const Real& value : values_) rounded_values_.push_back(round_to_double(value));
 }
 
-/// The derivative of an instruction by an operand: 1 or -1 for a term, the other factor for a
-/// factor, and otherwise the tangent of a dual number.
+/// The derivative of `i` by `operand`: 1 or -1 for a sum or difference, the other operand for a
+/// product, otherwise the tangent of a dual number.
 Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
   const bool is_first = operand == i.a;
   if (is_sum(i) && i.a != i.b) return Real(is_first || i.opcode == Opcode::add ? 1 : -1);

@@ -1,10 +1,10 @@
-// Conditioning: the error of a value if all its inputs are rounded once, however it is computed:
+// Conditioning: the error K of a value x, in units of roundoff u, if all inputs are rounded once:
 //
 //     K = sum |z dx/dz|      over inputs z and parameters z
 //
-// in units of u. If the error of a formula is far beyond u (|x| + K), it loses digits that another
-// formula for x can keep. Literals count as exact: at large x, pi/2 - atan(x) loses digits, and
-// atan2(1, x) keeps all of them.
+// K is the same for every formula for x. If the error of a formula is far beyond u (|x| + K), the
+// formula loses digits that another formula for x can keep. Literals count as exact: at large x,
+// pi/2 - atan(x) loses digits, and atan2(1, x) keeps all of them.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@
 
 namespace elgen {
 
-/// The largest error in u (|x| + K) that rounding in a few operations explains. If the error is
-/// larger, the formula loses digits.
+/// The largest error, in units of u (|x| + K), that the rounding of a few operations explains. A
+/// formula with a larger error loses digits.
 inline constexpr double tolerated_loss = 64;
 
-/// Losses within this factor count as equal; then the cheaper formula is chosen.
+/// Two losses count as equal if their quotient is at most this; then the cheaper formula is chosen.
 inline constexpr double loss_equality_factor = 8;
 
 /// K of the values of a function at one point.

@@ -44,8 +44,8 @@ RoundingConstants<Number> make_rounding() {
           }};
 }
 
-/// `value` and `error` as the result of an operation on x and y. Adds the error of underflow to
-/// `error`, and propagates is_lost and underflows of the operands.
+/// The result of an operation on x and y, with `value` and `error`. Adds the error of underflow to
+/// `error`. Takes over is_lost and underflows from x and y.
 template <class Number>
 RunningValue<Number> finish_operation(const Number& value, const Number& error,
                                       const RunningValue<Number>& x, const RunningValue<Number>& y,

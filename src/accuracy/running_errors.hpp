@@ -32,7 +32,7 @@ struct RoundingConstants {
   bool (*is_exact)(const cln::cl_R& value);  ///< true if the scalar can represent `value`
 };
 
-/// The constants of Scalar, which is double or float. With Number = double, only of double.
+/// The constants of Scalar, double or float. If Number is double, Scalar must be double.
 template <class Scalar, class Number = Real>
 [[nodiscard]] const RoundingConstants<Number>& rounding_constants();
 
@@ -57,7 +57,7 @@ template <class Number>
   return values;
 }
 
-/// The running error of a leaf, which is rounded once if the scalar cannot represent its value.
+/// `value` with its running error as a leaf: 0 if the scalar can represent `value`, else |value|.
 template <class Number>
 [[nodiscard]] RunningValue<Number> running_leaf(const cln::cl_R& value,
                                                 const RoundingConstants<Number>& rounding);
@@ -67,8 +67,8 @@ template <class Number>
 /// a divisor. For a function of one argument, `y` is x.
 [[nodiscard]] bool is_replaced_by_limit(FunctionId function, const Real& x, const Real& y);
 
-/// Whether leaves are exact or have one rounding error each. With a rounding error of q = 1e6, both
-/// cos(q + 1) and cos(q)*cos(1) - sin(q)*sin(1) lose the digits that the angle q loses.
+/// Whether leaves are exact or are rounded once. If q = 1e6 is rounded, q loses digits, and both
+/// cos(q + 1) and cos(q)*cos(1) - sin(q)*sin(1) lose the same digits.
 enum class LeafRounding : std::uint8_t { exact, rounded };
 
 template <class Number>

@@ -22,7 +22,7 @@ using cln::cl_R;
 
 constexpr std::uint64_t seed_of_states = 1;
 
-/// Digits of floats, in addition to the 64 digits of Real. Entries below `zero_threshold` are 0.
+/// Digits of floats beyond the 64 of Real. Entries below zero_threshold() count as 0.
 constexpr unsigned more_digits = 96;
 const cl_R& zero_threshold() {
   static const cl_R value = power_of_ten(-100);
@@ -108,8 +108,8 @@ bool find_by_residues(const CheckedModel& checked, const Program& program,
   return are_rational;
 }
 
-/// Rows of Y at a drawn state in long floats, each scaled to a largest entry of 1. None if Y has no
-/// value at the state.
+/// The rows of Y at `state` in floats of 160 digits, each scaled to a largest entry of 1. None if Y
+/// has no value at the state.
 std::optional<std::vector<cl_R>> regressor_rows(const CheckedModel& checked, const Program& program,
                                                 const Function& regressor, const State& state) {
   static const cln::float_format_t digits = cln::float_format(64 + more_digits);

@@ -26,8 +26,8 @@ constexpr double two_pi_bound = 0x1.921fb54442d19p2;  // more than 2 pi
 /// Undecided boxes are joined if their distance is less than this multiple of their lengths.
 constexpr double join_distance_factor = 10;
 
-/// The largest numbers of Newton starts in open boxes, and of places. A place is a union of
-/// undecided boxes that touch.
+/// The largest number of Newton starts in open boxes, and the largest number of places. A place is
+/// a union of undecided boxes that touch.
 constexpr std::size_t most_starts = 64;
 constexpr std::size_t most_places = 16;
 
@@ -188,7 +188,7 @@ class BlockSearch {
     if (chosen_rows_.size() > velocities_.size()) chosen_rows_.resize(velocities_.size());
   }
 
-  /// The root to which Newton's method converges from `first`.
+  /// The root to which Newton's method converges from `first`; none without convergence.
   [[nodiscard]] std::optional<Arguments<Real>> newton_root(const Arguments<Real>& first) const {
     return newton_solution(system_.model, system_.program, square_, first, velocities_);
   }
@@ -291,9 +291,9 @@ class BlockSearch {
     return true;
   }
 
-  /// Adds the root that quarter_turn_point() finds, if it solves the equations. The place stays
-  /// undecided, unless it has one coordinate and the added root (a zero of any order) is proved to
-  /// be its only root.
+  /// Adds the point of quarter_turn_point() as a root if the point solves the equations. The place
+  /// stays undecided, unless the place has one coordinate and this root, of any order, is proved to
+  /// be the only root in the place.
   void decide_box(const IntervalEquations& equations, const Box& place) {
     if (const auto root = quarter_turn_point(place)) {
       add_root(*root);
@@ -319,8 +319,8 @@ class BlockSearch {
     }
   }
 
-  /// A point of the place whose angles are multiples of a quarter turn and whose other coordinates
-  /// are 0, if it exists. add() tests whether it solves the equations.
+  /// The point of the place whose angles are multiples of a quarter turn and whose other
+  /// coordinates are 0, if it exists. add_root() tests whether the point solves the equations.
   [[nodiscard]] std::optional<Arguments<Real>> quarter_turn_point(const Box& place) const {
     Arguments<Real> root = start();
     for (std::size_t i = 0; i < place.size(); ++i) {

@@ -115,7 +115,7 @@ class KrawczykSearch {
     open.push_back(std::move(half));
   }
 
-  /// The index of the longest side, relative to the sides of the domain.
+  /// The index of the side of `box` that is longest relative to the same side of the domain.
   [[nodiscard]] std::size_t longest_side(const Box& box) const {
     std::size_t longest = 0;
     for (std::size_t i = 1; i < size_; ++i) {

@@ -37,7 +37,7 @@ struct BoxSearchResult {
   std::uint64_t examined = 0;
 };
 
-/// A box whose sides are shorter than this fraction of the domain is not halved again.
+/// A box is not halved again if each side is shorter than this fraction of the domain's side.
 inline constexpr double box_resolution = 1e-7;
 
 /// Examines at most `max_boxes` boxes. Cost per box: up to two evaluations of f, and an evaluation

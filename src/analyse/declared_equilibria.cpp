@@ -23,8 +23,8 @@ using cln::cl_R;
 /// Larger determinants exceed the budget of closed forms.
 constexpr std::size_t most_rows = 8;
 
-/// Laplace expansion by the first row; minors are memoised by their sets of columns. Elimination
-/// would divide forms and exceed the budget sooner.
+/// The determinant by Laplace expansion along the first row, with minors memoised by their columns.
+/// Elimination would divide forms and exceed the budget sooner.
 OptionalFraction determinant(Arithmetic& arithmetic, const std::vector<OptionalFraction>& matrix,
                              std::size_t n) {
   std::vector<OptionalFraction> minors(std::size_t{1} << n);
@@ -53,8 +53,8 @@ Real determinant(const std::vector<Real>& matrix, std::size_t n) {
   return echelon.is_defined() ? echelon.determinant() : Real::undefined();
 }
 
-/// The replacement of a coordinate. For an angle rest +- acos(c) or rest +- asin(c), it contains
-/// the cosine and sine of the angle, by the addition theorem.
+/// The replacement of a coordinate by `value`. If `value` is an angle rest +- acos(c) or rest +-
+/// asin(c), the replacement has the cosine and sine of this angle, by the addition theorem.
 Replacement coordinate_replacement(Arithmetic& at, const Algebra& algebra, const Fraction& value) {
   Replacement result{value};
   if (!value.denominator.empty()) return result;
@@ -264,7 +264,7 @@ std::vector<EquilibriumVerdict> check_equilibria(const CheckedModel& checked,
   const bool is_exact = !checked.model.approximation && checked.model.open_values.empty();
   if (checked.model.equilibria.empty() || !is_exact) return result;
   const Program moving =
-      with_closed_forms(recursive, Audience::code);  // without leaves that cancel
+      with_closed_forms(recursive, Audience::code);  // contains no leaves that cancel
   ClosedForms forms = present(moving);
   for (const Equilibrium& declared : checked.model.equilibria) {
     result.push_back(EquilibriumCheck(checked, moving, forms, declared)());

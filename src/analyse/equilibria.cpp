@@ -23,8 +23,8 @@ namespace {
 
 using cln::cl_R;
 
-/// More equilibria are refused (E910). Their number is the product of the numbers of roots of all
-/// blocks.
+/// The largest number of equilibria (else E910). Their number is the product of the numbers of
+/// roots of all blocks.
 constexpr std::size_t most_points = 256;
 
 class EquilibriumSearch {
@@ -83,8 +83,8 @@ class EquilibriumSearch {
   }
 
  private:
-  /// Coordinates in no equation at rest keep their start value. If the start value is 0, or for an
-  /// angle a multiple of a quarter turn, the coordinate gets a closed form.
+  /// Sets the closed form of each coordinate in no equation at rest, if the start value of the
+  /// coordinate is 0 or, for an angle, a multiple of a quarter turn.
   void set_free_closed_forms(RestPoint& point) {
     for (std::uint32_t i = 0; i < point.coordinates.size(); ++i) {
       RestCoordinate& coordinate = point.coordinates[i];
@@ -113,8 +113,8 @@ class EquilibriumSearch {
     return {};
   }
 
-  /// Removes coordinates from rows that do not contain them at the values of the parameters:
-  /// (m1 a - m2 b) g cos(theta) does not contain theta if m1 a = m2 b.
+  /// Removes from each row the coordinates that the row does not contain at the values of the
+  /// parameters: (m1 a - m2 b) g cos(theta) does not contain theta if m1 a = m2 b.
   void leave_out_coordinates() {
     const std::optional<Replacements> values = parameter_replacements(state_.parameters);
     for (std::uint32_t row = 0; values && row < rows_.size(); ++row) {
@@ -298,7 +298,7 @@ class EquilibriumSearch {
     }
   }
 
-  /// If K is exactly 0 along the coordinate of the block, notes the leading term of W.
+  /// Adds the leading term of W to `here` if K is exactly 0 along the coordinate of the block.
   void add_degenerate_term(RestSystem& system, const RestBlock& block, const RestCoordinate& root,
                            const RestPoint& point, LagrangeDirichletPremises& here) {
     const std::uint32_t coordinate = block.coordinates[0];
@@ -369,7 +369,7 @@ Result<EquilibriumSearch> make_equilibrium_search(const AnalysisInput& input) {
       input.equilibrium_name ? named_state(checked, *input.equilibrium_name) : start_state(checked);
   if (!state) return state.diagnostics;
   Program moving =
-      with_closed_forms(input.recursive, Audience::code);  // without leaves that cancel
+      with_closed_forms(input.recursive, Audience::code);  // contains no leaves that cancel
   Result<RestProgram> rest = rest_program(moving, state->u);
   if (!rest) return rest.diagnostics;
   return EquilibriumSearch(checked, std::move(moving), std::move(*rest), *state);

@@ -24,7 +24,7 @@ class MonomialEquations {
         field_(field),
         motions_(forms.algebra, [](const Atom& leaf) { return leaf.leaf != Opcode::parameter; }) {}
 
-  /// Adds the equations of one row; false if the budget is exceeded.
+  /// Adds one equation for each monomial of a row; false if the budget is exceeded.
   bool add_row(std::vector<OptionalFraction> row) {
     if (!clear_denominators(row)) return false;
     std::map<Monomial, std::map<std::size_t, Polynomial>, MonomialLess> sums;
@@ -95,7 +95,7 @@ class MonomialEquations {
     }
   }
 
-  /// Multiplies an entry by the common denominator.
+  /// `entry` times the product `common`.
   OptionalFraction scale_to_denominator(Denominator common, const Fraction& entry) {
     for (const auto& [factor, exponent] : entry.denominator) common[factor] -= exponent;
     OptionalFraction result = Fraction{entry.numerator, {}};

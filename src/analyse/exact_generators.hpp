@@ -41,7 +41,7 @@ class FormField : public Arithmetic {
   }
 };
 
-/// The point whose q, v, a and t are the leaves, with the given R.
+/// The point of a motion whose q, v, a and t are the leaves and whose R is `residual`.
 [[nodiscard]] MotionPoint<OptionalFraction> symbolic_motion_point(
     FormField& field, const Model& model, const std::vector<OptionalFraction>& residual);
 

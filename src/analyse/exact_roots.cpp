@@ -94,7 +94,7 @@ void divide_out_root(Coefficients& coefficients, const GaussianRational& root) {
   }
 }
 
-/// cos(q) = c or sin(q) = c.
+/// cos(q) = `value` if `is_cosine`, else sin(q) = `value`.
 struct KnownSinusoid {
   Fraction value = {};
   bool is_cosine = true;
@@ -301,7 +301,7 @@ OptionalFraction clear_poles(Algebra& algebra, const Fraction& row, const Unknow
                                       fraction_of(Polynomial{{powers, GaussianRational{1, 0}}}));
 }
 
-/// True if an unknown that occurs in a denominator is 0.
+/// True if the solution sets an unknown of `poles` to 0, which is a division by 0.
 bool is_at_pole(const LinearSolution& solution, const Unknowns& unknowns,
                 const std::set<std::uint32_t>& poles) {
   for (std::size_t i = 0; i < solution.values.size(); ++i) {
@@ -382,7 +382,7 @@ std::optional<std::vector<RestCoordinate>> exact_root(ClosedForms& forms,
   if (!open && is_solved(algebra, rows, coordinate_replacements(unknowns.coordinates, values))) {
     return values;
   }
-  // A root may be pi/2 only at these values of the parameters, such as asin(tau/(m g l)).
+  // A root may be pi/2 only for these parameters: asin(tau/(m g l)) at tau = m g l.
   if (!open && values.size() == 1) open = 0;
   if (!open) return std::nullopt;
   values[*open] = {};

@@ -35,14 +35,14 @@ namespace elgen {
                                                             const Algebra& algebra,
                                                             const Fraction& form);
 
-/// The value in 64 digits; undefined if the form has no value or is too long.
+/// The value of `form` at `at` in 64 digits; undefined if the form has no value or is too long.
 [[nodiscard]] Real evaluate_form(const Algebra& algebra, const Fraction& form,
                                  const Arguments<Real>& at);
 
 /// Finds the atoms and forms that contain a wanted leaf; the results for atoms are memoised.
 class LeafSearch {
  public:
-  /// `is_wanted` selects leaves.
+  /// `is_wanted` is true for the leaves to be found.
   LeafSearch(const Algebra& algebra, std::function<bool(const Atom&)> is_wanted)
       : algebra_(algebra), is_wanted_(std::move(is_wanted)) {}
 
@@ -82,7 +82,7 @@ struct Replacement {
   Fraction value = {};
   std::optional<CosineAndSine> sinusoids = {};
 };
-/// Replacements by kind and index of the leaf.
+/// (kind, index) of a leaf -> its replacement.
 using Replacements = std::map<std::pair<Opcode, std::uint32_t>, Replacement>;
 
 /// The form after the replacements; none if the form is none, if a denominator becomes 0, or if the

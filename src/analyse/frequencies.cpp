@@ -52,7 +52,7 @@ class FrequencySolver {
     return at_rest_.stiffness[i * size_ + j];
   }
 
-  /// Adds w^2 = K/M.
+  /// Adds w^2 = K_ii/M_ii.
   void add_single_frequency(std::vector<SquaredFrequency>& all, std::size_t i) {
     const OptionalFraction square = Arithmetic(forms_.algebra).divide(stiffness(i, i), mass(i, i));
     if (square) all.push_back({*square});

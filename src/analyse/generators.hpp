@@ -1,9 +1,10 @@
-// Generators of symmetries: a class of infinitesimal changes of a motion, linear in its unknowns.
+// Generators of symmetries: infinitesimal changes of a motion. The unknowns are constants: a matrix
+// A, vectors b and c, a time shift dt, and for each rotation a turn s about world axes and a turn b
+// about body axes.
 //
-//     dq = A q + b + c t for coordinates other than rotations,  dt constant
-//     dv = A v + c,  da = A a
-//     for a rotation with matrix C (body to world) a turn by eta = C^T s + b in body axes,
-//     dw = w x b,  d(w') = w' x b
+//     dq = A q + b + c t,  dv = A v + c,  da = A a     for coordinates other than rotations
+//     eta = C^T s + b,  dw = w x b,  dw' = w' x b      for a rotation: turn eta, angular velocity w
+//                                                      in body axes, matrix C (body to world)
 //
 // Let R = d/dt dL/dv - dL/dq (plus [w]x dL/dw for rotations). A change is a symmetry (dL is a total
 // derivative) if and only if
@@ -121,7 +122,7 @@ std::array<typename Field::Number, axis_count> cross_with_unit(
   return result;
 }
 
-/// The change of a point by a generator: dq, dv, da and A^T R, by velocity.
+/// The change of a point by a generator: dq, dv, da and A^T R, each with one entry per velocity.
 template <class Number>
 struct PointChange {
   std::vector<Number> position = {};

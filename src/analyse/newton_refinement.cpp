@@ -14,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// dq/dt for unit velocity: a column of N(q).
+/// The column of N(q) for `velocity`: dq/dt if this velocity is 1 and all others are 0.
 std::vector<Real> unit_velocity_rates(const Model& model, const Arguments<Real>& at,
                                       std::uint32_t velocity) {
   std::vector<Real> rates(at.q.size());

@@ -1,4 +1,4 @@
-// Newton refinement: a solution in 64 digits.
+// Newton refinement: solutions of equations f(q) = 0 in 64 digits.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace elgen {
 
-/// df/dq of the entries of a function, row-major, with one column for each velocity of `along`. The
+/// df/dq of the entries of a function, row-major, with one column for each of `velocities`. The
 /// column of an angular velocity is the slope along a turn about a body axis.
 [[nodiscard]] std::vector<Real> position_slopes(const Model& model, const Program& program,
                                                 const Function& function, const Arguments<Real>& at,

@@ -17,7 +17,7 @@ namespace elgen {
 /// The field of 2^521 - 1 elements.
 [[nodiscard]] const cln::cl_modint_ring& residue_field();
 
-/// n/d modulo the prime.
+/// n/d = `number` modulo the prime: n times the inverse of d.
 [[nodiscard]] cln::cl_MI residue_of(const cln::cl_RA& number);
 
 /// The unique rational number with numerator and denominator below 2^250 that has this residue, if
@@ -29,8 +29,8 @@ struct CirclePoint {
   cln::cl_MI sine;
 };
 
-/// A number: its residue, and its cosine and sine as an angle. A member is none if it is unknown,
-/// such as the value of pi or the angle of most numbers.
+/// A real number x modulo the prime: `value` is x, `angle` has cos(x) and sin(x). A member is none
+/// if it is unknown: `value` for x = pi, and `angle` for x = 1.
 struct Residue {
   std::optional<cln::cl_MI> value = {};
   std::optional<CirclePoint> angle = {};

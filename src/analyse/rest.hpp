@@ -40,7 +40,7 @@ struct CoordinateOccurrence {
 /// Equations at rest that share coordinates, and these coordinates. A block without coordinates is
 /// one constant equation.
 struct RestBlock {
-  std::vector<std::uint32_t> rows = {};         ///< by velocity
+  std::vector<std::uint32_t> rows = {};         ///< indices of velocities
   std::vector<std::uint32_t> coordinates = {};  ///< ascending
 };
 

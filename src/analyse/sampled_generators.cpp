@@ -20,7 +20,7 @@ constexpr std::uint64_t seed = 1;
 /// The limit of draws per state: states outside the domain of a function have no value.
 constexpr std::size_t draws_per_state = 20;
 
-/// Elimination scales rows and columns to 1; numbers below this then count as 0.
+/// Elimination scales rows and columns to largest entries of 1; numbers below this count as 0.
 const cl_R& noise_threshold() {
   static const cl_R value = power_of_ten(-100);
   return value;
@@ -97,7 +97,7 @@ std::optional<std::vector<cl_R>> scaled_row(const std::vector<Real>& row) {
   return numbers;
 }
 
-/// The largest entry of each column; 1 if it is a rounding error.
+/// The largest magnitude in each column; 1 if this magnitude is a rounding error.
 std::vector<cl_R> column_scales(const std::vector<std::vector<cl_R>>& rows, std::size_t unknowns) {
   std::vector<cl_R> scales(unknowns, cl_R(0));
   for (const std::vector<cl_R>& row : rows) {
@@ -201,7 +201,7 @@ std::vector<SampledGenerators> sample_other_parameters(const CheckedModel& check
   std::vector<SampledGenerators> found;
   for (std::size_t turn = 0; turn < draws_per_state && found.size() < sets; ++turn) {
     Sampler draw(seed + turn);
-    // For odd numbers, drawn_state() draws parameters from their whole declared ranges.
+    // For an odd last argument, draw_state() draws parameters from their whole declared ranges.
     const State state = draw_state(checked.model, checked.scene, draw, 2 * turn + 1);
     auto here = sample_generators(checked, moving, state);
     if (here) found.push_back(std::move(*here));

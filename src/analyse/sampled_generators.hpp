@@ -28,14 +28,14 @@ struct SampledGenerators {
 };
 
 /// The generators at random states with the parameters of `rest_state`; none if too few states have
-/// a value. `moving` has the functions of outputs_for_symmetries. Cost: 3 n + 1 derivatives of the
-/// inverse dynamics at each of (unknowns / n + 4) states, and an elimination.
+/// a value. `motion_program` has the functions of outputs_for_symmetries. Cost: 3 n + 1 derivatives
+/// of the inverse dynamics at each of (unknowns / n + 4) states, and an elimination.
 [[nodiscard]] std::optional<SampledGenerators> sample_generators(const CheckedModel& checked,
                                                                  const Program& motion_program,
                                                                  const State& rest_state);
 
-/// Generators at up to three random sets of the parameters that are not fixed. A set without values
-/// is omitted. Cost: three calls of sample_generators(), or up to 20 if ranges leave the domain.
+/// Generators for up to three random draws of the parameters that are not fixed. A draw is omitted
+/// if too few states have a value. Cost: up to 20 calls of sample_generators(), usually three.
 [[nodiscard]] std::vector<SampledGenerators> sample_other_parameters(const CheckedModel& checked,
                                                                      const Program& moving);
 
@@ -43,7 +43,7 @@ struct SampledGenerators {
 [[nodiscard]] bool satisfies_conditions(const SampledGenerators& sampled,
                                         const std::vector<cln::cl_R>& generator);
 
-/// The point of a motion at a state, with R.
+/// The point of a motion at the state of `values`, and R at this point.
 [[nodiscard]] MotionPoint<Real> motion_point_at(ExactValues& values);
 
 }  // namespace elgen

@@ -8,8 +8,8 @@
 
 namespace elgen {
 
-/// The data that the theorem of Lagrange and Dirichlet needs: a strict minimum of W = V0 - T0 is
-/// stable if is_conservative().
+/// The premises of the theorem of Lagrange and Dirichlet: if is_conservative() holds, a strict
+/// minimum of W = V0 - T0 is stable.
 struct LagrangeDirichletPremises {
   bool is_conservative = false;
   std::size_t free_count = 0;  ///< coordinates in no equation at rest

@@ -32,7 +32,7 @@ struct MotionForms {
   const Program& program;
   ClosedForms& forms;
 
-  /// The entries of a function, or `count` zeros if the program does not have it.
+  /// The entries of a function, or `count` zeros if the program does not have the function.
   [[nodiscard]] Entries entries(OutputKind kind, std::size_t count = 1) const {
     for (std::size_t i = 0; i < program.functions.size(); ++i) {
       if (program.functions[i].kind != kind) continue;
@@ -147,7 +147,7 @@ bool keeps_lagrangian(const SystemUnderTest& subject, const Algebra& algebra,
   });
 }
 
-/// The generator with the numbers as unknowns. A number that equals a simple fraction to 35 digits
+/// The generator with the unknowns `numbers`. A number that equals a simple fraction to 35 digits
 /// becomes the fraction. Any other number is rounded to six digits, and `is_rounded` is set.
 Generator rationalise_generator(const std::vector<cl_R>& numbers, bool& is_rounded) {
   static const cln::cl_I largest = cln::expt_pos(cln::cl_I(10), 9);
@@ -161,7 +161,7 @@ Generator rationalise_generator(const std::vector<cl_R>& numbers, bool& is_round
   return generator;
 }
 
-/// Adds the rate (dq - v dt).(B u + Q - dD/dv).
+/// Sets `rate` to (dq - v dt).(B u + Q - dD/dv), and `unforced_rate` to the same without B u.
 void add_rates(FormField& field, const MotionForms& motion, const Entries& displacement,
                Symmetry& symmetry) {
   const std::size_t n = motion.model.velocities.size();
@@ -188,8 +188,8 @@ void add_rates(FormField& field, const MotionForms& motion, const Entries& displ
   symmetry.unforced_rate = std::move(loss);
 }
 
-/// True if a generator with rational unknowns satisfies the conditions of all sets; false if `sets`
-/// is empty.
+/// True if a generator with rational unknowns satisfies all sampled conditions; false if `sets` is
+/// empty.
 bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& generator) {
   std::vector<cl_R> numbers;
   for (const Fraction& entry : generator) {

@@ -73,7 +73,7 @@ class BasisChange {
 
  private:
   struct CommonRotation {
-    std::size_t place = 0;      ///< of the replaced basis vector
+    std::size_t place = 0;      ///< index of the replaced basis vector
     std::size_t dimension = 0;  ///< coordinates per point
     Generator rotation = {};
   };

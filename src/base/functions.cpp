@@ -1,24 +1,24 @@
 // functions: the properties of each function, in the order of elgen/functions.def. The columns are:
 //
-// use         `anywhere`; `forces`: only in forces, for functions with kinks, which are never
+// use         `anywhere`; `forces_only`: only in forces, for functions with kinks, which are never
 //             differentiated
 // parity      `even`: f(-x) = f(x), in each argument except the k of stumpff; `odd`: f(-x) = -f(x)
 // smoothness  real arguments at which the function is analytic; see below
 // domain      first arguments for which the function has a value; `up_to_one`: |x| <= 1
-// units       `pure`: arguments and value are pure numbers; `kept`: the value has the unit of the
-//             argument; `shared`: arguments and value have the same unit; `ratio`: the arguments
-//             have the same unit, and the value is a pure number; `ignored`: the argument has any
-//             unit, and the value is a pure number
+// units       `dimensionless`: arguments and value are pure numbers; `preserved`: the value has the
+//             unit of the argument; `shared`: arguments and value have the same unit; `ratio`: the
+//             arguments have the same unit, and the value is a pure number; `ignored`: the argument
+//             has any unit, and the value is a pure number
 // roundings   error bound of the library's value, in u; see below
 // own_name    name in emitted code that defines the function, because the library may lack it
 // latex       command before the arguments; empty if formulas have another notation
-// exact_argument    for one argument: an argument at which the value is rational
+// exact_argument    for functions of one argument: an argument at which the value is rational
 // exact_value the value at exact_argument
 // limits_at_infinity  for exponential functions: their limits at -infinity and +infinity
 //
-// Smoothness: `everywhere`; `positive`: everywhere, and the values are positive; `poles`: except at
-// poles; `real`: everywhere, but with branch points at complex arguments; `half_plane`: where the
-// last argument is positive; `branches`: on no connected domain.
+// Smoothness: `entire`: everywhere; `entire_positive`: everywhere, and the values are positive;
+// `meromorphic`: except at poles; `real_analytic`: everywhere, but with branch points at complex
+// arguments; `half_plane`: if the last argument is positive; `branches`: on no connected domain.
 //
 // Roundings: the manual of glibc 2.36 lists 2 ulp, or 4 u, for the hyperbolic functions, and 1 ulp
 // for log1p, expm1 and hypot; in the tests of glibc, the errors of all other functions are at most

@@ -37,7 +37,7 @@ constexpr LeafNotation energy      {"E",         number,                  12,   
 }  // namespace written
 
 namespace used {
-//                             group            unit                 passed       moves  is_stated
+//                             group            unit                 argument_rule, is_zero_at_rest, is_settable
 constexpr LeafUse parameter   {G::parameter,    U::entry_unit,         P::always,   no,    no};
 constexpr LeafUse open_value  {G::function,     U::open_value_unit,    P::if_any,   no,    no};
 constexpr LeafUse coordinate  {G::coordinate,   U::entry_unit,         P::always,   no,    no};

@@ -12,14 +12,14 @@ namespace elgen {
 
 class Report {
  public:
-  /// Adds a diagnostic unless an earlier one has the same span, the same code, and the same message
-  /// except for digits. In a repetition, each index would report the same mistake.
+  /// Adds a diagnostic unless an earlier diagnostic has the same span, the same code, and the same
+  /// message except for digits. In a repetition, each index would report the same mistake.
   void add(Diagnostic diagnostic);
   void add(Code code, const Span& span, std::string message, std::string hint = {});
 
   [[nodiscard]] std::size_t error_count() const { return errors_; }
   [[nodiscard]] bool has(Code code) const;
-  /// False after 100 errors: each suggestion of a name costs a search, and nobody reads so many.
+  /// False after 100 errors: a suggestion costs a search, and nobody reads so many suggestions.
   [[nodiscard]] bool needs_suggestion() const { return errors_ < 100; }
   /// All diagnostics, sorted by position.
   [[nodiscard]] Diagnostics sorted_diagnostics() const;

@@ -34,11 +34,11 @@ struct CodePoint {
 /// and the format characters of Unicode, which reorder or join other characters.
 [[nodiscard]] bool is_hidden(char32_t value);
 
-/// Replaces hidden characters other than tabs and line ends by their names, and bytes that are not
-/// UTF-8 by question marks.
+/// `text` with names in place of hidden characters other than tabs and line ends, and with question
+/// marks in place of bytes that are not UTF-8.
 [[nodiscard]] std::string visible_text(std::string_view text);
 
-/// Replaces hidden characters from U+007F on by JSON escapes: JSON has them only inside strings.
+/// `json` with escapes for hidden characters from U+007F on, which JSON has only inside strings.
 [[nodiscard]] std::string visible_json(std::string_view json);
 
 void append_utf8(std::string& text, char32_t value);

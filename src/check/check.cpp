@@ -62,7 +62,7 @@ void read_all_entries(Context& context, const FileSyntax& syntax) {
   check_output_names(context.model, context.report);
 }
 
-/// Sets the arguments that each output takes besides q, by the leaves in its values.
+/// Sets the kinds of arguments of each output besides q, from the leaves in its values.
 void set_output_arguments(Model& model, const std::vector<ExpressionTraits>& traits) {
   for (UserOutput& output : model.outputs) {
     for (const ExpressionId value : output.values) {

@@ -57,7 +57,7 @@ bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive
          total <= max_length_ratio * cost(count_operations(recursive));
 }
 
-/// Counts operations without the guards of pivots, because both forms get them.
+/// The cost of a form without the guards of its pivots, because both forms get guards.
 std::size_t cost_without_diagonal(const Function& form) {
   return cost(count_operations(without_diagonal(form)));
 }
@@ -91,7 +91,7 @@ bool is_worthwhile(const LoweringRequirements& aim, const Function& recursive,
 /// The recursive forms and, unless the scene prefers speed, the errors of the functions.
 class RecursiveForms {
  public:
-  /// Forms are also compared near the states `zeros`.
+  /// `zeros`: states near which forms are also compared.
   RecursiveForms(const Program& recursive, const Program& chosen, const Domain& domain,
                  const Scene& scene, SumZeros zeros)
       : recursive_(recursive),
@@ -110,7 +110,7 @@ class RecursiveForms {
     return energy_sums_.emplace(index, std::move(*sum)).first->second;
   }
 
-  /// The errors of a function; null if the scene prefers speed.
+  /// The errors of all forms of a function; null if the scene prefers speed.
   FormErrors* errors_of(std::size_t index) {
     if (scene_.numerics.prefer == Preference::speed) return nullptr;
     const auto known = errors_.find(index);
@@ -172,8 +172,8 @@ class FormChooser {
   }
 
  private:
-  /// The entries of a function. `dynamics` reuses the entries of other functions; its list is empty
-  /// if one of these functions has no entries.
+  /// The entries of a function. `dynamics` reuses the entries of other functions; the list of
+  /// `dynamics` is empty if one of these functions has no entries.
   ReadableEntries& read_function_entries(std::size_t index) {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
@@ -239,8 +239,8 @@ class FormChooser {
     return closed;
   }
 
-  /// Lowers the entries as one function. Chooses the closed form if it is not dearer and all its
-  /// entries are accurate.
+  /// The entries, lowered as one function. Chooses the closed form in `costs` if this form is not
+  /// dearer than the recursive form and all its entries are accurate.
   Function lower_closed_form(std::size_t index, const Function& recursive,
                              const ReadableEntries& entries, FormCosts& costs) {
     LoweringRequirements aim = aim_;
@@ -253,8 +253,8 @@ class FormChooser {
   }
 
   /// Replaces entries by rewritings that keep digits, if these are free or worth their cost. First
-  /// tries entries with a loss above the limit of the aim, then all entries that lose more than
-  /// `tolerated_loss`.
+  /// tries the entries that lose more than `max_loss` of the aim, then all entries that lose more
+  /// than `tolerated_loss`.
   void keep_digits(std::size_t index, ReadableEntries& entries, Function& closed,
                    FormCosts& costs) {
     const Function& recursive = recursive_forms_.form(index);
@@ -274,7 +274,7 @@ class FormChooser {
     }
   }
 
-  /// Chooses the dearer form if the cheaper form loses more digits and the dearer is affordable.
+  /// Chooses the dearer form if the cheaper loses far more digits and the dearer is affordable.
   void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
                         FormCosts& costs) {
     const bool is_closed = costs.chosen_form == Form::closed;

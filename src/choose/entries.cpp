@@ -13,9 +13,9 @@
 namespace elgen {
 namespace {
 
-/// Closed forms with more terms in all entries together are given up: they are neither readable nor
-/// cheaper. Ten times as many terms, here and per entry (most_terms), take 1.7 times as long for
-/// the arms and chains of models/, and give the same code.
+/// The largest number of terms of all entries of a function together. Longer closed forms are given
+/// up, because they are neither readable nor cheaper. Ten times as many terms, here and per entry
+/// (most_terms), take 1.7 times as long for the arms and chains of models/, and give the same code.
 constexpr std::size_t max_total_terms = 3'000;
 
 std::size_t term_count(const ClosedFunction& closed) {
@@ -66,8 +66,8 @@ class EntryJudge {
   EntryJudge(ReadableForm& known, std::size_t entry, FormErrors& text)
       : form_(known), entry_(entry), text_(text) {}
 
-  /// Makes `compact` accurate if a rewriting is accurate, and sets `kept` to a rewriting that keeps
-  /// the digits which `compact` loses. rewritings() returns all rewritings.
+  /// Makes `compact` accurate if a rewriting is accurate, and sets `precise` to a rewriting that
+  /// keeps the digits which `compact` loses. rewritings() returns all rewritings.
   template <class Rewriting>
   void operator()(const Rewriting& rewritings) {
     std::optional<ErrorsAtPoints> errors = text_.errors_if_accurate(form_.compact, entry_);

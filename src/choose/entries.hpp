@@ -17,9 +17,9 @@ namespace elgen {
 [[nodiscard]] bool has_closed_form(const ClosedFunction& closed);
 
 /// The entries of functions[index] of the recursive program; empty if the closed forms together are
-/// too long. `text` holds the errors of the recursive form. If it is given, an accurate rewriting
-/// replaces each inaccurate entry if one exists, and an entry that loses digits gets a rewriting
-/// that keeps them.
+/// too long. `text` holds the errors of the recursive form. If `text` is not null, an accurate
+/// rewriting replaces each inaccurate entry if one exists, and an entry that loses digits gets a
+/// rewriting that keeps these digits.
 [[nodiscard]] ReadableEntries read_entries(const Program& program, const ClosedForms& forms,
                                            std::size_t index, const Points& points,
                                            FormErrors* text = nullptr);

@@ -10,7 +10,7 @@
 namespace elgen {
 namespace {
 
-/// The number of points with nominal parameters, and the number of points with scaled parameters.
+/// The number of points of each kind: nominal parameters, scaled parameters, and states of rest.
 constexpr std::size_t nominal_point_count = 4;
 constexpr std::size_t max_places = 10;
 constexpr int widest_factor = 3;  ///< parameters are scaled by at most 2^3
@@ -20,7 +20,7 @@ constexpr double unit_of_distance = 0x1p-30;
 constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_distance,
                              107374 * unit_of_distance, 11 * unit_of_distance};
 
-/// The distances of the coordinates from their first places if all coordinates move at once.
+/// The distances from the first places of all coordinates at once, and from the zeros of sums.
 constexpr double near_distance = distances[2];
 constexpr double nearest_distance = distances[3];
 

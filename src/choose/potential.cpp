@@ -19,10 +19,10 @@ constexpr std::size_t most_expanded_sums = 16;
 /// chains of springs, are never chosen and would take as long as all other functions.
 constexpr std::size_t longest_potential = 1'500;
 
-/// A set that keeps no more digits than the best set so far must save a fifth of the operations.
+/// A choice of whole sums that keeps no more digits than the best must save a fifth of the cost.
 constexpr std::size_t max_cost_fifths = 4;
 
-/// For each sum of typed_sums(): true if it stays whole.
+/// For each sum of unexpanded_sums(): true if the sum stays whole.
 using UnexpandedSums = std::vector<bool>;
 
 struct UnexpandedChoice {
@@ -32,7 +32,7 @@ struct UnexpandedChoice {
   double loss = 0;
 };
 
-/// Compares sets of whole sums by the losses of all functions, then by their costs.
+/// Compares choices of whole sums by the losses of all functions, then by their costs.
 class UnexpandedSumSearch {
  public:
   UnexpandedSumSearch(const Program& potential, const Domain& domain, const Scene& scene)
@@ -47,7 +47,7 @@ class UnexpandedSumSearch {
     }
   }
 
-  /// Chooses the forms of `program`, with the sums in `whole` kept whole.
+  /// The forms that choose() chooses for `program` if the sums marked in `whole` stay whole.
   [[nodiscard]] FormChoice choose_forms(const Program& program, const SumZeros& zeros,
                                         const UnexpandedSums& whole) const {
     Program sums{sums_.leaves, sums_.constants, {}};
@@ -168,7 +168,7 @@ class PotentialInserter {
   }
 
  private:
-  /// Replaces x + (-y) by x - y, and x - (-y) by x + y.
+  /// x - y for x + (-y) and (-y) + x, x + y for x - (-y); any other instruction is unchanged.
   static Instruction without_negation(const Function& function, Instruction i) {
     if (!is_sum(i)) return i;
     const Instruction& second = function.instructions[i.b];
@@ -198,7 +198,7 @@ class PotentialInserter {
   const Program& potential_;
   std::uint32_t first_open_value_;
   Program& target_;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_ = {};  ///< function, instruction
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_ = {};  ///< (function, instruction)
 };
 
 /// The indices of the entries that depend on open values from `first` on.

@@ -55,7 +55,7 @@ class ResidualGroups {
     }
   }
 
-  std::vector<std::vector<std::uint32_t>> groups = {};  ///< one group per sum
+  std::vector<std::vector<std::uint32_t>> groups = {};  ///< one per sum or logarithm
 
  private:
   /// Adds the bases of the squares; false if a term contains no square.
@@ -114,8 +114,8 @@ class ZeroProjection {
     return evaluate(program_, residuals_, state_)[entry];
   }
 
-  /// Projects the state onto one linearised entry = 0. Returns the length of the step; undefined if
-  /// the slope is 0.
+  /// Projects the state onto the zero of one linearised entry. Returns the length of the step;
+  /// undefined if the slope is 0.
   Real project_onto_entry(std::size_t entry) {
     const Real r = residual(entry);
     if (r.is_defined() && cln::zerop(r.value())) return r;
@@ -163,7 +163,7 @@ class ZeroProjection {
   std::vector<std::uint32_t> coordinates_;
   Arguments<Real> state_;
   Real multiplicity_ = Real(1);
-  Real last_step_length_ = Real(0);  ///< length of the last step
+  Real last_step_length_ = Real(0);
 };
 
 /// Starts: states inside the ranges, and two states per coordinate, derived from the first state.

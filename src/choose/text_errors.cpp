@@ -66,8 +66,7 @@ double to_double_or_nan(const Real& x) {
   return x.is_defined() ? to_double(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The loss at a point: 0 if the text has no value there, infinite if the form has none but the
-/// text has one.
+/// The loss at a point: 0 if the text has no value there, infinite if only the text has a value.
 double loss_ratio(double error, double magnitude, double least) {
   if (std::isnan(magnitude) || error == 0) return 0;
   if (std::isnan(error)) return std::numeric_limits<double>::infinity();
@@ -91,8 +90,8 @@ FormErrors::FormErrors(const Program& program, const Function& text, Points poin
   }
 }
 
-/// The magnitude |x| of each entry. A value of the text is recomputed exactly if double gives
-/// hardly any of its digits.
+/// The magnitude |x| of each entry. A value of the text is recomputed in 64 digits if its relative
+/// error in double is above max_certain_error.
 std::vector<double> FormErrors::magnitudes_at(std::size_t point, MagnitudeScope scale) const {
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < rough_entries_[point].size(); ++i) {

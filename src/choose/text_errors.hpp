@@ -1,10 +1,10 @@
-// text_errors: the errors of all forms of a function's entries at its points.
+// text_errors: the errors of all forms of a function's entries at the points of comparison.
 //
 // The recursive form of a function, called the text here, is the typed energies, differentiated. E
 // is the running error in u (accuracy/running_errors.hpp) of an entry x:
 //
-//     E > 64 max(E of the text, |x|)    the form is inaccurate in x; also if it has another value
-//                                       than the text, or no value
+//     E > 64 max(E of the text, |x|)    the form is inaccurate in x; also if it has no value or its
+//                                       value differs from the value of the text
 //     E / max(least known E, |x|)       the loss: digits that another rewriting keeps
 //
 // Accuracy is decided in double, or in 64 digits if double is uncertain, so that all machines
@@ -28,7 +28,7 @@ namespace elgen {
 /// more digits than the form with the loss `other`.
 [[nodiscard]] bool loses_more(double loss, double other, double tolerated = tolerated_loss);
 
-/// The magnitude |x| that errors are compared with.
+/// The magnitude |x| with which the error of an entry is compared.
 enum class MagnitudeScope : std::uint8_t {
   entry,  ///< the entry itself
   field,  ///< the largest entry of its field, because a much smaller entry may be noise
@@ -44,7 +44,7 @@ class FormErrors {
   FormErrors(const Program& program, const Function& text, Points points,
              MagnitudeScope scale = MagnitudeScope::field);
 
-  /// E of a rewriting of entry number `entry`; none if it is less accurate than the text.
+  /// E of a rewriting of entry number `entry`; none if the rewriting is inaccurate at a point.
   [[nodiscard]] std::optional<ErrorsAtPoints> errors_if_accurate(const Expressions& rewriting,
                                                                  std::size_t entry) const;
 
@@ -58,13 +58,13 @@ class FormErrors {
   /// True if the errors are so large that a search for a better rewriting is worthwhile.
   [[nodiscard]] bool may_lose_digits(const ErrorsAtPoints& errors, std::size_t entry) const;
 
-  /// Updates the least known errors of an entry by the errors of one rewriting.
+  /// Updates the least known E of an entry at each point: min(least E, E of the rewriting).
   void add_rewriting(const ErrorsAtPoints& errors, std::size_t entry);
 
-  /// Updates the least known errors by all entries of a form.
+  /// Updates the least known E of each entry at each point: min(least E, E of `form`).
   void add_form(const Program& program, const Function& form);
 
-  /// The largest loss at any point; infinite if only the text has a value.
+  /// The largest loss of a rewriting at any point; infinite if only the text has a value there.
   [[nodiscard]] double loss_of(const ErrorsAtPoints& errors, std::size_t entry) const;
 
   /// The largest loss of any entry of a form at any point.
@@ -73,8 +73,8 @@ class FormErrors {
  private:
   using RoughEntries = std::vector<RunningValue<double>>;  ///< entries of a form in double
 
-  /// The first entry of the form that is less accurate than the text. The first entry of the form
-  /// is entry number `first` of the text.
+  /// The number, in the text, of the first entry of `form` that is inaccurate at `point`; none if
+  /// all are accurate. `form` starts with entry number `first` of the text.
   [[nodiscard]] std::optional<std::size_t> first_inaccurate_entry_at(const Program& program,
                                                                      const Function& form,
                                                                      std::size_t point,

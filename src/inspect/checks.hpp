@@ -27,8 +27,8 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// names are replaced by their expressions.
 [[nodiscard]] Diagnostics inspect_constants(const InspectedModel& subject);
 
-/// E501: M x = 0 at every sampled state, or M_ii = 0 if an output solves for accelerations. E524: M
-/// is not positive definite at a sampled state.
+/// E501: M is singular at every sampled state, or M_ii = 0 at every sampled state and an output
+/// divides by M. E524: M is not positive definite at a sampled state.
 [[nodiscard]] Diagnostics inspect_mass_matrix(const InspectedModel& subject);
 
 /// E536: an equation with no effect on the motion. E537: an equation that follows from other
@@ -40,7 +40,7 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 /// requests its operational-space equation of motion.
 [[nodiscard]] Diagnostics inspect_tasks(const InspectedModel& subject);
 
-/// E507: a planar spin that is not the time derivative of an angle(q, t).
+/// E507: a planar spin that is not the time derivative of a function of q and t.
 [[nodiscard]] Diagnostics inspect_spins(const InspectedModel& subject);
 
 /// E508: an inertia that no rigid body has.

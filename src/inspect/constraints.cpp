@@ -165,7 +165,7 @@ std::string equivalent_sum_text(const Model& model, const RealVector& factors) {
   return text.empty() ? "0" : text;
 }
 
-/// E537 for the vanishing combinations at the pose that has the fewest of them, because the other
+/// E537 for the vanishing combinations at the pose with the fewest combinations, because the other
 /// poses may be dead centres. No error if a pose has no vanishing combination.
 Diagnostics redundancy_errors(const Model& model, const std::vector<Combinations>& at_poses) {
   const auto fewest =
@@ -216,8 +216,8 @@ Diagnostics undetermined_input_errors(const InspectedModel& subject, const State
   return {redundant_inputs_error(*wanted)};
 }
 
-/// E603 if the scene requests `completed`, but the columns of A of the dependent velocities have
-/// full rank at no pose: "rank 1 of 2".
+/// E603 if the scene requests `completed`, but the columns of the dependent velocities in A have
+/// full rank at no pose. The message states the largest rank.
 Diagnostics undetermined_velocity_errors(const InspectedModel& subject, const State& start) {
   const OutputRequest* const wanted =
       find_output_by_fault(subject.scene, SingularFault::undetermined_rest);

@@ -24,7 +24,7 @@ namespace {
 
 using cln::cl_R;
 
-/// Number of exact random samples; the first has the model's parameter values.
+/// Largest number of exact random samples; the sample with seed 0 has the model's parameter values.
 constexpr unsigned equilibrium_samples = 4;
 
 /// Largest number of parameter draws to find samples that meet a condition.
@@ -52,7 +52,7 @@ State random_parameter_state(const InspectedModel& subject, unsigned seed) {
   return draw_state(subject.model, subject.scene, draw, seed);
 }
 
-/// The first seeds for which the parameters meet the condition of the point.
+/// The first seeds (at most equilibrium_samples) whose parameters meet the condition of the point.
 std::vector<unsigned> sample_seeds(const InspectedModel& subject, const OperatingPoint& point) {
   std::vector<unsigned> seeds;
   for (unsigned seed = 0; seed < condition_draws && seeds.size() < equilibrium_samples; ++seed) {
@@ -163,8 +163,8 @@ ClaimedEquilibrium make_claim(const Model& model, const Equilibrium& equilibrium
   return claim;
 }
 
-/// The diagnostics of the first sample that does not balance; none if no drawn parameters meet the
-/// condition.
+/// The errors of the first sample that does not balance; none if all samples balance or no drawn
+/// parameters meet the condition.
 Diagnostics inspect_stated_equilibrium(const InspectedModel& subject,
                                        const Equilibrium& equilibrium) {
   const ClaimedEquilibrium claim = make_claim(subject.model, equilibrium);

@@ -13,8 +13,8 @@ using RealVector = std::vector<cln::cl_R>;
 /// oracle, because inertias of one model do not differ by such a factor.
 [[nodiscard]] const cln::cl_R& rounding_tolerance();
 
-/// The largest magnitude in each row of a row-major matrix with n columns; 0 if it is rounding
-/// error relative to the whole matrix.
+/// The largest magnitude in each row of a row-major matrix with n columns; 0 if this magnitude is
+/// rounding error relative to the whole matrix.
 [[nodiscard]] RealVector row_scales(const RealVector& matrix, std::size_t n);
 
 /// A basis of {x : A x = 0}. Entries below 1e-50 times the scale of their row count as 0, because

@@ -194,7 +194,7 @@ std::optional<cl_R> weight_energy(const Model& model, const PlacedMass& weight,
 
 using StateEnergy = std::function<std::optional<cl_R>(const State&)>;
 
-/// The part of an energy that depends on all `sets`: it is 0 if the parameters of any set are 0.
+/// The part of an energy that vanishes if the parameters of any of the first `count` sets are 0.
 std::optional<cl_R> dependent_part(const StateEnergy& energy, const std::vector<ParameterSet>& sets,
                                    std::size_t count, const State& state) {
   if (count == 0) return energy(state);
@@ -234,7 +234,7 @@ bool are_equal_and_nonzero(const std::vector<cl_R>& a, const std::vector<cl_R>& 
   return !is_zero;
 }
 
-/// The sum of of_entry(entry) over all entries; none if it has no value for some entry.
+/// state -> sum of of_entry(entry, state) over all entries; none if an entry has no value.
 template <class Entry, class Of>
 StateEnergy sum_of_energies(const std::vector<Entry>& entries, const Of& of_entry) {
   return [&entries, of_entry](const State& state) -> std::optional<cl_R> {
@@ -274,7 +274,7 @@ bool is_counted_twice(const InspectedModel& subject, const std::vector<PlacedMas
                                dependent_differences(subject, given, sets));
 }
 
-/// 1/2 m v^2, 0 without a mass; none if it has no value.
+/// 1/2 m v^2 of a point: 0 if the point has no mass, none if the mass or v has no value.
 std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, const State& state) {
   if (!point.mass) return cl_R(0);
   const auto mass = oracle_expression_value(model, *point.mass, state);

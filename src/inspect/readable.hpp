@@ -11,7 +11,7 @@ namespace elgen {
 /// five significant digits. "0" below 1e-40.
 [[nodiscard]] std::string readable_number(const cln::cl_R& x);
 
-/// The exact number as text: "16616.493" or "1/3". If the text is too long: readable(x).
+/// The exact number as text: "16616.493" or "1/3". If the text is too long: readable_number(x).
 [[nodiscard]] std::string exact_number_text(const cln::cl_R& x);
 
 }  // namespace elgen

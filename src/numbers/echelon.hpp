@@ -88,10 +88,10 @@ template <class Field, class Number = typename Field::Number>
 ///
 ///     Number, form                                     `form` is an EchelonForm
 ///     integer(i), negate(x), multiply(x, y), divide(x, y)
-///     reduce(x, factor, y)                             x - factor y
-///     is_zero(x)                                       such entries are dropped
-///     is_defined(x)                                    elimination stops if it is false
-///     best(candidates, column)                         the pivot; null: the column has none
+///     subtract_product(x, factor, y)                   x - factor y
+///     is_zero(x)                                       if true, the entry x is dropped
+///     is_defined(x)                                    if false, the elimination stops
+///     best_pivot(candidates, column)                   the pivot; null: the column has none
 ///
 /// Cost: at most rows x columns x rank operations.
 template <class Field>
@@ -203,7 +203,7 @@ class Echelon {
     }
   }
 
-  /// Removes the pivot from its row; the reduced form also divides the row by it.
+  /// Removes the pivot from its row; in the reduced form, also divides the row by the pivot.
   void normalize_pivot_row(Row& row, const Pivot& pivot) {
     std::erase_if(row, [&](const Entry& entry) { return entry.column == pivot.column; });
     if constexpr (Field::form == EchelonForm::reduced) {

@@ -83,8 +83,8 @@ class EnclosedArithmetic {
   cln::cl_R roundoff_;
 };
 
-/// f(x) or f(x, y) if it is a rational number known without computing: cos(0), log(1), hypot(3, 4).
-/// Functions of one argument ignore y.
+/// f(x) or f(x, y) if this value is rational and known without computing: cos(0), log(1), hypot(3,
+/// 4). Functions of one argument ignore y.
 [[nodiscard]] std::optional<cln::cl_RA> exact_function_value(FunctionId function,
                                                              const cln::cl_RA& x,
                                                              const cln::cl_RA& y);

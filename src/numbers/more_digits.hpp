@@ -38,7 +38,7 @@ class ExtraDigits {
   ExtraDigits(const ExtraDigits&) = delete;
   ExtraDigits& operator=(const ExtraDigits&) = delete;
 
-  /// If arithmetic lost more digits than it can spare, requests the lost digits and returns true.
+  /// If arithmetic lost more than the spare digits, requests the lost digits and returns true.
   [[nodiscard]] bool request_lost_digits();
 
   unsigned digits_;

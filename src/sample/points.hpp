@@ -53,9 +53,9 @@ class Sampler {
   [[nodiscard]] double random_sign() { return random_.uniform(-1, 1) < 0 ? -1 : 1; }
   /// A number with a random sign and a magnitude in [2^low, 2^(high + 1)).
   [[nodiscard]] double log_uniform(int low, int high) { return random_.log_uniform(low, high); }
-  /// scaled() for every leaf that has a name; parameters are positive.
+  /// log_uniform() for every leaf that has a name; parameters are positive.
   [[nodiscard]] LeafValues<double> log_uniform_point(const LeafNames& leaves, int low, int high);
-  /// Sets the coordinates that are angles to values of this kind.
+  /// Sets the coordinates that are angles to values of the kind `place`.
   void set_angles(CancellingAngles place, const std::vector<bool>& is_angle,
                   std::vector<double>& q);
 

@@ -157,14 +157,14 @@ class ExtremeStates {
     for_each_list(set, add(std::move(name)));
   }
 
-  /// A state in which every second parameter is multiplied by `ratio`.
+  /// Adds a state in which every second parameter is multiplied by `ratio`.
   void add_parameter_ratios(double ratio) {
     LeafValues<double>& values = add(fmt::format("parameter ratios {:g}", ratio));
     for (std::size_t i = 0; i < values.parameters.size(); i += 2) values.parameters[i] *= ratio;
   }
 
-  /// States with all angles about 1e-15 from 0, pi/2 or pi, at which charts are singular: gimbals,
-  /// poles, aligned links.
+  /// Adds states with all angles about 1e-15 from 0, pi/2 or pi, at which charts are singular:
+  /// gimbals, poles, aligned links.
   void add_singular_charts() {
     for (const double angle : {0.0, pi / 2, pi}) {
       LeafValues<double>& values = add(fmt::format("angles 1e-15 from {:.3g}", angle));
@@ -175,9 +175,9 @@ class ExtremeStates {
     }
   }
 
-  /// States with one parameter multiplied or divided by `sizes`, and with angles of every
-  /// CancellingAngles. In such states sums of masses or lengths cancel, and their small results are
-  /// divisors.
+  /// Adds at most `most` states. Each has one parameter multiplied or divided by one of `sizes`,
+  /// and angles of one kind of CancellingAngles. In these states sums of masses or lengths cancel,
+  /// and their small results are divisors.
   void add_combinations(const std::vector<double>& sizes, std::size_t most) {
     const std::size_t places = std::size(all_cancelling_angles);
     const std::size_t per_parameter = 2 * sizes.size() * places;

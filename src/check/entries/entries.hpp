@@ -8,10 +8,10 @@ namespace elgen {
 void read_coordinate(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 void read_input(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// Reads the key `of` of a [[function]], open or closed, before any expression that names the
-/// function is resolved. E104.
+/// Reads the key `of` of a [[function]], open or closed. Must precede the resolution of every
+/// expression that names the function. E104.
 void read_arguments(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
-/// Reads the unit of a [[function]], and the expression of its sample or of its closure.
+/// Reads the unit of a [[function]], and its sample or the expression that replaces the function.
 void read_function(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
 void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);

@@ -145,7 +145,7 @@ class ConstraintReader {
   Constraint row_template_;
 };
 
-/// Whether a variable angle or a quaternion turns the frame or one of its ancestors.
+/// True if a variable angle or a quaternion turns the frame or an ancestor of the frame.
 bool may_turn(const Context& context, std::optional<std::uint32_t> frame) {
   for (; frame; frame = context.model.frames[*frame].parent) {
     for (const ElementaryTransform& step : context.model.frames[*frame].transforms) {

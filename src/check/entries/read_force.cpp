@@ -27,14 +27,14 @@ void read_generalized_force(ValueReader& values, const KeySyntax& on, const KeyS
   }
 }
 
-/// The frame that the key `name` gives; without the key, `usual`.
+/// The frame that the key `name` gives; none: the world. `usual` if the entry lacks the key.
 std::optional<std::uint32_t> read_axes(ValueReader& values, const EntrySyntax& entry,
                                        std::string_view name, std::optional<std::uint32_t> usual) {
   const KeySyntax* key = entry.find(name);
   return key == nullptr ? usual : values.resolve_frame_or_world(key->value);
 }
 
-/// The components of `force`, converted from the axes `force.axes` to the axes of the frame `axes`
+/// The declared components of `force`, converted from its axes to the axes of the frame `axes`
 /// (none: world axes).
 std::vector<ExpressionId> components_in_axes(std::optional<std::uint32_t> axes, const Force& force,
                                              Context& context) {

@@ -6,8 +6,8 @@
 //       rpy         Rz(y) Ry(p) Rx(r)
 //       dh          standard Rz(theta) Tz(d) Tx(a) Rx(alpha),
 //                   modified Rx(alpha) Tx(a) Rz(theta) Tz(d)
-//       quaternion  (w, x, y, z), Hamilton, frame to parent, divided by its squared length
-//       rotation    the quaternion of a coordinate, whose length is 1
+//       quaternion  (w, x, y, z), Hamilton, frame to parent; R is divided by w^2 + x^2 + y^2 + z^2
+//       rotation    the unit quaternion of a coordinate
 #include <algorithm>
 
 #include "base/reason.hpp"
@@ -48,7 +48,7 @@ Matrix3 turn_matrix(NodeBuilder& nodes, const ElementaryTransform& transform) {
   return result;
 }
 
-/// R = (w^2 - e.e) 1 + 2 e e^T + 2 w [e]x of (w, e), divided by w^2 + e.e if `is_scaled`.
+/// R = (w^2 - e.e) 1 + 2 e e^T + 2 w [e]x for q = (w, e), divided by w^2 + e.e if `is_scaled`.
 Matrix3 quaternion_matrix(NodeBuilder& nodes, const std::array<ExpressionId, 4>& q,
                           bool is_scaled) {
   std::array<ExpressionId, 4> squares{};

@@ -27,7 +27,7 @@ constexpr std::array<EntryDeclarationRule, 11> entry_kinds{{
      [](Model& model, const EntrySyntax& entry, const NewName& name) {
        return append_coordinate(model, make_row<Coordinate>(entry, name));
      }},
-    {"function", SymbolKind::open_value, nullptr},  // declare_function adds it
+    {"function", SymbolKind::open_value, nullptr},  // declare_function() adds the row
     {"prescribed", SymbolKind::prescribed, append_row<&Model::prescribed>},
     {"point", SymbolKind::point, append_row<&Model::points>},
     {"frame", SymbolKind::frame, append_row<&Model::frames>},

@@ -88,7 +88,7 @@ ExpressionId NodeBuilder::call(FunctionId function, ExpressionId argument) {
       push({.kind = ExpressionKind::function, .function = function, .operands = {argument}});
   const auto& value = context_.constants[id];
   if (!value) return id;
-  // sin(k pi/2) is a float of 100 digits; the arithmetic does not see that it is exact: -1, 0 or 1.
+  // CLN computes sin(k pi/2) as a float of 100 digits, although the exact value is -1, 0 or 1.
   const cln::cl_I nearest = cln::round1(*value);
   if (cln::abs(*value - nearest) >= power_of_ten(5 - constant_digits)) return id;
   return number(nearest);

@@ -49,8 +49,8 @@ class NodeBuilder {
   Span span_;
 };
 
-/// Nodes that refer by name to the entries of a frame's rotation matrix (rotation_of), or to the
-/// frame's three components from `first` on (vector_of).
+/// Nodes that refer by name to the rotation matrix of a frame (frame_rotation_matrix), or to three
+/// components of the frame from `first` on (frame_vector).
 [[nodiscard]] Matrix3 frame_rotation_matrix(NodeBuilder& nodes, std::uint32_t frame);
 [[nodiscard]] Vector3 frame_vector(NodeBuilder& nodes, std::uint32_t frame, FrameComponent first);
 

@@ -73,7 +73,7 @@ std::string derivative_name(const std::string& function, const std::vector<std::
   return name;
 }
 
-/// Number of arguments in the key `of`, at most `most_arguments`.
+/// The number of arguments in the key `of`, at most max_open_arguments.
 std::uint32_t argument_count(const EntrySyntax& entry) {
   const KeySyntax* of = entry.find("of");
   const std::size_t given = of == nullptr ? 0 : of->value.items.size();

@@ -17,13 +17,13 @@ namespace elgen {
 /// "V"; "" if the entry has no name.
 [[nodiscard]] std::string function_name(const EntrySyntax& function);
 
-/// Fills Context::closures from [functions] of the scene; E201 for an unknown function. If the
-/// options require it, all other functions are replaced by their samples (note E634; E633 without a
-/// sample). `scene` may be null.
+/// Fills Context::function_replacements from [functions] of the scene; E201 for an unknown
+/// function. If the options require it, all other functions are replaced by their samples (note
+/// E634; E633 without a sample). `scene` may be null.
 void read_function_replacements(Context& context, const FileSyntax& model, const FileSyntax* scene,
                                 const SceneOptions& options);
 
-/// The closure of a [[function]]; null if the function stays open.
+/// The expression that replaces a [[function]]; null if the function stays open.
 [[nodiscard]] const FunctionReplacement* find_function_replacement(const Context& context,
                                                                    const EntrySyntax& function);
 
@@ -38,7 +38,7 @@ void read_function_replacements(Context& context, const FileSyntax& model, const
 /// which no argument of the function depends.
 void check_function_expressions(Context& context);
 
-/// Whether a value names a derivative of a function that has an expression.
+/// True if a value names a derivative of a function that has an expression.
 [[nodiscard]] bool uses_closed_derivative(const Context& context, const ValueSyntax& value);
 
 }  // namespace elgen

@@ -14,7 +14,7 @@ void declare_size(Context& context, const KeySyntax& key) {
   const auto value = evaluate_integer(key.value.expression, nothing, context.report);
   if (!value) return;
   (void)context.symbols.declare({key.key, {}, key.key_span}, SymbolKind::size, 0, context.report);
-  context.sizes[key.key] = *value;  // also if the name is refused: indices may use it
+  context.sizes[key.key] = *value;  // even if the name is refused: indices may use the size
 }
 
 void override_size(Context& context, const KeySyntax& key) {
@@ -71,7 +71,7 @@ class ParameterReader {
     }
   }
 
-  /// The array has a range only if both ends are given; check_value also uses a single end.
+  /// Stores `min` and `max` for check_parameter_value(). The range of the array needs both.
   void read_range(const ValueSyntax& table) {
     const KeySyntax* low = table.find("min");
     const KeySyntax* high = table.find("max");

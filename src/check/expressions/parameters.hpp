@@ -25,9 +25,9 @@ void declare_parameter(Context& context, const KeySyntax& key);
                                                          const Span& span,
                                                          const std::string& hint = {});
 
-/// Compares a value from the model or the scene with the parameter's declaration. E112 if it
-/// violates `assume`, on which the simplification relies. E518, a warning, if it violates `min` or
-/// `max`.
+/// Compares a value from the model or the scene with the parameter's declaration. E112 if the value
+/// violates `assume`, on which the simplification relies. E518, a warning, if the value violates
+/// `min` or `max`.
 void check_parameter_value(Context& context, std::uint32_t parameter, const cln::cl_R& value,
                            const Span& span);
 

@@ -51,7 +51,7 @@ Code code_of(Ingredient ingredient, const ExpressionRole& place) {
   return place.error_code;
 }
 
-/// Whether the ingredient comes from the node itself, not from one of its operands.
+/// True if a node has an ingredient that none of its operands has.
 bool introduces(const Expression& node, const std::vector<ExpressionTraits>& traits,
                 ExpressionId id, Ingredient ingredient) {
   if ((traits[id].ingredients & ingredient) == 0) return false;
@@ -105,8 +105,8 @@ void check_root(Context& context, const std::vector<ExpressionTraits>& traits,
   }
 }
 
-/// E315 for a time derivative of a function with a kink. Places that forbid kinks are skipped:
-/// check_places reports them.
+/// Reports E315 for a time derivative of a function with a kink. Places that forbid kinks are
+/// skipped: check_ingredients() reports every kink there.
 void check_kink_rates(Context& context, const std::vector<ExpressionTraits>& traits,
                       WrittenExpression& root) {
   const unsigned kinks = traits[root.value].ingredients & uses_kink;

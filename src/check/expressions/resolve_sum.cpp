@@ -1,6 +1,6 @@
-// Resolver, sums: sum(i, a, b, e) -> e[a] + … + e[b], and 0 if b < a. Terms that differ only in a
-// rational factor are merged: otherwise each of ten thousand terms would be differentiated and
-// compared:
+// Resolver, sums: sum(i, a, b, e) -> e[a] + … + e[b], and 0 if b < a. Without merging, each of ten
+// thousand terms would be differentiated and compared. Terms that differ only in a rational factor
+// are therefore merged:
 //
 //     1*k*x + 2*k*x + 3*k*x + y   ->   6*k*x + y
 #include <algorithm>

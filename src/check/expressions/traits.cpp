@@ -1,6 +1,6 @@
-// One pass over the arena. The degree of a sum is the largest degree of a term, its lowest degree
-// the smallest. The degree of a product is the sum over its factors. Quotients, functions and
-// fractional powers are polynomial only if the denominator, argument or base has degree 0.
+// One pass over the arena. A sum has the largest degree and the smallest lowest degree of its
+// terms. The degree of a product is the sum over its factors. Quotients, functions and fractional
+// powers are polynomial only if the denominator, argument or base has degree 0.
 #include "check/expressions/traits.hpp"
 
 #include <cln/integer.h>

@@ -51,7 +51,7 @@ std::string conversion_hint(const ForeignUnitRow& row, const ValueSyntax* value)
          (is_sum ? ")" : "") + "\", unit = \"" + unit + "\"`";
 }
 
-/// "kg*m" for "kgm": two units without an operator; "" otherwise. An initial m is read as milli.
+/// "kg*m" for "kgm", two units without an operator; "" otherwise, and for an initial m (milli).
 std::string missing_operator_hint(std::string_view name) {
   if (name.starts_with('m')) return {};
   for (std::size_t i = 1; i < name.size(); ++i) {
@@ -61,8 +61,8 @@ std::string missing_operator_hint(std::string_view name) {
   return {};
 }
 
-/// Hint on an unknown unit. `value` is the number in this unit, or null if it is unknown or the
-/// unit text contains other units.
+/// Hint on an unknown unit. `value` is the number in this unit; null if the number is unknown or
+/// the unit text contains other units.
 std::string unknown_unit_hint(std::string_view name, const ValueSyntax* value) {
   const auto* const multiple = std::ranges::find(foreign_units, name, &ForeignUnitRow::name);
   if (multiple != foreign_units.end()) return conversion_hint(*multiple, value);

@@ -19,7 +19,7 @@ namespace elgen {
 [[nodiscard]] std::optional<Unit> read_unit(const ValueSyntax& unit, Report& report,
                                             const ValueSyntax* value = nullptr);
 
-/// Whether a variable or parameter has a unit other than 1; otherwise units are not checked.
+/// True if a variable or parameter has a unit other than 1. If false, no unit is checked.
 [[nodiscard]] bool uses_units(const FileSyntax& model);
 
 /// Reports E401, E403, E404, a note E405 on values without names, and one note E520 that lists the

@@ -21,7 +21,7 @@ cln::cl_R round_irrational(const cln::cl_R& value) {
 /// The name of the world's origin in `joined_to`.
 constexpr std::string_view origin = "origin";
 
-/// Whether the nodes are only numbers, pi and operations on them.
+/// True if the nodes are only numbers, pi and operations on them.
 bool is_numeric(const std::vector<Expression>& nodes, ExpressionId first, ExpressionId last) {
   return std::none_of(nodes.begin() + first, nodes.begin() + last + 1, [](const auto& node) {
     return node.kind == ExpressionKind::leaf || node.kind == ExpressionKind::named;
@@ -174,7 +174,7 @@ bool ValueReader::check_vector(const ValueSyntax& value) {
 
 namespace {
 
-/// Number of vectors in the file, by number of components.
+/// For each n < 4: the number of vectors with n components in the file.
 std::array<std::size_t, 4> count_vectors(const FileSyntax& model) {
   constexpr std::array<std::string_view, 4> vectors{"at", "com", "translate", "vector"};
   std::array<std::size_t, 4> counts{};

@@ -42,8 +42,8 @@ class ValueReader {
     return found == nullptr ? std::nullopt : std::optional(root(found->value, request));
   }
 
-  /// Resolves a value of a scene. If it names no parameter, definition or prescribed function, it
-  /// is in the unit of the place, with t in s.
+  /// Resolves a value of a scene. A value that names no parameter, definition or prescribed
+  /// function is in the unit of the place, with t in s.
   ExpressionId read_scene_value(const ValueSyntax& value, const RootRequest& request);
 
   /// Resolves every item of a list, or the single value, as a root.
@@ -51,8 +51,8 @@ class ValueReader {
 
   /// An exact rational, or else a float of 100 digits. E319 if the value contains names.
   std::optional<cln::cl_R> read_constant(const ValueSyntax& value);
-  /// Like constant(), but the nodes of an irrational value stay in the model, so that its form is
-  /// known.
+  /// Like read_constant(), but the nodes of an irrational value stay in the model, so that the form
+  /// of the value is known.
   std::optional<FixedValue> read_exact_constant(const ValueSyntax& value);
 
   /// [low, high] of a key; none if the entry does not have it. E112 unless low < high.
@@ -95,7 +95,7 @@ void note_degrees(Report& report, const Span& span, const Coordinate& coordinate
 /// The dimension of most vectors of the file, 2 or 3; 0 if all vectors have the same dimension, or
 /// if both dimensions are equally frequent.
 [[nodiscard]] std::uint32_t majority_dimension(const FileSyntax& model);
-/// Whether most vectors have two components.
+/// True if most vectors have two components.
 [[nodiscard]] bool is_planar(const FileSyntax& model);
 
 /// Text of an optional key of an entry or table; "" if it is absent.
@@ -105,7 +105,7 @@ template <class Table>
   return found == nullptr ? "" : found->value.text;
 }
 
-/// Whether a flag is present and true.
+/// True if a flag is present and true.
 [[nodiscard]] inline bool is_flag_set(const KeySyntax* flag) {
   return flag != nullptr && flag->value.boolean;
 }

@@ -17,7 +17,7 @@ namespace elgen {
 namespace {
 
 constexpr std::string_view entry_suffix = "_entry";
-/// A field of forward_dynamics that files name like an output.
+/// The only field of forward_dynamics that is itself a key of an [[expect]].
 constexpr std::string_view multipliers = "multipliers";
 constexpr ExpressionRole closed_form{"a closed form", place::all_terms};
 constexpr ExpressionRole closed_form_of_momenta{"a closed form", place::all_terms | uses_momentum};
@@ -91,7 +91,7 @@ std::optional<ExpectedField> require_field(Context& context, std::string_view na
   return expected;
 }
 
-/// An expectation without its entries.
+/// The expectation of a field, without entries.
 Expectation make_expectation(const ExpectedField& expected, const Span& span) {
   Expectation expectation;
   expectation.output = expected.request.name;

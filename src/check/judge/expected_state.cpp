@@ -1,4 +1,4 @@
-// The state of an [[expect]]: its keys `at` and `tolerance`.
+// The state of an [[expect]]: its keys `at` and `within`.
 //
 //     at = { theta = 0.1, "dot(theta)" = 2, m = 0.3 }   ->   coordinate 0: 1/10, velocity 0: 2, …
 #include <algorithm>
@@ -54,7 +54,7 @@ std::vector<LeafAssignment> read_leaves(Context& context, const std::vector<KeyS
   return leaves;
 }
 
-/// Whether a key of an [[expect]] is an output.
+/// True if a key of an [[expect]] names an output.
 bool is_output_key(const KeySyntax& key) {
   constexpr std::array<std::string_view, 4> others{"at", "within", "conserved", "equations"};
   return std::ranges::find(others, key.key) == others.end();

@@ -12,7 +12,7 @@
 namespace elgen {
 
 /// Checks energies, inputs, forces and moving masses: E112, E503, E504, E509, E513, E514, E515.
-/// Sets Model::quadratic, uses_time and may_drift.
+/// Sets Model::is_quadratic, uses_time and may_drift.
 void check_mechanics(Context& context, const std::vector<ExpressionTraits>& traits);
 
 /// One flag per velocity: true if the velocity occurs in T or L or in the motion of a point or body
@@ -20,7 +20,7 @@ void check_mechanics(Context& context, const std::vector<ExpressionTraits>& trai
 [[nodiscard]] std::vector<bool> velocities_with_energy(const Model& model);
 
 /// Rewrites sin(a)/a, (1 - cos(a))/a and (1 - cos(a))/a^2 as Stumpff functions in equations and
-/// outputs, if a is a multiple of a coordinate. Fills Model::typed.
+/// outputs, if a is a multiple of a coordinate. Fills Model::original_expressions.
 void rewrite_quotients(Context& context);
 
 /// Checks the constraints of a reduced model: E535, E536, E539.

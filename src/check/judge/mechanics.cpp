@@ -96,10 +96,10 @@ class MechanicsCheck {
  private:
   [[nodiscard]] const Span& span(ExpressionId id) const { return model_.expressions[id].span; }
 
-  /// Checks the degree of an energy, or of a spin component (T is quadratic in spins).
+  /// Reports `code` if an energy or a spin (T is quadratic in spins) exceeds the degree `most`.
   void check_degree(const std::optional<ExpressionId>& energy, std::uint8_t most, Code code,
                     const std::string& rule) {
-    // Ingredients that an energy must not contain are reported by check_places.
+    // check_ingredients() reports ingredients that an energy must not contain.
     constexpr unsigned misplaced = uses_kink | uses_input | uses_acceleration | uses_open_rate |
                                    uses_open_derivative | uses_momentum;
     if (!energy || (traits_[*energy].ingredients & misplaced) != 0 ||

@@ -6,7 +6,8 @@
 //
 // by sin(a) = a stumpff(a, 1) and X - X cos(a) = X a^2 stumpff(a, 2), with a = c q. This precedes
 // any derivation, since derivatives of these quotients are not recognised. Nodes of the arena
-// change in place, so that references stay valid; Model::typed keeps the original nodes.
+// change in place, so that references stay valid. Model::original_expressions keeps the original
+// nodes.
 #include <cln/integer.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ struct PowerFactor {
   int order = 0;
 };
 
-/// sin(argument); with order 2, `whole` - `whole` cos(argument).
+/// sin(argument); with order 2, `scale` - `scale` cos(argument).
 struct VanishingFactor {
   ExpressionId argument = 0;
   int order = 1;
@@ -192,8 +193,8 @@ std::optional<std::pair<ExpressionId, VanishingFactor>> find_cancelling_factor(
   return found;
 }
 
-/// Cancels a coordinate in the denominator against factors that vanish with it. None if some power
-/// of it would remain.
+/// Cancels a coordinate in the denominator against factors that vanish if the coordinate is 0. None
+/// if a power of the coordinate would remain in the denominator.
 std::optional<PowerProduct> cancel_divisor(PowerProduct product, std::uint32_t coordinate) {
   while (product.exponent_of(coordinate) < 0 && !product.is_long()) {
     const int wanted = product.exponent_of(coordinate) < -1 ? 2 : 1;

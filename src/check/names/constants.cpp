@@ -99,7 +99,7 @@ EnclosedResult apply_operation(const Expression& node, const Operands& x,
   }
 }
 
-/// Applies the operation; unknown if a float overflows, as error bounds may with too few digits.
+/// The result of an operation; unknown if a float overflows, such as an error bound of few digits.
 EnclosedResult try_operation(const Expression& node, const Operands& x,
                              const EnclosedArithmetic& with) {
   try {

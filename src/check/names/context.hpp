@@ -43,8 +43,8 @@ enum Ingredient : std::uint32_t {
 };
 using Ingredients = std::uint32_t;
 
-/// The context of an expression in the file: the ingredients it may have, and the error for any
-/// other.
+/// The context of an expression in the file: the ingredients that the expression may have, and the
+/// error for any other ingredient.
 struct ExpressionRole {
   std::string_view noun;  ///< "a position"
   Ingredients allowed = 0;

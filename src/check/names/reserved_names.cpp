@@ -45,7 +45,7 @@ bool has_macro_prefix(std::string_view name) {
   return std::ranges::any_of(macro_prefixes, starts);
 }
 
-/// Whether the word occurs in the file, except in lines with a unit: `J` is also the joule.
+/// True if the word occurs in a line that has no unit: `J` is also the joule.
 bool is_in_file(const SourceText* source, std::string_view word) {
   if (source == nullptr) return false;
   const std::string_view text = source->text;

@@ -17,7 +17,7 @@ namespace elgen {
 namespace {
 
 /// Finds the entries that act on a coordinate, and the entries of other coordinates that contain
-/// it.
+/// the coordinate.
 class ObstacleSearch {
  public:
   ObstacleSearch(const Model& model, const Scene& scene, const HeldCoordinate& variable)

@@ -7,7 +7,7 @@
 namespace elgen {
 namespace {
 
-/// The velocity of a coordinate, or the three of a rotation; none for an unknown name.
+/// The velocity of a coordinate, or the three velocities of a rotation; none for an unknown name.
 std::vector<std::uint32_t> find_velocities(const Model& model, const std::string& name) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < model.velocities.size(); ++i) {

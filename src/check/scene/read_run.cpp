@@ -42,8 +42,8 @@ std::vector<StartVariable> start_variables(const Model& model) {
   return places;
 }
 
-/// The places of a start, then the other leaves of a state. A coordinate named h comes before the
-/// step h, so it is found first.
+/// The variables of a start, then the other leaves of a state. A coordinate named h comes before
+/// the step h, so that the coordinate is found first.
 std::vector<StartVariable> state_and_leaf_variables(const Model& model) {
   std::vector<StartVariable> places = start_variables(model);
   const auto none = static_cast<std::uint32_t>(model.coordinates.size());
@@ -89,7 +89,7 @@ class StartReader {
   }
 
  private:
-  /// The place that a key names; null after E612.
+  /// The variable that a key names; null after E612.
   const StartVariable* find_start_variable(const KeySyntax& key) {
     const auto found = std::ranges::find(places_, key.key, &StartVariable::name);
     if (found == places_.end()) {

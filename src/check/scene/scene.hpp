@@ -22,8 +22,8 @@ void read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& 
 [[nodiscard]] Emission read_emission(Context& context, const FileSyntax* syntax,
                                      const SceneOptions& options, const Scene& scene);
 
-/// Sets Emission::batch, Numerics::trigonometry_error and has_library_sines. E611 if the language
-/// is not C++; E625 if batches do not support the scalars or the accuracy.
+/// Sets Emission::has_batch_header, Numerics::trigonometry_error and has_library_sines. E611 if the
+/// language is not C++; E625 if batches do not support the scalars or the accuracy.
 void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
 
 /// Sets Numerics::inner. Only outputs of the scene may compute in float, not outputs of the
@@ -60,8 +60,8 @@ void read_regressor(Context& context, const FileSyntax* scene, const FixedParame
 /// Fills Model::approximation. E614, E633, E635.
 void read_approximation(Context& context, const FileSyntax* scene);
 
-/// --state: sets Coordinate::start_value, Velocity::start_rate and Scene::stated. E606, E612, and
-/// the errors of expressions.
+/// --state: sets Coordinate::start_value, Velocity::start_rate and Scene::state_overrides. E606,
+/// E612, and the errors of expressions.
 void read_starts(Context& context, const SceneOptions& options, Scene& scene);
 
 /// --input: sets Scene::laws, which are checked with the expressions of the model. E201, E606.
@@ -70,28 +70,28 @@ void read_laws(Context& context, const SceneOptions& options, Scene& scene);
 /// --set: sets Parameter::value if the scene does not fix it. E602, E606, E112, E518.
 void read_parameter_values(Context& context, const Scene& scene, const SceneOptions& options);
 
-/// Fills the lists of Model::variant, and adds the momenta of cyclic coordinates to the parameters.
-/// E208, E612, and the errors of the values. E615: a lock's value does not fit, or no coordinate
-/// remains. E635: a cyclic coordinate is a rotation or locked, no coordinate remains, or the name
-/// of the momentum is in use.
+/// Fills the lists of Model::reduction, and adds the momenta of cyclic coordinates to the
+/// parameters. E208, E612, and the errors of the values. E615: a lock's value does not fit, or no
+/// coordinate remains. E635: a cyclic coordinate is a rotation or locked, no coordinate remains, or
+/// the name of the momentum is in use.
 void read_held_coordinates(Context& context, const FileSyntax* scene);
 
-/// Sets Cyclic::momentum if the parameter is a cyclic momentum; set_routh_momenta() then does not
-/// compute it.
+/// Sets CyclicCoordinate::momentum to `value` if `parameter` is a cyclic momentum. Then
+/// set_routh_momenta() does not compute this momentum.
 void set_cyclic_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value);
 
-/// Sets UserOutput::is_wanted. Without `[outputs]` in the scene all outputs are wanted; otherwise
-/// an output is wanted if the scene or an option names one of its functions.
+/// Sets UserOutput::is_requested: true for all outputs if the scene has no `[outputs]`, otherwise
+/// true if the scene or an option names a function of the output.
 void mark_wanted_outputs(Model& model, const FileSyntax* scene, const SceneOptions& options);
 
 /// Adds to a model the outputs that an animated page needs: one for each kind in ShownValues that
-/// has values in this model. Fills Scene::shown.
+/// has values in this model. Fills Scene::page_outputs.
 void add_shown_outputs(Model& model, Scene& scene);
 
-/// The reduced model: functions of time replace the locked coordinates of Model::variant, and 0
-/// replaces the cyclic coordinates. Its `variant.whole` is the given model. A model without held
-/// coordinates is returned unchanged. The closed forms of [[expect]] and the equilibria are
-/// removed, because they describe the whole model.
+/// The reduced model: functions of time replace the locked coordinates of Model::reduction, and 0
+/// replaces the cyclic coordinates. Its `reduction.unreduced` is the given model. A model without
+/// held coordinates is returned unchanged. The closed forms of [[expect]] and the equilibria are
+/// removed, because they describe the unreduced model.
 [[nodiscard]] Model eliminate_held_coordinates(Model whole);
 
 /// Reports E635 if an input, a force or D acts on a cyclic coordinate or contains it, if L is not
