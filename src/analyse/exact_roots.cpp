@@ -101,8 +101,7 @@ struct KnownSinusoid {
 };
 
 std::optional<KnownSinusoid> solve_for_sinusoid(Arithmetic& arithmetic, Coefficients coefficients) {
-  for (const GaussianRational& root :
-       std::array<GaussianRational, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
+  for (const auto& root : std::array<GaussianRational, 4>{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}}) {
     divide_out_root(coefficients, root);
   }
   if (coefficients.size() != 3) return std::nullopt;
@@ -145,9 +144,8 @@ class SingleUnknownRoot {
     const OptionalFraction other =
         arithmetic_.square_root(arithmetic_.subtract(fraction_of(cl_RA(1)), square));
     const OptionalFraction first = arithmetic_.call(inverse, sinusoid.value, {});
-    const OptionalFraction second = sinusoid.is_cosine
-                                        ? arithmetic_.negate(first)
-                                        : arithmetic_.subtract(arithmetic_.pi(), first);
+    const auto second = sinusoid.is_cosine ? arithmetic_.negate(first)
+                                           : arithmetic_.subtract(arithmetic_.pi(), first);
     for (const auto& [angle, signed_other] :
          {std::pair{first, other}, std::pair{second, arithmetic_.negate(other)}}) {
       if (!angle || !is_same_angle(evaluate_form(algebra_, *angle, root_), root_value())) continue;

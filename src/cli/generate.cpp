@@ -190,13 +190,11 @@ std::vector<std::string> paths_of(const GenerateOptions& options, const Job& job
 
 /// The text of --depfile. The header is the first target, because Ninja expects the first output of
 /// its rule.
-std::string dependency_rules_text(const GenerateOptions& options, const std::vector<Job>& jobs) {
+std::string dependency_rules(const GenerateOptions& options, const std::vector<Job>& jobs) {
   std::string text;
   for (const Job& job : jobs) {
     std::string sources;
-    for (const SourcePointer& source : sources_of(job)) {
-      sources += " " + escape_for_make(source->path);
-    }
+    for (const auto& source : sources_of(job)) sources += " " + escape_for_make(source->path);
     for (const std::string& path : paths_of(options, job)) {
       text += escape_for_make(path) + ":" + sources + "\n";
     }
@@ -208,7 +206,7 @@ std::vector<OutputFile> output_files(const GenerateOptions& options, const std::
   std::vector<OutputFile> files = to_output_files(options.output_directory, all_files(jobs));
   if (!options.depfile.empty()) {
     files.push_back(
-        {options.depfile, dependency_rules_text(options, jobs), ReplacePolicy::dependencies});
+        {options.depfile, dependency_rules(options, jobs), ReplacePolicy::dependencies});
   }
   return files;
 }
@@ -245,11 +243,9 @@ std::string comparison_command(const GenerateOptions& options) {
 
 ExitCode check_jobs(const GlobalOptions& global, const GenerateOptions& options,
                     const std::vector<Job>& jobs) {
-  GeneratedSystems systems{options.output_directory,
-                           all_files(jobs),
-                           {},
-                           repair_command(global, options),
-                           comparison_command(options)};
+  GeneratedSystems systems{options.output_directory, all_files(jobs)};
+  systems.repair = repair_command(global, options);
+  systems.comparison = comparison_command(options);
   for (const Job& job : jobs) systems.sources.push_back(job.scene().paths);
   return check_generated(global, systems);
 }
@@ -270,17 +266,16 @@ void report_files(const GlobalOptions& global, const GenerateOptions& options, c
                   const std::vector<std::string>& written) {
   const auto& [model, scene] = *job.products.checked;
   if (global.verbose) {
-    print_message(global, overview(model_page(model, scene, job.products.page_programs->program),
-                                   screen_of(stderr)));
+    const auto page = model_page(model, scene, job.products.page_programs->program);
+    print_message(global, overview(page, screen_of(stderr)));
   }
   for (const OutputFile& file : to_output_files(options.output_directory, *job.products.files)) {
     const bool is_new = std::find(written.begin(), written.end(), file.path) != written.end();
     print_message(global, (is_new ? "wrote " : "unchanged ") + printable_path(file.path));
   }
-  const bool expects = !model.expectations.empty();
-  print_message(global, fmt::format("{}: {}{}", job.scene().base_name,
-                                    self_check_text(*job.products.self_check),
-                                    expects ? "; `elgen verify` checks [[expect]]" : ""));
+  const std::string checked = self_check_text(*job.products.self_check);
+  const char* more = model.expectations.empty() ? "" : "; `elgen verify` checks [[expect]]";
+  print_message(global, fmt::format("{}: {}{}", job.scene().base_name, checked, more));
   if (global.verbose) print_message(global, next_commands(job.path));
 }
 
