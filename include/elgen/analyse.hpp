@@ -206,8 +206,8 @@ struct Symmetry {
   std::vector<Fraction> displacement = {};     ///< dq, one entry per velocity
   Fraction momentum_form = {};                 ///< I + F, over the leaves p and E instead of v
   std::optional<Fraction> velocity_form = {};  ///< I + F in closed form; none if no form is known
-  std::optional<Fraction> gauge_function =
-      {};                                      ///< F (for `time` -F); none if it has no closed form
+  /// F (for `time` -F); none if it has no closed form.
+  std::optional<Fraction> gauge_function = {};
   std::optional<Fraction> unforced_rate = {};  ///< dI/dt at u = 0; none if it has no closed form
   std::optional<Fraction> rate = {};           ///< dI/dt; none if it has no closed form
   bool is_rounded = false;         ///< some entry of the generator is rounded to six digits

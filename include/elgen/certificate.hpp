@@ -63,8 +63,8 @@ struct CertificateRow {
   std::optional<double> loss = {};
   /// max |x - x*| / (u max |x*|), with the largest exact entry |x*| of the field of x.
   std::optional<double> loss_of_field = {};
-  std::string worst_value =
-      {};  ///< the worst value as text, or the reason why nothing was compared
+  /// The worst value as text, or the reason why nothing was compared.
+  std::string worst_value = {};
   std::string worst_state = {};  ///< the state of the worst value; empty without samples
   std::string tolerance = {};    ///< the bound and its reason
   Verdict verdict = Verdict::holds;

@@ -89,8 +89,8 @@ enum class EntryVerdict : std::uint8_t {
 
 /// A state at which an entry differs.
 struct Witness {
-  std::string state_text =
-      {};             ///< "theta = 0.3, dot(x) = -1.2": the leaves of the entry, in three digits
+  /// "theta = 0.3, dot(x) = -1.2": the leaves of the entry, in three digits.
+  std::string state_text = {};
   double before = 0;  ///< the values of the entry
   double after = 0;
 };

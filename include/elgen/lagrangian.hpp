@@ -44,8 +44,8 @@ struct Definition {
   Entity origin;     ///< the entry of the model that contains the expression
   std::vector<std::uint32_t>
       used_definitions;  ///< indices of the definitions in `value`, ascending
-  LeafSet leaf_dependence =
-      {};  ///< kinds of leaves in `value`, directly or through `used_definitions`
+  /// Kinds of leaves in `value`, directly or through `used_definitions`.
+  LeafSet leaf_dependence = {};
   /// If `value` is an opaque leaf, such as V: its derivatives by leaves, as (leaf, derivative).
   /// Otherwise empty.
   std::vector<std::pair<GiNaC::ex, GiNaC::ex>> derivatives = {};
@@ -86,8 +86,8 @@ struct ValueNames {
 struct Definitions {
   std::vector<Definition> list = {};
   ExpressionMap<SymbolPlace> places = {};  ///< of leaves and definitions
-  ExpressionMap<GiNaC::ex> known_values =
-      {};  ///< value -> symbol, so that no value is defined twice
+  /// Value -> symbol, so that no value is defined twice.
+  ExpressionMap<GiNaC::ex> known_values = {};
   ValueMeaning meaning = {};
   ValueNames value_names = {};  ///< for the output that is being derived
 };

@@ -94,8 +94,7 @@ struct Parameter {
   cln::cl_R value = 0;  ///< exact rational, or a float of 100 decimal digits if it is irrational
   Assumption assumption = Assumption::none;
   std::optional<Unit> unit = {};
-  std::optional<ExpressionId> exact_expression =
-      {};  ///< the declared expression of an irrational value
+  std::optional<ExpressionId> exact_expression = {};  ///< as declared, of an irrational value
 };
 
 /// A parameter as declared: one number, or an array of `count` numbers.
@@ -211,8 +210,7 @@ struct Body {
 struct Input {
   std::string name;
   std::string identifier;
-  std::optional<std::uint32_t> velocity =
-      {};                    ///< for a generalised force: the velocity on which it acts
+  std::optional<std::uint32_t> velocity = {};  ///< on which a generalised force acts
   bool is_external = false;  ///< a component of an external force or torque, not a motor
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
@@ -234,8 +232,7 @@ struct Force {
   std::optional<std::uint32_t> reaction_point = {};
   std::optional<std::uint32_t> frame = {};
   std::optional<std::uint32_t> reaction_frame = {};
-  std::vector<ExpressionId> reaction =
-      {};  ///< the torque in the axes of reaction_frame, not negated
+  std::vector<ExpressionId> reaction = {};  ///< torque in axes of reaction_frame, not negated
   /// The components as declared, and their frame (none: the world).
   std::vector<ExpressionId> declared_value = {};
   std::optional<std::uint32_t> declared_axes = {};
@@ -252,8 +249,7 @@ struct UserOutput {
   bool is_in_world = true;               ///< the twist is in world axes; false: in frame axes
   std::vector<ExpressionId> twist = {};  ///< six entries, linear in v
   bool has_jacobian = false;
-  bool solves_motion = false;   ///< true: a and multipliers solve the equations of motion; false: a
-                                ///< is an argument
+  bool solves_motion = false;   ///< a and lambda solve the equations of motion; else arguments
   bool is_requested = true;     ///< by the scene; locks do not remove inputs in requested `values`
   LeafSet argument_kinds = {};  ///< kinds of leaves in the values, of v, a, u and t
   std::string doc = {};
@@ -345,8 +341,7 @@ struct Model {
   /// variables are replaced by functions of time, cyclic coordinates by 0. With `[routh]`, the
   /// Lagrangian is Routh's function R of the unreduced model.
   ModelReduction reduction = {};
-  std::vector<std::uint32_t> affine_parameters =
-      {};  ///< parameters in which the forces are jointly affine
+  std::vector<std::uint32_t> affine_parameters = {};  ///< forces are jointly affine in them
 
   bool is_quadratic = true;   ///< T - V (or L) is at most quadratic in the rates
   bool omits_pivots = false;  ///< default of forward_dynamics; a scene may override it

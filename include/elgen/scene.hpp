@@ -57,8 +57,8 @@ inline constexpr LanguageId default_language = language_table.front().id;
 /// The exact value of a fixed parameter.
 struct FixedValue {
   cln::cl_R number = 0;  ///< rational, or a float of 100 digits
-  std::optional<ExpressionId> exact_expression =
-      {};  ///< in Model::expressions, for an irrational value
+  /// In Model::expressions, for an irrational value.
+  std::optional<ExpressionId> exact_expression = {};
 };
 
 /// Index of a parameter -> its fixed value.
@@ -188,8 +188,8 @@ struct Scene {
   /// The outputs that a page adds, by their index in Model::outputs.
   std::map<std::uint32_t, ShownValues> page_outputs = {};
   bool has_options = false;  ///< changed by --outputs, --fix or --size
-  std::string canonical_text =
-      {};  ///< text of the file and options; stamps contain its hash; "": `full`
+  /// Text of the file and options; stamps contain its hash; "": `full`.
+  std::string canonical_text = {};
   /// The texts of options, into which spans of the model and the scene point.
   std::vector<SourcePointer> option_sources = {};
 };

@@ -24,14 +24,14 @@ struct SimulationOptions {
   std::optional<std::uint32_t> order = {};  ///< none: the order of the method without composition
   double from = 0;
   double duration = 0;  ///< the run ends at `from` + `duration`
-  std::optional<double> step =
-      {};  ///< largest step; equal steps fill each interval between rows or holds
+  /// Largest step; equal steps fill each interval between rows or holds.
+  std::optional<double> step = {};
   std::optional<double> tolerance = {};     ///< none: 1e-9 if `step` is not set either
   std::optional<double> row_interval = {};  ///< time between rows; none: no rows
-  std::optional<double> input_hold_time =
-      {};                                 ///< inputs are constant for this time; none: continuous
-  bool projects = true;                   ///< project onto the constraints after each step
-  bool continues_at_singularity = false;  ///< continue with a fixed step if M or A loses rank
+  /// Inputs are constant for this time; none: continuous.
+  std::optional<double> input_hold_time = {};
+  bool projects = true;                         ///< project onto the constraints after each step
+  bool continues_at_singularity = false;        ///< continue with a fixed step if M or A loses rank
   std::vector<std::string> panel_columns = {};  ///< columns that get separate panels in the plot
   std::string path = {};                        ///< the point whose path is drawn; "": none
   /// Called repeatedly with the time in s that the run has reached.

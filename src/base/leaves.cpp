@@ -15,8 +15,7 @@ using U = LeafUnit;
 using P = ArgumentRule;
 
 constexpr std::string_view number = "std::common_type_t<Scalar>";
-constexpr bool moves = true;
-constexpr bool stated = true;
+constexpr bool yes = true;
 constexpr bool no = false;
 
 // clang-format off
@@ -37,19 +36,19 @@ constexpr LeafNotation energy      {"E",         number,                  12,   
 }  // namespace written
 
 namespace used {
-//                             group            unit                 argument_rule, is_zero_at_rest, is_settable
-constexpr LeafUse parameter   {G::parameter,    U::entry_unit,         P::always,   no,    no};
-constexpr LeafUse open_value  {G::function,     U::open_value_unit,    P::if_any,   no,    no};
-constexpr LeafUse coordinate  {G::coordinate,   U::entry_unit,         P::always,   no,    no};
-constexpr LeafUse velocity    {G::rate,         U::entry_unit,         P::always,   moves, no};
-constexpr LeafUse momentum    {G::rate,         U::joule_per_entry,  P::if_used, moves, stated};
-constexpr LeafUse reference   {G::rate,         U::entry_unit,         P::if_used, moves, stated};
-constexpr LeafUse acceleration{G::acceleration, U::entry_per_second, P::always,   moves, stated};
-constexpr LeafUse multiplier  {G::multiplier,   U::multiplier_unit,    P::never,    no,    no};
-constexpr LeafUse input       {G::input,        U::entry_unit,         P::always,   moves, no};
-constexpr LeafUse time        {G::coordinate,   U::second,           P::always,   no,    stated};
-constexpr LeafUse step        {G::coordinate,   U::second,           P::if_used, no,    stated};
-constexpr LeafUse energy      {G::coordinate,   U::joule,            P::never,    no,    no};
+//                             group            unit                 argument_rule  is_zero_at_rest  is_settable
+constexpr LeafUse parameter   {G::parameter,    U::entry_unit,       P::always,     no,              no};
+constexpr LeafUse open_value  {G::function,     U::open_value_unit,  P::if_any,     no,              no};
+constexpr LeafUse coordinate  {G::coordinate,   U::entry_unit,       P::always,     no,              no};
+constexpr LeafUse velocity    {G::rate,         U::entry_unit,       P::always,     yes,             no};
+constexpr LeafUse momentum    {G::rate,         U::joule_per_entry,  P::if_used,    yes,             yes};
+constexpr LeafUse reference   {G::rate,         U::entry_unit,       P::if_used,    yes,             yes};
+constexpr LeafUse acceleration{G::acceleration, U::entry_per_second, P::always,     yes,             yes};
+constexpr LeafUse multiplier  {G::multiplier,   U::multiplier_unit,  P::never,      no,              no};
+constexpr LeafUse input       {G::input,        U::entry_unit,       P::always,     yes,             no};
+constexpr LeafUse time        {G::coordinate,   U::second,           P::always,     no,              yes};
+constexpr LeafUse step        {G::coordinate,   U::second,           P::if_used,    no,              yes};
+constexpr LeafUse energy      {G::coordinate,   U::joule,            P::never,      no,              no};
 }  // namespace used
 // clang-format on
 

@@ -93,11 +93,11 @@ class FormErrors {
   Points points_;
   std::vector<RunningErrorRules<double>> rules_ = {};  ///< by point
   std::vector<RoughEntries> rough_entries_ = {};       ///< of the text, by point and entry
-  mutable std::map<std::size_t, std::vector<RunningValue<Real>>> exact_entries_ =
-      {};                                             ///< by point, on demand
+  /// By point, on demand.
+  mutable std::map<std::size_t, std::vector<RunningValue<Real>>> exact_entries_ = {};
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value
-  std::vector<std::vector<double>> least_errors_ =
-      {};  ///< least E of all rewritings, by point and entry
+  /// Least E of all rewritings, by point and entry.
+  std::vector<std::vector<double>> least_errors_ = {};
 };
 
 }  // namespace elgen

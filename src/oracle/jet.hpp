@@ -132,8 +132,8 @@ class Jet {
   static constexpr unsigned constant_order = 255;
 
   std::vector<Term> terms_ = {};  ///< ascending by generators, no exact zeros
-  std::vector<Generators> unknown_coefficients_ =
-      {};  ///< generators of coefficients that do not exist
+  /// Generators of coefficients that do not exist.
+  std::vector<Generators> unknown_coefficients_ = {};
   Generators dependencies_ = 0;
   unsigned order_ = constant_order;
 };

@@ -26,8 +26,8 @@ struct DriverInput {
 struct SourceFile {
   std::string file = {};
   std::string text = {};
-  std::string required_header =
-      {};  ///< a header outside the standard library: "Eigen/Core"; "" for none
+  /// A header outside the standard library: "Eigen/Core"; "" for none.
+  std::string required_header = {};
 };
 
 /// The part of a translation unit that includes one emitted header, in the header's language, and

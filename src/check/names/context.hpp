@@ -120,10 +120,10 @@ struct Context {
   SymbolTable symbols = {};
   SymbolTable frames = {};      ///< a separate namespace: a body may have the name of its frame
   SymbolTable equilibria = {};  ///< a separate namespace
-  std::map<std::string, FunctionReplacement, std::less<>> function_replacements =
-      {};  ///< by function name
-  std::map<std::string, FunctionExpression, std::less<>> function_expressions =
-      {};  ///< by function name
+  /// By function name.
+  std::map<std::string, FunctionReplacement, std::less<>> function_replacements = {};
+  /// By function name.
+  std::map<std::string, FunctionExpression, std::less<>> function_expressions = {};
   Model model = {};
   ConstantValues constants = {};
   /// Largest number of nodes, and of steps to resolve one expression; beyond it E908.

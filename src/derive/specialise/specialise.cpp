@@ -50,11 +50,12 @@ constexpr ValueProblem division_by_zero{Code::E312, "a denominator 0"};
 constexpr ValueProblem undefined_value{Code::E313, "a value undefined"};
 constexpr ValueProblem complex_value{Code::E314, "a value complex"};
 
-using MaybeSubtree = std::function<void(UnreducedLagrangian&)>;
+using LagrangianPass = std::function<void(UnreducedLagrangian&)>;
 
 /// Runs a step. Returns the first problem of its values: a division by 0, an undefined value or a
 /// complex value.
-std::optional<ValueProblem> run_checked(const MaybeSubtree& step, UnreducedLagrangian& lagrangian) {
+std::optional<ValueProblem> run_checked(const LagrangianPass& step,
+                                        UnreducedLagrangian& lagrangian) {
   const std::size_t known = lagrangian.definitions.list.size();
   try {
     step(lagrangian);
@@ -81,7 +82,7 @@ std::optional<ValueProblem> run_checked(const MaybeSubtree& step, UnreducedLagra
 struct SinglePass {
   std::string name;
   Span span;
-  MaybeSubtree step;
+  LagrangianPass step;
 };
 
 struct SingularAndPlural {

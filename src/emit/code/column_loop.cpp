@@ -120,8 +120,8 @@ class LoopBody {
   const ColumnLoopTexts words_;
   Function body_ = {};
   std::vector<std::string> names_ = {};  ///< of the instructions of `body_`
-  InstructionNumbers body_indices_ =
-      {};  ///< index in `body_` of each instruction of the first column
+  /// Index in `body_` of each instruction of the first column.
+  InstructionNumbers body_indices_ = {};
   std::map<std::uint32_t, std::uint32_t> shared_ = {};
   const FunctionFormulas formulas_;
 };

@@ -53,8 +53,8 @@ class ExactNumbers {
   void name_numbers(const SourceSpelling& spelling);
   void add_parameter(const std::string& name, const cln::cl_R& value);
 
-  std::map<double, std::vector<Number>> numbers_ =
-      {};  ///< the first number of a group keeps the literal
+  /// The first number of a group keeps the literal.
+  std::map<double, std::vector<Number>> numbers_ = {};
   std::vector<std::pair<std::string, double>> named_numbers_ = {};
   std::vector<std::string> entries_ = {};
 };

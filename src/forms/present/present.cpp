@@ -203,11 +203,12 @@ bool is_rewritten_for_proofs(FunctionId function) {
          has_exponential_form(function);
 }
 
-ClosedForms present(const Program& program, Program whole_sums, const ClosedFormBudget& budget) {
+ClosedForms present(const Program& program, Program unexpanded_sums,
+                    const ClosedFormBudget& budget) {
   ClosedForms forms;
   Arithmetic plain(forms.algebra, budget.products_per_function, budget.terms);
-  const std::vector<OptionalFraction> sums = expanded_forms(plain, whole_sums);
-  forms.algebra.unexpanded_sums = std::make_shared<const Program>(std::move(whole_sums));
+  const std::vector<OptionalFraction> sums = expanded_forms(plain, unexpanded_sums);
+  forms.algebra.unexpanded_sums = std::make_shared<const Program>(std::move(unexpanded_sums));
   present_functions(program, budget, forms, [&](Arithmetic& arithmetic, const Function& function) {
     std::vector<OptionalFraction> values;
     for (const ExpansionPair& both :

@@ -41,8 +41,8 @@ struct NextState {
   InstructionIndices q = {};
   InstructionIndices v = {};
   InstructionIndices residual = {};  ///< of an implicit method; otherwise empty
-  std::vector<InstructionIndices> columns =
-      {};  ///< d(q, v) along each direction of q, v, u; may be empty
+  /// D(q, v) along each direction of q, v, u; may be empty.
+  std::vector<InstructionIndices> columns = {};
 };
 
 /// The columns of A, then of B, of dx(t + h) = A dx + B du, dx = (dq, dv) with rotation vectors in

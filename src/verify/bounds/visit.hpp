@@ -138,8 +138,8 @@ class StateCheck {
   std::vector<Scalar> values_ = {};
   std::vector<Scalar> user_code_values_ = {};  ///< of the code as users compile it
   std::vector<Scalar> wide_values_ = {};  ///< of code in a wider scalar; empty if there is none
-  std::vector<RunningValue<Real>> float_entries_ =
-      {};  ///< entries in float, if it is the inner scalar
+  /// Entries in float, if it is the inner scalar.
+  std::vector<RunningValue<Real>> float_entries_ = {};
 };
 
 /// The cost of a state: the number of instructions, and the oracle's exact solution of constrained
