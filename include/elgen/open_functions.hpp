@@ -21,37 +21,37 @@ namespace elgen {
 struct OpenFunction {
   std::string name;
   std::string identifier;
-  std::vector<std::uint32_t> arguments = {};  ///< in Model::expressions; at least one
-  std::optional<Unit> unit = {};              ///< none: not checked
-  std::string unit_text = {};                 ///< as in the file
+  std::vector<std::uint32_t> arguments = {};  ///< indices in Model::expressions; at least one
+  std::optional<Unit> unit = {};              ///< unit of the values; none: not checked
+  std::string unit_text = {};                 ///< unit as written in the file
   std::string latex = {};
   std::string doc = {};
   Span span = {};
 };
 
-inline constexpr std::size_t max_open_arguments = 4;  ///< largest number of arguments
+inline constexpr std::size_t max_open_arguments = 4;  ///< most arguments of an open function
 
 /// A value of an open function: the function, or one of its derivatives.
 struct OpenValue {
   std::string name;  ///< "V", "V_1", "V_12"
   std::string identifier;
-  std::uint32_t function = 0;  ///< in Model::functions
-  /// Numbers of the arguments by which f is differentiated, ascending; empty: f itself.
+  std::uint32_t function = 0;  ///< index in Model::functions
+  /// Indices of the arguments of the derivatives, ascending: {0, 1} for V_12, {} for V.
   std::vector<std::uint32_t> derivative_arguments = {};
-  std::optional<Unit> unit = {};  ///< none: unknown
+  std::optional<Unit> unit = {};  ///< none: the unit is unknown
   std::string unit_text = {};
 };
 
 struct Model;
 
-/// The number of the open value that is the derivative of `value` by argument number `argument` of
-/// the function; none beyond second order.
+/// The index in model.open_values of the derivative of open value `value` by the argument with
+/// index `argument` of the function; none beyond second order.
 [[nodiscard]] std::optional<std::uint32_t> find_open_derivative(const Model& model,
                                                                 std::uint32_t value,
                                                                 std::uint32_t argument);
 
-/// The number of the open value that is the derivative of `function` by the arguments `by`, in any
-/// order; none beyond second order.
+/// The index in model.open_values of the derivative of `function` by the arguments with the indices
+/// `by`, in any order. `by` empty: the function itself. None beyond second order.
 [[nodiscard]] std::optional<std::uint32_t> find_open_value(const Model& model,
                                                            std::uint32_t function,
                                                            std::vector<std::uint32_t> by);

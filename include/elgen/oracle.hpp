@@ -36,7 +36,7 @@ using State = LeafValues<cln::cl_R>;
 /// (1, 0, 0, 0), and 0 for all other leaves.
 [[nodiscard]] State nominal_state(const Model& model, const Scene& scene);
 
-/// nominal_state() with the declared starts of coordinates and rates.
+/// nominal_state(), but coordinates and rates have their declared start values.
 [[nodiscard]] State start_state(const Model& model, const Scene& scene);
 
 /// Replaces every quaternion by a rational quaternion of length 1, computed from the last three
@@ -99,8 +99,8 @@ struct Contraction {
 /// The result of Newton's method on the constraints.
 struct Assembly {
   State state = {};
-  bool has_pose = false;   ///< f = 0 to 60 digits of the coordinates
-  bool has_rates = false;  ///< r = 0 for the rates at the pose (see Constraint)
+  bool has_pose = false;   ///< true: the pose satisfies f = 0, to 60 digits of the coordinates
+  bool has_rates = false;  ///< true: the rates satisfy r = 0 at this pose (see Constraint)
 };
 
 /// For each velocity: true if an assembly must not change the coordinate (in `positions`) or the
@@ -110,9 +110,9 @@ struct FixedVariables {
   std::vector<bool> rates = {};
 };
 
-/// `state` moved onto the constraints by Newton steps (see the output `projected`), each halved
-/// until the residuals decrease, and with projected rates. The variables in `kept` do not change.
-/// None if an equation has no value at the state.
+/// `state`, moved onto the constraints by Newton steps (see the output `projected`), then with
+/// corrected rates. A step is halved until the residuals decrease. The variables in `kept` do not
+/// change. None if an equation has no value at the state.
 [[nodiscard]] std::optional<Assembly> oracle_assembly(const Model& model, const State& state,
                                                       const FixedVariables& kept = {});
 

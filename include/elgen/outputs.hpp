@@ -23,8 +23,8 @@ enum class OutputKind : std::uint8_t {
 
 /// The form of the equations in which a function is emitted.
 enum class Form : std::uint8_t {
-  recursive,  ///< over the definitions of the derivation
-  closed,     ///< the cancelled, collected expression
+  recursive,  ///< expressions over the intermediate values of the derivation
+  closed,     ///< one cancelled, collected expression per entry
 };
 
 [[nodiscard]] std::string_view name_of(Form form);
@@ -37,10 +37,10 @@ enum class Extent : std::uint8_t {
   inputs,
   reaction,
   cyclic,        ///< coordinates that [routh] eliminates
-  constraints,   ///< a row is the rate of a constraint
-  positions,     ///< a row is a constraint on positions
+  constraints,   ///< all constraints; a row has the unit of the rate r
+  positions,     ///< the constraints on positions; a row has the unit of f
   inertial,      ///< entries of pi (inertial_parameters.hpp)
-  pivots,        ///< velocities, then constraints
+  pivots,        ///< one pivot per velocity, then one per constraint
   user,          ///< the rows of an [[output]]
   user_columns,  ///< the columns of an [[output]]: four for a pose, else one
   task,          ///< the rates of the values of an [[output]]; for a frame its twist
@@ -68,9 +68,9 @@ enum class Need : std::uint8_t {
   reaction,               ///< a lock with `reaction = true`
   cyclic,                 ///< a coordinate in [routh]
   affine_forces,          ///< forces that are affine in the parameters of a regressor
-  inertial,               ///< parameters of a regressor
+  inertial,               ///< at least one inertial parameter for a regressor
   constraints,            ///< a constraint
-  independent,            ///< independent velocities in the scene
+  independent,            ///< as many independent velocities in the scene as degrees of freedom
   no_constraints,         ///< no constraint
   inputs,                 ///< an input
   motors,                 ///< only inputs that are motors
@@ -78,7 +78,7 @@ enum class Need : std::uint8_t {
   no_cyclic_coordinates,  ///< an [[output]] without coordinates that [routh] eliminates
   smooth_forces,          ///< forces without kinks
   few_velocities,         ///< few enough velocities for straight-line derivatives of a step
-  closed_functions,       ///< an expression of each open function
+  closed_functions,       ///< no open function without an expression in the scene
   jacobian,               ///< `jacobian = true` of the [[output]]
   position_values,        ///< an [[output]] over positions only
   motion_values,          ///< an [[output]] with rates, accelerations or inputs
@@ -190,12 +190,12 @@ struct OutputRow {
   bool takes_unprojected = false;  ///< may be called at states that violate the constraints
   std::span<const FieldRow> fields = {};
   Notation equation = {};
-  Notation rotation_equation = {};             ///< with rotations; empty: `equation`
-  Notation constrained_equation = {};          ///< with constraints; empty: `equation`
-  std::string_view definition = {};            ///< equation with other outputs, in LaTeX, for pages
+  Notation rotation_equation = {};     ///< for models with rotations; empty: `equation` holds
+  Notation constrained_equation = {};  ///< for models with constraints; empty: `equation` holds
+  std::string_view definition = {};    ///< the output as a formula of other outputs, in LaTeX
   std::string_view driftless_definition = {};  ///< `definition` for models with drift = 0
-  std::string_view doc = {};                   ///< meaning, in one sentence
-  std::string_view constrained_doc = {};       ///< with constraints; empty: `doc`
+  std::string_view doc = {};              ///< what the function returns, for comments and pages
+  std::string_view constrained_doc = {};  ///< for models with constraints; empty: `doc` holds
   std::string_view doc_without_pivots = {};
   std::string_view constrained_doc_without_pivots = {};
   EnumSet<Need> needs = {};
@@ -209,8 +209,8 @@ struct OutputRow {
   bool is_on_request = false;       ///< `full` omits the output; a scene must name the output
   bool is_user_output = false;      ///< every [[output]] of a model gets a function of this kind
   std::string_view suffix = {};     ///< appended to the name of the [[output]]
-  bool is_summary = false;          ///< a struct of all requested outputs that take neither a nor u
-  bool is_step = false;             ///< composed by the method of the scene, not derived
+  bool is_summary = false;  ///< a struct of the requested outputs that is_in_dynamics() accepts
+  bool is_step = false;     ///< composed by the integration method of the scene, not derived
 };
 
 /// True if the output has equations of its own, that is, it is not composed from other outputs.
@@ -245,8 +245,8 @@ struct EquationSetting {
 [[nodiscard]] std::span<const OutputRow> output_table();
 [[nodiscard]] const OutputRow& output_row(OutputKind kind);
 
-/// True if `dynamics` contains the output: its arguments are only parameters, q, v and t, and it
-/// has one field.
+/// True if `dynamics` contains the output `kind`, that is, the output has one field and its
+/// arguments are q and perhaps parameters, v and t. `takes`: OutputRequest::argument_kinds.
 [[nodiscard]] bool is_in_dynamics(OutputKind kind, LeafSet takes);
 
 /// The field of this name; if there is none, the first field; for an output without fields, the row

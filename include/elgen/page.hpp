@@ -16,7 +16,7 @@
 
 namespace elgen {
 
-/// A named value of a function, for readers.
+/// The equation name = value of an intermediate value of a function.
 struct NamedFormula {
   Formula name = {};   ///< "sin_theta", "t_4f2a"
   Formula value = {};  ///< over leaves and the names of earlier values
@@ -33,8 +33,8 @@ struct FunctionEquations {
 [[nodiscard]] FunctionEquations function_equations(const Program& program, const Function& function,
                                                    const std::vector<std::string>& names);
 
-/// The function functions[index] of a program: its readable closed form, each entry over the
-/// leaves; without a readable form, the function with the names of the emitted code.
+/// The equations of program.functions[index] in its readable closed form, over leaves and named
+/// values. Without a readable form, the equations have the names of the emitted code.
 [[nodiscard]] FunctionEquations equations(const Program& program, std::size_t index);
 
 /// As above, but in the symbols of the model, for pages. Definitions of at most three operations
@@ -46,8 +46,8 @@ struct FunctionEquations {
 [[nodiscard]] Formula first_entry_formula(const Model& model, const Program& program);
 
 /// The matrix equation "M(q) a + C(q,v) v + g(q) = B(q) u", with constraints "+ A(q)^T lambda" on
-/// the right. A term is omitted if the model cannot have it or if its function is zero. If no
-/// function depends on v or a, the equation is "g(q) = B(q) u".
+/// the right. A term is omitted if the model cannot have it or if its function is zero. If the
+/// program has neither M nor a function of v, p or a, the equation is "g(q) = B(q) u".
 [[nodiscard]] Formula equation_of_motion(const Model& model, const Program& program);
 
 /// The lines that explain the symbols of equation_of_motion(): "q = (x [m], theta [rad])"; "v =
@@ -60,10 +60,10 @@ struct ConservedQuantity {
   std::string name = {};
   Formula definition = {};
 };
-/// The energy function and the momenta that are constant along every motion, if the outputs of the
-/// program prove it. The energy function: L does not contain t, no input, force or dissipation
-/// acts, and constraints do no work. A momentum: L does not contain the coordinate, and no input,
-/// force, dissipation or constraint acts on it. Empty if the scene expands the equations.
+/// The quantities that are constant along every motion, as far as the outputs of the program prove
+/// it. The energy function: if L does not contain t, no input, force or dissipation acts, and
+/// constraints do no work. A momentum: if L does not contain the coordinate, and no input, force,
+/// dissipation or constraint acts on the coordinate. Empty if the scene expands the equations.
 [[nodiscard]] std::vector<ConservedQuantity> conserved_quantities(const Model& model,
                                                                   const Program& program);
 
@@ -72,7 +72,7 @@ struct PageVariable {
   Formula symbol = {};
   std::string name = {};  ///< as in the model: "l[1..5]"
   std::string unit = {};
-  std::string value = {};  ///< only of parameters: "0.5", "2, 3"
+  std::string value = {};  ///< value of a parameter: "0.5", "2, 3"; otherwise ""
   std::string doc = {};
 };
 
@@ -82,7 +82,7 @@ struct PageEquation {
   std::uint32_t rows = 1;
   std::uint32_t columns = 1;
   Formulas entries = {};       ///< row-major
-  bool is_definition = false;  ///< it defines a name that preceding equations contain
+  bool is_definition = false;  ///< true: `left` is a name that preceding equations contain
 };
 
 /// A table: `cells` row by row, with one column for each head. All heads may be empty.
@@ -91,19 +91,19 @@ struct PageTable {
   Formulas cells = {};
 };
 
-/// A section of a page: one or more paragraphs.
+/// A section of a page: a title, a text, a definition, lines, equations and a table.
 struct PageSection {
   Formula title = {};         ///< "Mass matrix"; may be empty
   std::string function = {};  ///< name in code: "mass_matrix"; an equal title is printed as code
   std::optional<OutputKind> kind = {};
-  std::string doc = {};     ///< meaning of the function, in one sentence
+  std::string doc = {};     ///< text below the title, for example what the function returns
   Formula definition = {};  ///< equation that defines the function; may be empty
   Formulas lines = {};      ///< formulas and sentences before the equations
   std::vector<PageEquation> equations = {};
   PageTable table = {};
   bool is_side_by_side =
-      false;  ///< equations are printed side by side if the screen is wide enough
-  /// Equations, also those in `lines`, are aligned at their relation signs.
+      false;  ///< true: equations are printed side by side if the screen is wide enough
+  /// True: all equations, including equations in `lines`, are aligned at their relation signs.
   bool is_aligned = false;
 };
 
@@ -122,21 +122,21 @@ struct Page {
 
 /// The steps of a derivation, for readers.
 struct ReadableDerivation {
-  Program program = {};                          ///< the functions of elgen/steps.hpp
-  std::vector<std::string> masses = {};          ///< the names of the fields of "positions"
-  std::vector<std::string> omitted_masses = {};  ///< points and bodies with a mass, not in `masses`
+  Program program = {};                  ///< one function per step (elgen/steps.hpp)
+  std::vector<std::string> masses = {};  ///< names of the points and bodies of the step `positions`
+  std::vector<std::string> omitted_masses = {};  ///< names of other points and bodies with a mass
 };
 
 /// The programs from which pages are printed.
 struct PagePrograms {
-  Program program = {};  ///< of the emitted code; `readable` has textbook forms
-  std::optional<ReadableDerivation> steps = {};  ///< none if the derivation is too long to read
+  Program program = {};  ///< the emitted functions; Program::readable has textbook forms
+  std::optional<ReadableDerivation> steps = {};  ///< none: too long to read, or expanded equations
 };
 
 /// Options of a page. `dynamics` repeats other outputs and is never shown.
 struct PageOptions {
   bool shows_zeros = false;        ///< true: also shows functions whose entries are all 0
-  std::size_t most_entries = 200;  ///< a larger output is shown by its definition only
+  std::size_t most_entries = 200;  ///< an output with more entries is shown as its definition
   /// The steps whose equations of motion the page shows first; may be null.
   const ReadableDerivation* opening_steps = nullptr;
 };
@@ -150,7 +150,7 @@ struct PageOptions {
 
 /// One section per step: the action; positions; velocities; energies; Lagrange's equation of each
 /// coordinate, with conserved quantities and their conditions; the system of all equations. If
-/// `title` is set: only the section of that title.
+/// `title` is not empty, only the section with this title.
 [[nodiscard]] std::vector<PageSection> derivation_sections(const Model& model,
                                                            const ReadableDerivation& steps,
                                                            std::string_view title = {});
@@ -187,8 +187,8 @@ struct Screen {
 /// too wide are replaced by names, which are defined below the matrix.
 [[nodiscard]] std::string screen_page(const Page& page, const Screen& screen);
 
-/// The terms of the equation of motion, on one screen. The end of a long formula is replaced by
-/// "…312" if 312 characters are cut.
+/// The terms of the equation of motion, on about one screen. If a matrix does not fit, its widest
+/// entries are replaced by their widths: "…312" for an entry of 312 columns.
 [[nodiscard]] std::string overview(const Page& page, const Screen& screen);
 
 /// The page as GitHub Markdown with $$ blocks.

@@ -31,7 +31,7 @@ struct PipelineSources {
   SourcePointer scene = {};  ///< null: the built-in scene `full`
 };
 
-/// The stages (goals.def).
+/// The stages of the pipeline, in the order of execution (goals.def).
 enum class Goal : std::uint8_t {
 #define ELGEN_GOAL(id, name) id,
 #include "elgen/goals.def"
@@ -50,7 +50,7 @@ inline constexpr std::array stage_names{
 /// A row of analyses.def, for stages and commands.
 struct AnalysisRow {
   Goal stage;
-  /// The outputs that the analysis needs. Null: it uses the result of another analysis.
+  /// The outputs that the analysis needs. Null: the analysis uses the result of another analysis.
   std::vector<OutputRequest> (*outputs)(const Model& model) = nullptr;
   /// True: `inspect` checks these outputs, not the outputs of the scene, because the analysis does
   /// not solve for accelerations.
@@ -77,10 +77,11 @@ struct PipelineOptions {
   Limits limits = {};
   /// The stage whose result is written as text to Products::dump; none: no dump.
   std::optional<Goal> dump = {};
-  /// The stages to run. The stages that they need run too.
+  /// The stages to run. Every stage that one of these stages needs also runs.
   std::vector<Goal> goals = {Goal::self_check};
   /// The equilibrium to analyse: the name of an [[equilibrium]], or "" for the start of the model,
-  /// which must be an equilibrium. None: all equilibria; modes only about stable equilibria.
+  /// which must be an equilibrium. None: all equilibria; the analysis `modes` then uses only the
+  /// stable equilibria.
   std::optional<std::string> equilibrium_name = {};
   /// Called at the start of each stage, with its name.
   std::function<void(const std::string&)> on_stage = {};
@@ -94,7 +95,7 @@ struct StageTime {
 /// The results of the stages. The result of a stage that did not run is empty.
 struct Products {
   std::optional<CheckedModel> checked = {};
-  std::optional<Program> lowered = {};  ///< before cancellation and the choice of forms
+  std::optional<Program> lowered = {};  ///< the derived functions, not yet cancelled
   std::optional<ClosedForms> closed_forms = {};
   std::optional<Program> program = {};  ///< every function in its chosen form
   std::vector<FormCosts> costs = {};
@@ -102,7 +103,7 @@ struct Products {
   std::optional<PagePrograms> page_programs = {};
 #define ELGEN_ANALYSIS(id, name, source, Found, ...) std::optional<Found> id = {};
 #include "elgen/analyses.def"
-  /// Verdicts on [[equilibrium]] entries.
+  /// One verdict per [[equilibrium]] of the model, in file order.
   std::optional<std::vector<EquilibriumVerdict>> claims = {};
   std::optional<EmittedFiles> files = {};
   std::optional<SelfCheck> self_check = {};
@@ -111,12 +112,12 @@ struct Products {
   std::vector<StageTime> times = {};
 };
 
-/// Runs the goals and the stages that they need, until a stage reports an error. Errors: the errors
-/// of the stages; E911: the self-check failed; E521: an output has no value at any state.
+/// Runs options.goals and the stages that the goals need, until a stage reports an error. Errors of
+/// the stages; also E911: the self-check failed; E521: an output has no value at any state.
 [[nodiscard]] Products run_pipeline(const PipelineSources& inputs, const PipelineOptions& options);
 
-/// Runs the stages from `formulate` to `choose` for one output, given by its position in the scene,
-/// and returns their times.
+/// Runs the stages from `formulate` to `choose` for the request checked.scene.outputs[output]
+/// alone. Returns the time of each stage.
 [[nodiscard]] std::vector<StageTime> output_stage_times(const CheckedModel& checked,
                                                         std::size_t output, const Limits& limits);
 

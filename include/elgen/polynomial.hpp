@@ -66,7 +66,7 @@ class Monomial {
     }
     x = std::move(kept);
   }
-  /// Compares the factors in order; not the order of terms in a Polynomial (MonomialLess).
+  /// Compares factor by factor. The terms of a Polynomial have another order: MonomialLess.
   friend std::strong_ordering operator<=>(const Monomial& x, const Monomial& y) {
     return std::lexicographical_compare_three_way(x.begin(), x.end(), y.begin(), y.end());
   }
@@ -92,7 +92,7 @@ struct MonomialLess {
   }
 };
 
-/// The coefficient x + i y.
+/// The number real + i imaginary, a coefficient of a Polynomial.
 struct GaussianRational {
   cln::cl_RA real = 0;
   cln::cl_RA imaginary = 0;

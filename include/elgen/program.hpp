@@ -60,7 +60,7 @@ struct InstructionHash {
                                             const std::vector<std::uint32_t>& places);
 
 /// The prefix of names that the derivation gives to intermediate values: "~moment_link5_y". Names
-/// with this prefix only become names of temporaries.
+/// of temporaries may contain such a name without the prefix.
 inline constexpr char intermediate_mark = '~';
 
 /// Sets `known` to `name` if `known` is empty, or if `known` has intermediate_mark and `name` does
@@ -71,7 +71,7 @@ struct Field {
   std::string name = {};  ///< "" if the output has only one field
   std::uint32_t rows = 1;
   std::uint32_t columns = 1;
-  std::vector<std::uint32_t> entries = {};  ///< instruction of each entry, row-major
+  std::vector<std::uint32_t> entries = {};  ///< index of the instruction of each entry, row-major
 };
 
 /// The last `length * count` instructions are `count` repetitions of the same `length` instructions
@@ -118,7 +118,7 @@ struct Function {
           .name = function.name};
 }
 
-/// The number of the first repeated instruction; the number of instructions if none is repeated.
+/// The index of the first repeated instruction; instructions.size() if no instruction is repeated.
 [[nodiscard]] std::size_t first_repeated_instruction(const Function& function);
 
 /// Number of random points at which a value has to vanish before the value counts as zero.
@@ -126,9 +126,9 @@ inline constexpr std::size_t zero_sample_count = 64;
 
 /// The number of entries of all fields.
 [[nodiscard]] std::size_t entry_count(const Function& function);
-/// The instructions of all entries, field by field.
+/// The index of the instruction of each entry, field by field.
 [[nodiscard]] std::vector<std::uint32_t> entries_of(const Function& function);
-/// The number of the first entry of a field; the number of all entries if the field is missing.
+/// The index in entries_of() of the first entry of `field`; entry_count() if the field is missing.
 [[nodiscard]] std::size_t first_entry_of(const Function& function, std::string_view field);
 /// True if the function has the field `relative_pivots`.
 [[nodiscard]] bool has_pivots(const Function& function);
@@ -139,8 +139,8 @@ struct Program {
   LeafNames leaves = {};
   std::vector<Constant> constants = {};
   std::vector<Function> functions = {};  ///< in the order of the output table
-  /// The closed form of every entry as pages show it, without shared values. Parallel to functions,
-  /// or empty. A function without a closed form has no fields in this list.
+  /// The closed form of every entry as pages show it, over leaves and named values. Parallel to
+  /// functions, or empty. A function without a closed form has no fields in this list.
   std::vector<Function> readable = {};
 };
 
@@ -204,8 +204,8 @@ inline constexpr std::array operation_columns{OperationColumn{"add", &OperationC
 /// Measured by tests/bench/operation_costs (g++ 12, glibc 2.36, one run).
 [[nodiscard]] std::size_t cost(const OperationCounts& counts);
 
-/// For each instruction: true if the instruction is in `wanted`, or if an instruction in `wanted`
-/// depends on it.
+/// For each instruction: true if the instruction is in `wanted`, or is a direct or indirect operand
+/// of an instruction in `wanted`.
 [[nodiscard]] std::vector<bool> needed_instructions(const Function& function,
                                                     const std::vector<std::uint32_t>& wanted);
 
@@ -240,8 +240,8 @@ void require_invariants(const Program& program);
 
 [[nodiscard]] std::string dump(const Program& program);
 
-/// The name of a value without a meaning: in code a hash of its content, on pages a number
-/// ("part_2").
+/// The name of a temporary if no other name is found: in code a hash of the computation
+/// ("t_4f2a9"), on pages a number ("part_2").
 enum class FallbackName : std::uint8_t { hash, number };
 
 /// The names of instructions in equations and emitted code; "" if the instruction has no temporary.
@@ -251,9 +251,9 @@ enum class FallbackName : std::uint8_t { hash, number };
                                                        const Function& function,
                                                        FallbackName last = FallbackName::hash);
 
-/// For each instruction its name, if the name keeps its meaning when the function is called with
-/// other arguments; else "". Excluded are names composed from leaves, names of values in frames,
-/// and hashes.
+/// For each instruction the name of its temporary if this name is of a sine or cosine ("sin_theta")
+/// or is in function.names without intermediate_mark; else "". Hashes and names spelt from operands
+/// are excluded, because a caller may replace the operands.
 [[nodiscard]] std::vector<std::string> context_free_names(const Program& program,
                                                           const Function& function);
 

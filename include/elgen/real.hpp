@@ -20,7 +20,7 @@ namespace elgen {
 template <class Scalar>
 struct ScalarTraits;
 
-/// Rounds to the nearest float.
+/// Rounds `value` to the nearest number of type float, double or long double.
 template <>
 struct ScalarTraits<float> {
   [[nodiscard]] static float from_real(const cln::cl_R& value);

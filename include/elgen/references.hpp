@@ -40,10 +40,10 @@ struct Entity {
 
 /// The role of an expression in its entry.
 enum class RootRole : std::uint8_t {
-  value,  ///< of a definition, prescribed function, gravity, force, constraint or output
+  value,  ///< value of a definition, prescribed function, gravity, force, constraint or output
   armature,
   rotation,
-  place,  ///< of a point, a centre of mass, or the origin of a frame
+  place,  ///< position of a point, of a centre of mass, or of the origin of a frame
   spin,
   mass,
   inertia,

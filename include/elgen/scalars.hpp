@@ -15,7 +15,7 @@ enum class ScalarKind : std::uint8_t { single_precision, double_precision, long_
 
 struct ScalarRow {
   ScalarKind kind;
-  std::string_view name;  ///< in C++, C and scenes
+  std::string_view name;  ///< name of the type in C++, C and scenes
   int digits;             ///< decimal digits, rounded: the most that a value can lose
 };
 
@@ -37,8 +37,8 @@ enum class InnerScalar : std::uint8_t { same, long_double, double_double, single
 
 struct InnerScalarRow {
   InnerScalar kind;
-  std::string_view name;  ///< in scenes
-  std::string_view type;  ///< in templates/cpp/wide.hpp.mustache
+  std::string_view name;  ///< name of the type in scenes
+  std::string_view type;  ///< C++ type in templates/cpp/wide.hpp.mustache
   double roundoff;        ///< u: relative rounding error of one operation
 };
 
@@ -52,7 +52,7 @@ inline constexpr std::array inner_scalar_table{
   return inner_scalar_table[static_cast<std::size_t>(kind)];
 }
 
-/// Converts a loss in u to decimal digits, at most all digits of the scalar.
+/// log10 of `loss`, an error in units of u: at least 0, at most decimal_digits(kind).
 [[nodiscard]] inline double digits_lost(double loss, ScalarKind kind) {
   return loss > 1 ? std::min<double>(std::log10(loss), decimal_digits(kind)) : 0;
 }

@@ -29,16 +29,16 @@ enum class LanguageId : std::uint8_t {
 #undef ELGEN_LANGUAGE
 };
 
-/// Whether emitted functions are generic in their scalar or use one built-in type.
+/// `any`: emitted functions are generic in their scalar. `one`: functions use one built-in type.
 enum class LanguageScalars : std::uint8_t { any, one };
 
 struct LanguageRow {
   LanguageId id;
   std::string_view name;
   LanguageScalars scalars;
-  std::string_view file_extension;  ///< of a source file: "cpp"
+  std::string_view file_extension;  ///< extension of source files: "cpp"
   bool has_more_headers;            ///< scenes may request headers on Eigen types and for batches
-  bool is_interpreted;              ///< computes in doubles with its own mathematical library
+  bool is_interpreted;              ///< the language computes in doubles with its own sin, cos, …
 };
 
 inline constexpr std::array language_table{
@@ -57,7 +57,7 @@ inline constexpr LanguageId default_language = language_table.front().id;
 /// The exact value of a fixed parameter.
 struct FixedValue {
   cln::cl_R number = 0;  ///< rational, or a float of 100 digits
-  /// In Model::expressions, for an irrational value.
+  /// The expression of an irrational value, as written; none if `number` is rational.
   std::optional<ExpressionId> exact_expression = {};
 };
 
@@ -73,11 +73,11 @@ struct Specialisation {
 struct OutputRequest {
   OutputKind kind = {};
   std::uint32_t user = 0;       ///< index in Model::outputs, for the user_* kinds
-  std::string name = {};        ///< of the emitted function
+  std::string name = {};        ///< name of the emitted function
   LeafSet argument_kinds = {};  ///< arguments in addition to parameters, q and (if it occurs) t
   std::uint32_t rows = 1;       ///< shape of the first field
   std::uint32_t columns = 1;
-  Span span = {};                     ///< of the request in the scene or an option
+  Span span = {};                     ///< position of the request in the scene or an option
   std::optional<Form> form = {};      ///< the form that the scene demands; none: choose() decides
   std::optional<StepSpec> step = {};  ///< for `step` and its derivatives
   bool omits_pivots = false;          ///< true: relative pivots are not returned
@@ -104,7 +104,7 @@ struct Numerics {
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
   /// Unless `same`: a further header is emitted that computes in this scalar.
   InnerScalar inner = InnerScalar::same;
-  /// Largest error of sines and cosines in batches; none: see trigonometry_error().
+  /// Largest absolute error of sines and cosines in batches; none: see trigonometry_error().
   std::optional<cln::cl_RA> trigonometry_error = {};
   /// True: functions of one state call sin and cos of the library instead of polynomials.
   bool has_library_sines = false;
@@ -114,7 +114,8 @@ struct Numerics {
   std::vector<NamedRange> ranges = {};
 };
 
-/// Numerics::trigonometry_error; if it is not set, 2^-52, or 2^-23 for float.
+/// The largest absolute error of sines and cosines in batches: the error that `numerics` states;
+/// otherwise 2^-23 if `scalar` is float, and 2^-52 for other scalars.
 [[nodiscard]] cln::cl_RA trigonometry_error(const Numerics& numerics, ScalarKind scalar);
 
 /// The order of the entries of a matrix in an array.
@@ -125,7 +126,7 @@ enum class Storage : std::uint8_t { row_major, column_major };
 /// For the stage emit: the target language and the files.
 struct Emission {
   LanguageId language = default_language;
-  std::string name_space = {};  ///< in C++; in C the prefix of every name; default: base_name
+  std::string name_space = {};  ///< namespace in C++, prefix of names in C; "": Scene::base_name
   Span name_space_span = {};    ///< span of the value that sets the namespace
   Storage storage = Storage::row_major;
   bool has_eigen_header = false;  ///< C++: a second header with the same functions on Eigen types
@@ -160,14 +161,14 @@ struct SourcePaths {
   std::string scene = {};  ///< "": the built-in scene
 };
 
-/// The values of an [[output]] that a page with an animation adds (Purpose::shows_motion).
+/// The kind of values of an [[output]] that is added for an animation (Purpose::shows_motion).
 enum class ShownValues : std::uint8_t { places, masses, laws, integrals };
 
 /// The leaves that `--state` sets. The values of q and v replace the start of the model.
 struct StateOverrides {
-  std::set<std::string> coordinates = {};  ///< names; a rotation has all four or none
-  std::set<std::string> velocities = {};   ///< names; a rotation has all three or none
-  /// The values of accelerations, momenta, t and h, by their text: "dot(dot(theta))".
+  std::set<std::string> coordinates = {};  ///< names; of a rotation all four or none
+  std::set<std::string> velocities = {};   ///< names; of a rotation all three or none
+  /// Name -> value, for accelerations ("dot(dot(theta))"), momenta, t and h.
   std::map<std::string, cln::cl_R> others = {};
 };
 
@@ -183,12 +184,12 @@ struct Scene {
   Numerics numerics = {};
   Emission emission = {};
   StateOverrides state_overrides = {};
-  /// The input laws of `--input`, functions of q, v and t, by the name of the input.
+  /// Name of an input -> its law of `--input`, a function of q, v and t.
   std::map<std::string, ExpressionId> laws = {};
-  /// The outputs that a page adds, by their index in Model::outputs.
+  /// Index in Model::outputs -> kind of values, for each output that is added for an animation.
   std::map<std::uint32_t, ShownValues> page_outputs = {};
-  bool has_options = false;  ///< changed by --outputs, --fix or --size
-  /// Text of the file and options; stamps contain its hash; "": `full`.
+  bool has_options = false;  ///< true: --outputs, --fix, --size or --language is set
+  /// Text of the scene file and of these options; stamps contain a hash of this text; "": `full`.
   std::string canonical_text = {};
   /// The texts of options, into which spans of the model and the scene point.
   std::vector<SourcePointer> option_sources = {};
@@ -247,8 +248,8 @@ inline constexpr Purpose verify_expansion{.ignores_expansion = true};
 
 }  // namespace purpose
 
-/// The options --outputs, --fix, --size and others. The text of each option is a source, so that
-/// errors have a position in it.
+/// The options --outputs, --fix, --size and others. The text of each option is a source, so that an
+/// error has a position in this text.
 struct SceneOptions {
   SourcePaths paths = {};                   ///< empty: bare file names
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
