@@ -21,17 +21,17 @@ namespace elgen {
 /// relative error.
 struct SimulationOptions {
   std::string method = "dopri5";            ///< a method of run/steps/methods.cpp
-  std::optional<std::uint32_t> order = {};  ///< none: the order of the method without composition
+  std::optional<std::uint32_t> order = {};  ///< order of the step; none: order without composition
   double from = 0;
   double duration = 0;  ///< the run ends at `from` + `duration`
   /// Largest step; equal steps fill each interval between rows or holds.
   std::optional<double> step = {};
   std::optional<double> tolerance = {};     ///< none: 1e-9 if `step` is not set either
   std::optional<double> row_interval = {};  ///< time between rows; none: no rows
-  /// Inputs are constant for this time; none: continuous.
+  /// Time for which the inputs stay constant; none: inputs follow their laws continuously.
   std::optional<double> input_hold_time = {};
-  bool projects = true;                         ///< project onto the constraints after each step
-  bool continues_at_singularity = false;        ///< continue with a fixed step if M or A loses rank
+  bool projects = true;                   ///< true: project onto the constraints after each step
+  bool continues_at_singularity = false;  ///< true: go on if M or A loses rank; needs `step`
   std::vector<std::string> panel_columns = {};  ///< columns that get separate panels in the plot
   std::string path = {};                        ///< the point whose path is drawn; "": none
   /// Called repeatedly with the time in s that the run has reached.
@@ -43,14 +43,14 @@ struct Drift {
   std::string name = {};
   std::string measure = {};  ///< the quantity whose largest value is `scale`: "|T| + |V|"
   double worst = 0;          ///< largest magnitude of the deviation
-  double secular = 0;  ///< mean over the last tenth of the run minus mean over the first tenth
+  double secular = 0;        ///< mean deviation in the last tenth of the run minus in the first
   double scale = 1;
 };
 
 /// An entry of `conserved` along a run.
 struct ConservedDrift {
-  std::string text = {};  ///< as in the model
-  std::string unit = {};  ///< "" if it is 1 or unknown
+  std::string text = {};  ///< the expression as typed in the model
+  std::string unit = {};  ///< unit of the expression; "" if the unit is 1 or unknown
   double start = 0;
   double drift = 0;  ///< largest deviation from the start
 };
@@ -72,9 +72,9 @@ struct StartCorrection {
 /// The accuracy of the constraints during a run.
 struct ConstraintAccuracy {
   ConstraintViolation largest = {};
-  /// Unit of f, "" if constraints have different units; none: no constraint on positions.
+  /// Unit of f; "" if the constraints have no common unit. None if no constraint is on positions.
   std::optional<std::string> unit = {};
-  std::string rate_unit = {};               ///< unit of r, "" if constraints have different units
+  std::string rate_unit = {};               ///< unit of r; "" if there is no common unit
   std::vector<StartCorrection> start = {};  ///< changes of more than 1e-9 max(|x|, 1)
 };
 
@@ -83,7 +83,7 @@ struct TrajectoryColumn {
   std::string name = {};              ///< in the model language: "theta", "dot(theta)"
   std::string unit = {};              ///< "" if the model declares none
   std::string panel = {};             ///< the panel of the plot that shows it; "": none
-  bool is_relative_to_start = false;  ///< the plot shows the difference from the initial value
+  bool is_relative_to_start = false;  ///< true: the plot shows value - initial value - work
 };
 
 struct Trajectory {
@@ -103,14 +103,14 @@ struct Trajectory {
   /// relative to the largest |T| + |V|, or to the largest |v.p| + |L| if T and V are not separate.
   /// The last integral is present only for constraints that contain t.
   Drift energy = {};
-  bool loses_energy = false;  ///< with a fixed step: the loss exceeds 10 % of the scale of E648
-  std::vector<Drift> momenta = {};  ///< of cyclic coordinates without forces and constraints
+  bool loses_energy = false;        ///< true: `energy` drifts by > 10 % of the scale of E648
+  std::vector<Drift> momenta = {};  ///< drifts of dL/dv of cyclic q without forces and constraints
   /// Drifts of `conserved` entries of the model, which are constant at u = 0. Empty if the scene
   /// locks variables or expands the equations.
   std::vector<ConservedDrift> conserved = {};
   std::optional<ConstraintAccuracy> constraints = {};  ///< none: the model has no constraints
   std::uint64_t steps = 0;
-  double nanoseconds = 0;       ///< cost of a step
+  double nanoseconds = 0;       ///< mean wall-clock time of a step, in ns
   std::string timed_code = {};  ///< "of the emitted C++", "in the evaluator"
 };
 
@@ -123,10 +123,10 @@ struct Trajectory {
 /// The output `step` that advances the run; none if the method calls forward dynamics instead.
 [[nodiscard]] std::optional<StepSpec> step_for_run(const SimulationOptions& options);
 
-/// Derives the outputs that a run needs and its `step`, whatever outputs the scene requests. The
-/// scene of the result emits C++ in double, with a batch header if there is a `step`; or JavaScript
-/// if Purpose::shows_motion is set. The caller sets options.scene.purpose. E622: the method does
-/// not apply to the system.
+/// Derives the outputs that a run needs and the output `step`, instead of the outputs of the scene.
+/// The scene of the result emits C++ in double, with a batch header if `step` is set. If
+/// Purpose::shows_motion is set, the scene emits JavaScript instead. The caller sets
+/// options.scene.purpose. E622: the method of `step` does not apply to the system.
 [[nodiscard]] Products derive_for_run(const PipelineSources& inputs, PipelineOptions options,
                                       const std::optional<StepSpec>& step);
 
@@ -151,9 +151,9 @@ struct Trajectory {
 
 /// Coordinates and rates at the end of a reference run, to measure the errors of other runs.
 struct ReferenceRun {
-  std::vector<double> last = {};        ///< from a run in long double with tolerance 1e-15
-  std::vector<double> rough_last = {};  ///< from a run in double with tolerance 1e-12
-  std::vector<double> largest = {};     ///< largest magnitude of each number during the run
+  std::vector<double> last = {};        ///< final values of a run in long double, tolerance 1e-15
+  std::vector<double> rough_last = {};  ///< final values of a run in double, tolerance 1e-12
+  std::vector<double> largest = {};     ///< largest magnitude of each value during the run
 };
 
 /// Runs from the assembled start of the model by Fehlberg's method of order 8, in the interpreter.
@@ -166,8 +166,8 @@ struct ReferenceRun {
 /// The rows as CSV. Each number has the fewest digits that read back the same double.
 [[nodiscard]] std::string to_csv(const Trajectory& trajectory);
 [[nodiscard]] std::string to_json(const Trajectory& trajectory);
-/// A plot over time, with one panel each for coordinates, inputs and E - E0 - work. Rates have no
-/// panel, because they are slopes of the coordinates.
+/// A plot over time with panels for coordinates, inputs with laws, E - E0 - work and the columns in
+/// SimulationOptions::panel_columns. If `trajectory.path` is set: a plot of y over x of this point.
 [[nodiscard]] std::string to_svg(const Trajectory& trajectory);
 
 }  // namespace elgen

@@ -13,14 +13,14 @@
 namespace elgen {
 
 struct LineColumn {
-  std::uint32_t line = 1;    ///< 1-based
-  std::uint32_t column = 1;  ///< 1-based, counted in Unicode code points
+  std::uint32_t line = 1;    ///< number of the line, from 1
+  std::uint32_t column = 1;  ///< number of the Unicode code point in the line, from 1
 };
 
 struct SourceText {
   std::string path;                        ///< as the user wrote it; "command line" for options
   std::string text;                        ///< UTF-8
-  std::vector<std::uint32_t> line_starts;  ///< byte offset of each line
+  std::vector<std::uint32_t> line_starts;  ///< offset in `text` of the first byte of each line
 };
 
 using SourcePointer = std::shared_ptr<const SourceText>;

@@ -9,9 +9,9 @@
 namespace elgen {
 
 /// `lagrangian` with the scene of `checked` applied. `lagrangian` must be formulated from the model
-/// of `checked`. E312, E313, E314: because of a fixed parameter, a lock or `[routh]`, an expression
-/// is divided by zero, undefined or complex at every state. The error has the span of the
-/// declaration.
+/// of `checked`. A fixed parameter, a lock or `[routh]` may make a denominator 0 (E312), a value
+/// undefined (E313) or a value complex (E314) at every state. The error has the span of the
+/// parameter, of the lock or of the first entry of `[routh]`.
 [[nodiscard]] Result<Lagrangian> specialise(UnreducedLagrangian lagrangian,
                                             const CheckedModel& checked);
 

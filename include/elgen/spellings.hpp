@@ -18,7 +18,7 @@ struct ListSpelling {
   std::string_view separator;
   std::string_view closing;
   std::string_view after_single;  ///< text after the value of a list with one value: ","
-  std::string_view empty;         ///< an empty list; {0}: the number of columns
+  std::string_view empty;         ///< the empty list; {0}: number of columns of a matrix
 };
 
 /// A row of spellings.def, which also explains the placeholders {0} and {1} of patterns.
@@ -27,15 +27,15 @@ struct SourceSpelling {
   std::string_view element;
   std::uint32_t first_index;
   std::string_view definition;
-  std::size_t indent;        ///< indentation of statements
+  std::size_t indent;        ///< number of spaces before a statement
   std::string_view local;    ///< text before the name in the definition of a local variable
-  std::string_view library;  ///< a call of a library function; {0}: its name
+  std::string_view library;  ///< a library function in a call; {0}: its name in the library
   /// The functions that the library has under their C names, between spaces.
   std::string_view functions;
   std::string_view result;  ///< text before the value that a function returns
-  /// Several results {1} in a struct {0}; "": one statement for each result.
+  /// A struct of type {0} with the results {1}; "": each result is a statement (`field`).
   std::string_view results;
-  std::string_view field;    ///< text before one result; {0}: its name
+  std::string_view field;    ///< text before the value of a result; {0}: name of the result
   std::string_view opening;  ///< opening bracket of a value that takes several lines
   std::string_view closing;
   std::string_view end;          ///< end of a statement
@@ -43,15 +43,15 @@ struct SourceSpelling {
   ListSpelling vector;
   ListSpelling row;     ///< row of a matrix
   ListSpelling matrix;  ///< list of rows
-  ListSpelling texts;   ///< list of texts; this and the next two are at the head of the module
+  ListSpelling texts;   ///< list of string literals in a constant of the module
   ListSpelling numbers;
   ListSpelling intervals;
   std::string_view interval;        ///< one interval; {0}, {1}: its bounds
-  std::string_view number_value;    ///< value of a scalar parameter; {0}: its name
-  std::string_view array_value;     ///< value of an array parameter
+  std::string_view number_value;    ///< text before the value of a scalar parameter {0}
+  std::string_view array_value;     ///< text before the value of an array parameter {0}
   std::string_view end_of_value;    ///< text after the value of a parameter
-  std::string_view number_member;   ///< a number in the documentation of a struct of results
-  std::string_view array_member;    ///< an array in the documentation of a struct of results
+  std::string_view number_member;   ///< a scalar field {0} in the documentation of the results
+  std::string_view array_member;    ///< an array field {0} in the documentation of the results
   std::string_view comment;         ///< start of the comment after a parameter: "# "
   std::string_view member_comment;  ///< text before the description of a member
   char quote;                       ///< quotation mark around texts
@@ -59,23 +59,23 @@ struct SourceSpelling {
   /// Characters written as \u003c, because they would be markup on a page.
   std::string_view coded_in_texts;
   std::string_view escaped_in_docs;  ///< characters that need a backslash in documentation
-  std::string_view end_of_docs;      ///< ends documentation; docs contain it with a blank inside
-  std::string_view own_function;     ///< a call of a function that the module defines
-  /// The name of a constant; {0}: its number; "": constants are written as literals.
+  std::string_view end_of_docs;      ///< end mark of documentation; texts contain "* /" for "*/"
+  std::string_view own_function;     ///< a function of the module in a call; {0}: its name
+  /// The name of constant number {0}, from 1. "": constants are written as literals.
   std::string_view named_number;
   bool has_reflection;          ///< the template has the placeholders of emit/source/reflection.hpp
   std::string_view unbounded;   ///< an infinite number
   std::size_t max_empty_lines;  ///< largest number of consecutive empty lines
   std::size_t max_nesting;      ///< deepest nesting of brackets that the language parses; 0: any
-  std::size_t max_name_length;  ///< in characters; 0: no limit
+  std::size_t max_name_length;  ///< most characters of a name; 0: no limit
   std::string_view reserved;    ///< reserved words, between spaces; `_` is appended to such a name
   std::string_view used_names;  ///< names that the module uses
   std::string_view forbidden_names;  ///< names that a module cannot have
   std::string_view command;          ///< command that starts the interpreter
   std::string_view variable;         ///< environment variable that replaces `command`
-  /// Functions that the interpreter implements itself, between spaces. A field that calls such a
-  /// function has a tolerance, in u of its largest entry. `roundings`: the tolerance of all other
-  /// fields; 0: bit-identical.
+  /// C names of functions that the interpreter implements itself, between spaces. Outputs that call
+  /// such a function have a tolerance of at least 4 u. `roundings`: the tolerance of all other
+  /// outputs in u, relative to the largest entry of a field; 0: bit-identical.
   std::string_view own_implementations;
   int roundings;
 };
@@ -85,7 +85,7 @@ inline constexpr std::array spelling_table{
 #include "elgen/spellings.def"
 };
 
-/// The definition of a function: in the library of the language, or in each module.
+/// The place of a definition: the library of the language, or each module that calls the function.
 enum class FunctionProvider : std::uint8_t { library, module };
 
 /// A function that the library of a language lacks, or that has another name than in C.
@@ -102,7 +102,7 @@ inline constexpr std::array function_spelling_table{
 #include "elgen/spellings.def"
 };
 
-/// The row of an interpreted language.
+/// The row of `language` in `spelling_table`. `language` must be an interpreted language.
 [[nodiscard]] constexpr const SourceSpelling& source_spelling(LanguageId language) {
   std::size_t at = 0;
   while (spelling_table[at].language != language) ++at;

@@ -34,8 +34,8 @@ struct StepMethodRow {
   StepMethod id;
   std::string_view name;
   StepDomain domain;
-  std::uint32_t order;       ///< without composition
-  std::uint32_t iterations;  ///< 0: explicit
+  std::uint32_t order;       ///< order of the method without composition
+  std::uint32_t iterations;  ///< default number of iterations; 0: explicit method
   std::string_view doc;
   std::string_view equation;
 };
@@ -54,9 +54,9 @@ inline constexpr std::array step_methods{
 /// The method and options of a `step`.
 struct StepSpec {
   StepMethod method = {};
-  std::uint32_t composed_order = 0;  ///< 0: not composed
-  std::uint32_t iterations = 0;      ///< 0: explicit
-  bool projects = false;             ///< ends with one Newton step onto the constraints
+  std::uint32_t composed_order = 0;  ///< order of the composition; 0: not composed
+  std::uint32_t iterations = 0;      ///< number of iterations; 0: explicit method
+  bool projects = false;  ///< true: the step ends with one Newton step onto the constraints
   friend auto operator<=>(const StepSpec&, const StepSpec&) = default;
 };
 
@@ -73,9 +73,9 @@ struct StepSpec {
 /// The orders that a method of order `own` has with and without composition: 2, 4, 8 for `own` = 2.
 [[nodiscard]] std::vector<std::uint32_t> step_orders(std::uint32_t own);
 
-/// The coefficients g_1 ... g_s of a composition: order 4 by Suzuki (1/9 of the error of Yoshida's
-/// composition at equal cost), order 8 by Kahan and Li; {1} for order 0 (not composed). The
-/// middle coefficient is negative, and the largest in magnitude.
+/// The coefficients g_1 ... g_s of the composition with the order `composed_order`: 4 by Suzuki
+/// (1/9 of the error of Yoshida's composition at equal cost), 8 by Kahan and Li. In both, the
+/// middle coefficient is negative and has the largest magnitude. {1} if `composed_order` is 0.
 [[nodiscard]] std::vector<cln::cl_RA> composition_coefficients(std::uint32_t composed_order);
 
 }  // namespace elgen

@@ -29,7 +29,7 @@ namespace elgen {
 /// one of V.
 struct DerivationSteps {
   EquationsOfMotion equations = {};
-  std::vector<OutputRequest> requests = {};  ///< one per function, for lower()
+  std::vector<OutputRequest> requests = {};  ///< the request of each function, in order
   std::vector<Entity> masses = {};           ///< the point or body of each field of `positions`
 };
 

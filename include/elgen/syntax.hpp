@@ -25,7 +25,7 @@ enum class SyntaxKind : std::uint8_t {
   call,      ///< text = name of the function, operands = arguments
   negate,    ///< operands = {e}
   add,       ///< n-ary, as a + b + c; a - b is a + (negate b)
-  multiply,  ///< n-ary
+  multiply,  ///< n-ary, as a * b * c
   divide,    ///< operands = {numerator, denominator}; left-associative
   power,     ///< operands = {base, exponent}
 };
@@ -51,12 +51,12 @@ struct KeySyntax;
 /// expression; its digits are read from the source text, so that it is exact.
 struct ValueSyntax {
   ValueKind kind = ValueKind::text;
-  Span span = {};         ///< of the value; of a string without its quotes
+  Span span = {};         ///< span of the value; quotes of a string are excluded
   std::string text = {};  ///< the text of a string, or the source text of an expression
   bool boolean = false;
   ExpressionSyntax expression = {};
-  std::vector<ValueSyntax> items = {};  ///< of a list
-  std::vector<KeySyntax> entries;       ///< of a table, in file order
+  std::vector<ValueSyntax> items = {};  ///< the items of a list, in file order
+  std::vector<KeySyntax> entries;       ///< the keys of a table, in file order
 
   /// The entry with this key; null if the table lacks the key.
   [[nodiscard]] const KeySyntax* find(std::string_view key) const;
@@ -64,14 +64,14 @@ struct ValueSyntax {
 
 struct KeySyntax {
   std::string key = {};
-  Span key_span = {};  ///< with its quotes, if any
+  Span key_span = {};  ///< span of the key, including quotes
   ValueSyntax value = {};
 };
 
 /// One table of the file: `[model]`, one `[[coordinate]]`, `[parameters]` …
 struct EntrySyntax {
   std::string name = {};  ///< "model", "coordinate", …, "outputs"; "" for the top level
-  Span span = {};         ///< of the header
+  Span span = {};         ///< span of the header
   std::vector<KeySyntax> keys = {};
 
   [[nodiscard]] const KeySyntax* find(std::string_view key) const;
@@ -81,11 +81,11 @@ enum class FileKind : std::uint8_t { model, scene };
 
 struct FileSyntax {
   SourcePointer source = {};
-  std::vector<EntrySyntax> entries = {};  ///< in file order
+  std::vector<EntrySyntax> entries = {};  ///< the tables of the file, in file order
 };
 
-/// The entry `name` (not an array of tables), the key `key` of an entry, and all keys of an entry;
-/// null or empty if missing. `file` may be null.
+/// The first entry `name` of `file`; the key `key` of the first entry `entry`; all keys of the
+/// first entry `entry`. Null or empty if the entry or key is missing, or if `file` is null.
 [[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);
 [[nodiscard]] const KeySyntax* find_key(const FileSyntax* file, std::string_view entry,
                                         std::string_view key);
@@ -156,11 +156,11 @@ struct ChoiceRow {
 /// The properties of an entry of the file.
 struct EntryRow {
   std::string_view entry;
-  bool repeated = false;  ///< [[…]]
+  bool repeated = false;  ///< true: an array of tables, [[…]]
   bool required = false;
   bool supported = true;
   std::string_view doc;
-  std::string_view details = {};  ///< up to three sentences
+  std::string_view details = {};  ///< up to three sentences that follow `doc`
 };
 
 [[nodiscard]] std::span<const KeyRow> key_table();
@@ -178,7 +178,7 @@ struct EntryRow {
 [[nodiscard]] std::string header_text(const EntryRow& row);
 /// All entries and keys in Markdown: the text of models/REFERENCE.md.
 [[nodiscard]] std::string reference_page();
-/// The word that replaces the former word `word`; empty if `word` is not a former word of the key.
+/// A hint for the error if `word` was a word of the key `row` in a former version; else empty.
 [[nodiscard]] std::string_view former_choice_hint(const KeyRow& row, std::string_view word);
 
 /// The key table as a JSON Schema, with which editors check TOML files. Every file that the parser
@@ -186,24 +186,25 @@ struct EntryRow {
 /// each other, or references by name; only elgen checks these.
 [[nodiscard]] std::string file_schema(FileKind kind);
 
-/// The value of the key `model = "…"` of a scene. None if the text is not TOML, or if `model` is
-/// missing or is a table, as in a model file.
+/// The span of the value of the key `model = "…"` in a scene. None if the text is not TOML, or if
+/// `model` is missing or is no string (a table in a model file).
 [[nodiscard]] std::optional<Span> find_model_key(const SourceText& source);
 
 /// True if the text is TOML with a table [model].
 [[nodiscard]] bool declares_model(const SourceText& source);
 
-/// Parses a model or scene file. Errors: E1xx (TOML, keys, types), E3xx (expressions), E9xx
-/// (limits).
+/// Parses a model or scene file. Errors: E1xx (TOML, keys, types), E205 (names), E210
+/// (repetitions), E3xx (expressions), E9xx (limits).
 [[nodiscard]] Result<FileSyntax> parse_model(SourcePointer source, const Limits& limits);
 [[nodiscard]] Result<FileSyntax> parse_scene(SourcePointer source, const Limits& limits);
 
-/// Parses one expression of the model language: a whole text, or a part of an option.
+/// Parses one expression of the model language: the bytes of the span `text`, or all of `source`.
 [[nodiscard]] Result<ExpressionSyntax> parse_expression(const Span& text, const Limits& limits);
 [[nodiscard]] Result<ExpressionSyntax> parse_expression(const SourcePointer& source,
                                                         const Limits& limits);
 
-/// The words of options, separated by commas outside brackets, without surrounding blanks.
+/// The spans of the words of all `options`. Words are separated by commas outside brackets; spaces
+/// around a word are excluded.
 [[nodiscard]] std::vector<Span> option_words(const std::vector<SourcePointer>& options);
 
 /// The words of options as keys of a table: NAME=VALUE; for expression_or_list also NAME=[A, B];
@@ -213,7 +214,7 @@ struct EntryRow {
 [[nodiscard]] Result<std::vector<KeySyntax>> parse_options(
     const std::vector<SourcePointer>& options, KeyType type, const Limits& limits);
 
-/// Every key with its value, in file order, without blanks and comments.
+/// One line per table header and one per key with its value, in file order, without comments.
 [[nodiscard]] std::string dump(const FileSyntax& syntax);
 /// dump() without keys that only drawings use. Stamps contain the hash of this text.
 [[nodiscard]] std::string canonical_model_text(const FileSyntax& model);

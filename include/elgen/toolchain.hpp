@@ -71,7 +71,8 @@ class CompiledModel {
                                                  const Arguments<double>& arguments) const = 0;
   [[nodiscard]] virtual std::vector<float> call(std::string_view function,
                                                 const Arguments<float>& arguments) const = 0;
-  /// Calls each function at each state, in a separate process. E709: the process ends early.
+  /// Calls each of `functions` at each of `states`. An interpreter runs all calls in one process.
+  /// E709: the process of the interpreter ends early.
   [[nodiscard]] virtual Result<FunctionResults<double>> call_at_states(
       const std::vector<std::string_view>& functions,
       const std::vector<Arguments<double>>& states) const;
@@ -86,8 +87,8 @@ class CompiledModel {
 enum class BuildFlags : std::uint8_t {
   as_written,  ///< strict flags, no contraction: bit-identical to the written arithmetic
   native,      ///< -O3 -march=native, no contraction: also bit-identical
-  user_flags,  ///< -O3 -march=native, contraction on; no Eigen headers; of batch headers only
-               ///< the sine and cosine functions
+  user_flags,  ///< -O3 -march=native, contraction on; skips Eigen headers, and compiles only the
+               ///< sine and cosine functions of batch headers
   timing,      ///< -O2 -march=native, contraction on
 };
 
@@ -98,7 +99,8 @@ struct DeclaredNumber {
   double model_value = 0;  ///< the number in the model, rounded to the scalar
 };
 
-/// The name of the function in a batch header that returns sine and cosine of t.
+/// The function name with which CompiledModel::call() returns {sin t, cos t} by the polynomials of
+/// a batch header.
 inline constexpr std::string_view sine_and_cosine = "sine and cosine";
 
 /// One emitted header in one build: the header in the types of the language, or a further header
@@ -111,10 +113,10 @@ struct CompiledHeader {
   std::unique_ptr<CompiledModel> functions = {};
   BuildFlags build = BuildFlags::as_written;
   std::string failure_reason = {};            ///< why `functions` is null; else empty
-  std::vector<DeclaredNumber> declared = {};  ///< in the first header: the numbers of all headers
-  bool is_wide = false;  ///< computes in Numerics::inner: not bit-identical to the program
-  /// Functions that the interpreter implements itself, between spaces. roundings: the tolerance of
-  /// all other functions, in u of the largest entry of a field; 0: bit-identical to the program.
+  std::vector<DeclaredNumber> declared = {};  ///< first header: numbers of all headers; else empty
+  bool is_wide = false;  ///< true: computes in Numerics::inner; not bit-identical to the program
+  /// As SourceSpelling::own_implementations and roundings: C names of functions that the
+  /// interpreter implements itself, and the tolerance of outputs that call no such function, in u.
   std::string_view own_implementations = {};
   int roundings = 0;
 };
@@ -152,17 +154,18 @@ struct Machine {
 
 /// The way in which a timed function, compiled with BuildFlags::timing, processes its states.
 struct TimedVariant {
-  ScalarKind scalar = ScalarKind::double_precision;  ///< or float
-  bool in_packs = false;  ///< true: several states per call, by the batch header; false: one
+  ScalarKind scalar = ScalarKind::double_precision;  ///< double or float
+  bool in_packs = false;  ///< true: the batch header is called; false: one state per call
   bool is_one_per_call =
       false;  ///< with in_packs: one call per state, which fills one lane of a pack
 };
 
-/// An emitted function with states to time it. The states are rounded to the scalar.
+/// An emitted function, and the states at which the function is timed. The states are rounded to
+/// TimedVariant::scalar.
 class TimedFunction {
  public:
   virtual ~TimedFunction() = default;
-  /// Computes all states once.
+  /// Evaluates the function once at each state.
   virtual void run() = 0;
   /// The entries of all fields at the given states: entry k of state i at [k * states.size() + i].
   /// `states` is not empty.
@@ -170,7 +173,7 @@ class TimedFunction {
       const std::vector<Arguments<double>>& states) const = 0;
 };
 
-/// One function per variant.
+/// One function for each of TimingOptions::variants, in the same order.
 using TimedFunctions = std::vector<std::unique_ptr<TimedFunction>>;
 
 struct TimingOptions {
@@ -195,10 +198,10 @@ using StepLoop = void (*)(std::size_t count, std::size_t steps, double t, double
 
 /// Loops that call an emitted `step`.
 struct StepLoops {
-  std::shared_ptr<const void> code = {};  ///< keeps the loops callable
-  StepLoop one_state_loop = nullptr;      ///< for one state; ignores `count`
-  StepLoop pack_loop = nullptr;           ///< for `count` states in packs
-  std::size_t entries = 0;                ///< entries of the result of the step
+  std::shared_ptr<const void> code = {};  ///< the loaded library that contains the loops
+  StepLoop one_state_loop = nullptr;      ///< loop over one state; ignores `count`
+  StepLoop pack_loop = nullptr;           ///< loop over `count` states in packs
+  std::size_t entries = 0;                ///< number of entries that a step returns for one state
 };
 
 /// Compiles loops over the `step` of a program, followed by `projected` if the program has it. The

@@ -28,7 +28,7 @@ namespace elgen {
 
 /// The model and scene from which designs are made.
 struct DesignSource {
-  const CheckedModel& checked;        ///< the first output of its scene is the output to design
+  const CheckedModel& checked;        ///< checked.scene.outputs[0] is the output of the designs
   const FileSyntax* scene = nullptr;  ///< null: no scene file
   /// The `max_error` that scene_text() writes. It applies in the ranges of `scene` and in `ranges`
   /// ("theta=-1..1").
@@ -39,17 +39,17 @@ struct DesignSource {
 /// The value of `trigonometry` for functions of one state that call sin and cos of the library.
 inline constexpr std::string_view library_sines = "library";
 
-/// One value per dimension of the trade-off. Members that are empty: as in the scene.
+/// One value per dimension of the trade-off. An empty member keeps the value of the scene.
 struct Design {
-  ScalarKind scalar = ScalarKind::double_precision;  ///< or float
+  ScalarKind scalar = ScalarKind::double_precision;  ///< double or float
   bool in_packs = false;
   /// The max_error of the sine polynomials, or library_sines; "": the accuracy of the scalar.
   std::string trigonometry = {};
-  bool is_fixed = false;                  ///< all parameters are numbers
-  InnerScalar inner = InnerScalar::same;  ///< only for one state in double
+  bool is_fixed = false;                  ///< true: all parameters are numbers in the code
+  InnerScalar inner = InnerScalar::same;  ///< not `same` only for functions of one state in double
   std::string order = {};                 ///< order of an expansion, or "exact": no expansion
-  std::optional<StepSpec> step = {};      ///< replaces the output
-  std::string doc = {};                   ///< description of the scene
+  std::optional<StepSpec> step = {};      ///< step emitted instead of the output; none: the output
+  std::string doc = {};                   ///< value of `doc` in the scene; "": no `doc`
   friend bool operator==(const Design&, const Design&) = default;
 };
 
@@ -82,7 +82,7 @@ struct DesignChoices {
                                           const std::vector<PinnedDimension>& pinned);
 
 struct PlannedDesign {
-  std::vector<std::string> values = {};  ///< one per dimension
+  std::vector<std::string> values = {};  ///< value of each of TradeoffPlan::dimensions, in order
   Design design = {};
 };
 
@@ -92,9 +92,9 @@ struct TradeoffPlan {
   std::vector<PlannedDesign> designs = {};
 };
 
-/// The possible combinations of scalar, batch, sines and parameters for the first function of
-/// `program`, restricted by `choices`. E631: an unknown dimension in `choices`. E645: no design
-/// remains.
+/// All possible combinations of scalar, batch, sines and parameters, and of the dimensions in
+/// choices.more, for the first function of `program`. choices.pinned restricts the combinations.
+/// E631: choices.more contains an unknown dimension. E645: no combination remains.
 [[nodiscard]] Result<TradeoffPlan> plan_designs(const CheckedModel& checked, const Program& program,
                                                 const DesignChoices& choices);
 
@@ -102,8 +102,8 @@ struct TradeoffPlan {
 [[nodiscard]] std::string scene_text(const DesignSource& base, const Design& design,
                                      const std::string& model_path);
 
-/// The design with default scalar, packs and sines. Designs with equal keys have the same
-/// derivation.
+/// `design` with all members except `is_fixed` and `order` set to their defaults. Designs with
+/// equal keys have the same derivation.
 [[nodiscard]] Design derivation_key(const Design& design);
 
 /// The number high + low, to 32 digits.
@@ -117,7 +117,7 @@ struct TradeoffStates {
   /// A design in float rounds the states; this rounding is part of its error.
   std::vector<Arguments<double>> states = {};
   std::vector<std::size_t> field_sizes = {};
-  std::vector<std::vector<TwoDoubleNumber>> exact = {};  ///< by state and entry
+  std::vector<std::vector<TwoDoubleNumber>> exact = {};  ///< exact[i][k]: entry k at states[i]
   Arguments<double> low = {};   ///< lower ends of the ranges from which states are drawn
   Arguments<double> high = {};  ///< upper ends of these ranges
   std::uint64_t seed = 1;       ///< seed of the search for worse states
@@ -131,15 +131,15 @@ struct TradeoffSampling {
 
 /// States inside the ranges of the model, in which Numerics::ranges replace ranges of the same
 /// name, and the values of the first function of `program` at these states, in 60 digits with exact
-/// parameters. E521: the function has no value. Cost: one operation of Real per instruction and
-/// state.
+/// parameters. E521: the function has no value at most states. Cost: one operation of Real per
+/// instruction and state.
 [[nodiscard]] Result<TradeoffStates> sample_tradeoff_states(const CheckedModel& exact,
                                                             const Program& program,
                                                             const TradeoffSampling& sampling);
 
 /// For each state the error: the largest |x - x*| of an entry x with exact value x*, divided by the
 /// largest |x*| of the entries of the same field at all states. Infinite if an x is NaN. `results`
-/// has the layout of DesignEvaluator.
+/// has entry k at state i in results[k * states.states.size() + i].
 [[nodiscard]] std::vector<double> state_errors(const std::vector<double>& results,
                                                const TradeoffStates& states);
 
@@ -150,16 +150,16 @@ using DesignEvaluator = std::function<std::vector<double>(const std::vector<Argu
 struct FoundErrors {
   double worst = 0;                    ///< largest error at the states and in the search
   double median = 0;                   ///< median of the errors at the states
-  Arguments<double> worst_state = {};  ///< the worst state
+  Arguments<double> worst_state = {};  ///< the state with the error `worst`
 };
 
 /// The errors at `states`, and in a pattern search for worse states inside the ranges. The search
 /// starts at the worst states, one per 100 states, and evaluates about 20 times as many states as
-/// `states` has. Each argument that the function loads is moved up and down by a step, and all
-/// improvements are combined; the step doubles after a success and is halved otherwise. In the
-/// search, the program in long double gives the exact values x*; the final states are confirmed in
-/// 60 digits. Errors are relative to the largest |x*| of the field at `states` or, if that is
-/// larger, at the evaluated state. The result is deterministic.
+/// `states` has. Each argument of the function, except parameters, is moved up and down by a step,
+/// and all improvements are combined; the step doubles after a success and is halved otherwise. In
+/// the search, the program in long double gives the exact values x*; the errors at the final states
+/// are computed in 60 digits. Errors are relative to the largest |x*| of the field at `states` and
+/// at the evaluated state. The result is deterministic.
 [[nodiscard]] FoundErrors find_errors(const CheckedModel& exact, const Program& program,
                                       const TradeoffStates& states, const DesignEvaluator& design);
 
@@ -178,7 +178,7 @@ inline constexpr double equality_factor = 1.1;
                                                           const CompiledHeaders& compiled,
                                                           const VerifyOptions& options);
 
-/// The median and the quartiles of a sample.
+/// The median, the lower quartile `low` and the upper quartile `high` of a sample.
 struct Quartiles {
   double median = 0;
   double low = 0;
@@ -197,20 +197,20 @@ struct DesignErrors {
 [[nodiscard]] DesignErrors combine_errors(std::vector<FoundErrors> samples);
 
 /// A piece of work that consists of equal parts. measure_costs() sets `cost` to the cost of one
-/// part, in ns of processor time.
+/// part, in ns of wall-clock time.
 struct TimedWork {
   std::function<void()> run = {};
   std::size_t parts = 1;
   Quartiles* cost = nullptr;
 };
 
-/// Measures the costs of all `works` in alternating rounds, so that changes of the machine affect
-/// all works. Rounds are repeated for about `seconds`, at least 9 and at most 1001 times.
+/// Measures the costs of all `works` in rounds that time each work once, so that changes of the
+/// machine affect all works. Runs rounds for about `seconds` s: at least 9 and at most 1001 rounds.
 void measure_costs(const std::vector<TimedWork>& works, double seconds = 1.5);
 
-/// A run by an emitted step of fixed length.
+/// A run of `steps` equal steps, each a call of the emitted output `step`.
 struct PlannedRun {
-  std::vector<std::string> values = {};  ///< method, order, step, batch
+  std::vector<std::string> values = {};  ///< method, order, step length and batch, as texts
   Design design = {};
   std::size_t steps = 0;
 };
@@ -238,10 +238,10 @@ struct PlannedRun {
                                       const ReferenceRun& reference, const Model& model);
 
 struct TradeoffRow {
-  std::vector<std::string> values = {};  ///< one per dimension
+  std::vector<std::string> values = {};  ///< value of each of TradeoffTable::dimensions, in order
   Design design = {};
   Quartiles cost = {};
-  Quartiles call_cost = {};  ///< cost of a call with one state, which fills one lane of a pack
+  Quartiles call_cost = {};  ///< cost of a call with one state; in packs, the state fills one lane
   DesignErrors error = {};
   std::string failure = {};  ///< why cost and error are missing; "": they are present
   /// True: the error is below the error of the reference run, and `error` is the error of the
@@ -251,7 +251,8 @@ struct TradeoffRow {
   /// the remaining rows get the next rank.
   std::size_t rank = 0;
   /// True if the row is not below the reference, its worst error is at most 1, and this error is,
-  /// beyond noise, smaller than the error of every earlier row on the front or below the reference.
+  /// beyond noise, smaller than the error of every earlier row that is on the front or below the
+  /// reference.
   bool is_on_pareto_front = false;
 };
 
@@ -260,13 +261,13 @@ struct TradeoffTable {
   std::string subject = {};    ///< "inverse_dynamics"
   std::string cost = {};       ///< unit of the cost: "ns per state"
   std::string call_cost = {};  ///< "ns per call"; "" if it equals `cost` or is missing
-  std::string error = {};      ///< the meaning of the error
+  std::string error = {};      ///< "errors relative to the largest value of a field"
   std::vector<std::string> dimensions = {};
   /// Sorted by rank, then by worst error, then in planned order; failed rows are last.
   std::vector<TradeoffRow> rows = {};
-  std::vector<std::string> sentences = {};  ///< printed below the table
+  std::vector<std::string> sentences = {};  ///< notes below the table, a sentence each
   Machine machine = {};
-  std::optional<double> max_error = {};  ///< the bound for picked_row()
+  std::optional<double> max_error = {};  ///< largest permitted error of picked_row(); none: no pick
 };
 
 /// Ranks and sorts the planned rows, and marks the Pareto front.

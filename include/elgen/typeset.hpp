@@ -25,17 +25,17 @@ namespace elgen {
 [[nodiscard]] Program typeset(const CheckedModel& checked, const ClosedForms& forms,
                               Program program);
 
-/// True if every entry has a closed form that is short enough.
+/// True if every entry has a closed form that is short enough to be read.
 [[nodiscard]] bool is_readable(const ClosedFunction& function);
-/// True if some entry has a closed form that is short enough.
+/// True if some entry has a closed form that is short enough to be read.
 [[nodiscard]] bool has_short_entry(const ClosedFunction& function);
 
 /// `derived`, the program of elgen/steps.hpp, with the summands of each field added up to one
-/// entry: `functions` over the definitions of the derivation, `readable` as in books. The function
-/// of a velocity has the fields of LagrangeStepField.
+/// entry. `functions` of the result use the definitions of the derivation, and `readable` has the
+/// functions as in books. The function of a velocity has the fields of LagrangeStepField.
 ///
-/// A last function is added, with one field per acceleration: the equation of motion of its
-/// velocity, solved for the acceleration. The field has no rows if the scene expands the equations,
+/// A last function is added, with one field per velocity: the equation of motion, solved for the
+/// acceleration of the velocity. The field has no rows if the scene expands the equations,
 /// if constraints act, if a closed form is missing or too long, if the equation contains two other
 /// accelerations, or if the equation of the other acceleration contains a third acceleration.
 [[nodiscard]] Program typeset_derivation(const CheckedModel& checked, const ClosedForms& forms,
@@ -52,8 +52,8 @@ enum class LagrangeStepField : std::uint8_t {
   left
 };
 
-/// A function with the value `form` as its only entry, over the leaves: written as in books, or in
-/// its shortest form if the book form is too long. Without fields if both are too long to read.
+/// A function of the leaves whose only entry is `form`, as in books. If the book form is too long,
+/// the entry has the shortest form. If both forms are too long to read, the function has no fields.
 [[nodiscard]] Function typeset_value(const Model& model, const Algebra& algebra,
                                      const Fraction& form, Program& program);
 

@@ -23,11 +23,11 @@ struct ImportedModel {
 /// Options of an import.
 struct ImportOptions {
   std::string name = {};                   ///< name of the model; empty: the name of the robot
-  std::vector<SourcePointer> joints = {};  ///< "a,b": only these joints move, in this order
-  std::vector<SourcePointer> welds = {};   ///< "JOINT", "JOINT=0.5" or "massless"
-  bool floating_base = false;              ///< the root link moves freely
+  std::vector<SourcePointer> joints = {};  ///< "a,b": joints that move, in this order; {}: all
+  std::vector<SourcePointer> welds = {};   ///< held joints: "JOINT", "JOINT=0.5" or "massless"
+  bool floating_base = false;              ///< true: the root link moves freely
   bool exact_angles = false;  ///< true: angles close to a right angle are not rounded to it
-  std::string file = {};      ///< file name that the text mentions; empty: the name of the source
+  std::string file = {};      ///< URDF file named in the text; empty: file name of the source
 };
 
 /// Translates a URDF file. Errors: E8xx; if the file is valid XML, all errors are reported at once.

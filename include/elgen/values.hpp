@@ -17,7 +17,7 @@ struct ValueField {
   std::string name = {};                  ///< "" for outputs of one field
   std::vector<std::string> rows = {};     ///< names of the rows; {""} for a number
   std::vector<std::string> columns = {};  ///< names of the columns; {""} for a column vector
-  std::vector<std::string> units = {};    ///< of each entry; "" if unknown
+  std::vector<std::string> units = {};    ///< unit of each entry, row-major; "" if unknown
 };
 
 /// An output as a function. `takes` are the kinds of its arguments. Kinds without a leaf in the
@@ -33,10 +33,10 @@ struct ValueRecord {
   std::size_t function = 0;            ///< index in ValueTable::functions
   std::string state_name = {};         ///< "start", "rest", "moving", "parameters", "state"
   State state = {};                    ///< contains all parameters, also fixed parameters
-  std::vector<cln::cl_R> values = {};  ///< row-major, field after field
+  std::vector<cln::cl_R> values = {};  ///< entries of each field in turn, row-major
   /// For each value, the number of digits that emitted code in double computes correctly, from a
-  /// bound of its rounding error; for a value 0, relative to the largest entry of its field. Only
-  /// for test vectors.
+  /// bound of the rounding error. For a value 0, relative to the largest entry of the field. Empty
+  /// except for test vectors.
   std::vector<int> digits = {};
 };
 
@@ -44,17 +44,17 @@ struct ValueRecord {
 struct ValueTable {
   const Model& model;
   std::string name = {};  ///< name of the model and its scene
-  int digits = 17;        ///< significant digits, all correct
+  int digits = 17;        ///< number of significant digits of each value, all correct
   std::vector<ValueFunction> functions = {};
   std::vector<ValueRecord> records = {};
-  /// Only for test vectors: number of states for which Newton's method found no point on the
-  /// constraints.
+  /// The number of states from which Newton's method found no point on the constraints. None unless
+  /// the table has test vectors of a model with constraints.
   std::optional<std::size_t> skipped_states = {};
 };
 
 struct StateOptions {
-  int digits = 17;       ///< at most max_value_digits
-  bool projects = true;  ///< moves variables that `--state` does not set onto the constraints
+  int digits = 17;       ///< significant digits of each value, at most max_value_digits
+  bool projects = true;  ///< true: move variables that `--state` does not set onto the constraints
 };
 inline constexpr int max_value_digits = 60;
 
@@ -66,7 +66,7 @@ inline constexpr int max_value_digits = 60;
                                               const StateOptions& options);
 
 struct TestVectorOptions {
-  std::size_t samples = 16;  ///< states per function
+  std::size_t samples = 16;  ///< number of states, common to all functions
   std::uint64_t seed = 1;
 };
 

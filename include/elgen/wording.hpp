@@ -21,7 +21,7 @@ namespace elgen {
 /// Replaces each run of blanks and line ends by one space, and removes the spaces at both ends.
 [[nodiscard]] std::string collapse_blanks(std::string_view text);
 
-/// A path in messages: invisible characters and line ends are written as \x0a.
+/// `path` for messages: bytes of invisible characters and line ends are written as in \x0a.
 [[nodiscard]] std::string printable_path(std::string_view path);
 
 /// The text broken at blanks into lines of at most `width` bytes. All lines except the first start
@@ -29,7 +29,7 @@ namespace elgen {
 [[nodiscard]] std::string break_lines(std::string_view text, std::size_t width,
                                       std::string_view indent);
 
-/// "1 component", "3 components"
+/// `count` and `noun`, with an s unless `count` is 1: "1 component", "3 components".
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
 
 /// "did you mean `m`?" for the nearest candidate; `otherwise` if no candidate is close to `word`.
