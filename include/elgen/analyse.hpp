@@ -1,9 +1,9 @@
 // Analysis: equilibria of a system, their stability, small motions about them, and symmetries.
 //
 //     equilibria    r(q) = bias(q, 0) - B(q) u = 0, u given
-//     stability     K = dr/dq,  W = V0 - T0
-//     modes         M x'' + K x = 0 about a point,  K x = w^2 M x
-//     poles         of d(dx)/dt = A dx + B du
+//     stability     K = dr/dq,  W = V0 - T0,  V0 and T0 the energies at v = 0
+//     modes         M x'' + K x = 0,  K x = w^2 M x,  x a small displacement from rest
+//     poles         eigenvalues of A in d(dx)/dt = A dx + B du,  dx a small change of (q, v)
 //     symmetries    dL = dF/dt under dq = A q + b + c t,  dt constant (Noether)
 #pragma once
 
@@ -26,10 +26,10 @@
 
 namespace elgen {
 
-/// The arguments of an analysis that starts from the Lagrangian.
+/// The arguments of an analysis that needs no result of another analysis.
 struct AnalysisInput {
   const CheckedModel& checked;
-  const Program& recursive;  ///< the functions that AnalysisRow::outputs requests
+  const Program& recursive;  ///< recursive forms of the outputs of AnalysisRow::outputs
   /// The name of an [[equilibrium]]: only this point is analysed. An empty name means the start of
   /// the coordinates. None: find all equilibria.
   const std::optional<std::string>& equilibrium_name;
@@ -39,8 +39,8 @@ struct AnalysisInput {
 /// The range in which equilibria are searched along a coordinate.
 enum class SearchKind : std::uint8_t {
   none,   ///< no range: at these parameters no equation at rest contains the coordinate
-  turn,   ///< one turn, or the declared range if it is narrower; the coordinate occurs only in
-          ///< e^(i k q), k integer
+  turn,   ///< one turn, or the declared range if it is narrower: the equations contain the
+          ///< coordinate q only in e^(i k q), k integer
   range,  ///< the range that the model declares
   start,  ///< no range, only the start: for rotations, and for coordinates that share an equation
           ///< with a rotation
@@ -68,7 +68,7 @@ struct RestCoordinate {
 
 enum class Stability : std::uint8_t {
   minimum,  ///< stable: W has a strict minimum, L does not contain t, all forces are constant, and
-            ///< D >= 0
+            ///< the damping matrix D is positive semidefinite
   degenerate_minimum,  ///< stable: as `minimum`, but K is 0 along some coordinates
   decaying,            ///< stable: all poles have negative real parts
   unstable,            ///< unstable: a pole has a positive real part
@@ -79,26 +79,27 @@ enum class Stability : std::uint8_t {
   return kind != Stability::unstable && kind != Stability::undecided;
 }
 
-/// The leading term of W along a coordinate q in which K is 0: coefficient (q - q0)^order.
+/// The leading term of W - W(q0) along a coordinate q, if K is 0 along q:
+/// coefficient (q - q0)^order. q0 is the value of q at the point of rest.
 struct LeadingTerm {
-  std::uint32_t coordinate = 0;
+  std::uint32_t coordinate = 0;  ///< index of q in the coordinates
   std::uint32_t order = 0;
   Fraction coefficient = {};
 };
 
 struct StabilityVerdict {
   Stability kind = Stability::undecided;
-  std::vector<double> growth_rates = {};  ///< 1/s, descending: positive real parts of poles
-  bool is_degenerate = false;             ///< K is exactly singular
+  std::vector<double> growth_rates = {};  ///< positive real parts of the poles, in 1/s
+  bool is_degenerate = false;             ///< true: K is exactly singular
   std::optional<LeadingTerm> leading = {};
 };
 
 /// A point of rest with its linear equations M x'' + (G + D) x' + K x = B du. For n velocities, M,
 /// G + D and K are n x n, and B is n x inputs. All matrices are row-major, in 64 digits.
 struct RestPoint {
-  State state = {};  ///< v = 0, a = 0, u as in Equilibria::inputs
+  State state = {};  ///< the state at rest: v = 0, a = 0, u = Equilibria::inputs
   std::vector<RestCoordinate> coordinates = {};
-  bool is_exact = true;  ///< closed forms prove r = 0 for all values of the parameters
+  bool is_exact = true;  ///< true: closed forms prove r = 0 for all values of the parameters
   std::vector<cln::cl_R> mass = {};
   std::vector<cln::cl_R> stiffness = {};
   std::vector<cln::cl_R> damping = {};  ///< G + D = d bias/dv at v = 0
@@ -106,35 +107,38 @@ struct RestPoint {
   StabilityVerdict stability = {};
 };
 
-/// The value of a coordinate at a point with r = 0 at which M is singular.
+/// The index of a coordinate, and its value at a point with r = 0 and a singular M.
 struct ChartSingularity {
   std::uint32_t coordinate = 0;
   RestCoordinate value = {};
 };
 
-/// A box that the search leaves undecided: intervals of some coordinates that share equations. The
-/// list of equilibria may lack an equilibrium inside the box.
+/// A box that the search leaves undecided: index of a coordinate -> interval, for some coordinates
+/// that share equations. The list of equilibria may lack an equilibrium inside the box.
 using UndecidedBox = std::map<std::uint32_t, Interval>;
 
 /// Whether a list of equilibria is complete at the values of the parameters.
 enum class Completeness : std::uint8_t {
-  proved,     ///< no other equilibrium exists
+  proved,     ///< no other equilibrium exists in the search ranges
   undecided,  ///< any other equilibrium is inside one of the `undecided_boxes`
   searched,   ///< Newton's method found some equilibria from starts; others may exist anywhere
 };
 
 struct Equilibria {
-  ClosedForms forms = {};  ///< of r, M and W at rest, with the algebra of all Fractions below
-  std::vector<SearchKind> kinds = {};    ///< one per coordinate
-  bool has_rest_kinetic_energy = false;  ///< T0 is not 0
+  /// The closed forms of r, M and W at rest. All Fractions below are over forms.algebra.
+  ClosedForms forms = {};
+  std::vector<SearchKind> kinds = {};    ///< kind of the search range of each coordinate
+  bool has_rest_kinetic_energy = false;  ///< false: T = 0 at v = 0 is proved
   std::vector<RestPoint> points = {};
-  std::vector<ChartSingularity> chart_singularities = {};  ///< inside and outside the ranges
+  /// Values of coordinates at which M is singular, inside and outside the search ranges.
+  std::vector<ChartSingularity> chart_singularities = {};
   Completeness completeness = Completeness::proved;
   std::vector<UndecidedBox> undecided_boxes = {};
   std::uint64_t boxes = 0;   ///< number of boxes that the search examined
   std::uint64_t starts = 0;  ///< number of starts of Newton's method
-  std::string limit = {};    ///< the limit that ended the search: "enclosures=420000000"
-  std::vector<cln::cl_R> inputs = {};
+  /// The limit that ended the search: "enclosures=420000000"; "" if no limit ended the search.
+  std::string limit = {};
+  std::vector<cln::cl_R> inputs = {};  ///< u at all points of rest
   /// True: `points` has only the point that AnalysisInput::equilibrium_name selects.
   bool has_given_point = false;
 };
@@ -152,10 +156,12 @@ struct Equilibria {
 /// A motion x = shape sin(w t + phase) about a point of rest. If w^2 < 0, the motion grows or
 /// decays instead.
 struct NormalMode {
-  cln::cl_R omega_squared = 0;  ///< 1/s^2
-  /// By velocity. Scaled so that the largest component is 1 (the first, if several are largest).
+  cln::cl_R omega_squared = 0;  ///< w^2 in 1/s^2
+  /// One component per velocity, scaled so that the largest is 1 (the first, if several are
+  /// largest).
   std::vector<double> shape = {};
-  std::size_t multiplicity = 1;  ///< modes with this w^2; only the span of their shapes is unique
+  /// Number of modes with this w^2; only the span of the shapes of these modes is unique.
+  std::size_t multiplicity = 1;
 };
 
 /// The linear motions about a point of rest: d(dx)/dt = A dx + B du, x = (q, v).
@@ -163,22 +169,22 @@ struct LinearMotions {
   RestPoint point = {};
   /// In ascending order of w^2; empty if G + D is not 0 or K is not symmetric.
   std::vector<NormalMode> modes = {};
-  std::vector<std::complex<double>> poles = {};  ///< 1/s, the fastest first
-  std::vector<double> a = {};                    ///< 2n x 2n, row-major
-  std::vector<double> b = {};                    ///< 2n x inputs
+  std::vector<std::complex<double>> poles = {};  ///< poles in 1/s, by descending magnitude
+  std::vector<double> a = {};                    ///< A, 2n x 2n for n velocities, row-major
+  std::vector<double> b = {};                    ///< B, 2n x inputs, row-major
   /// The least rank of [A - pole 1, B] over the poles. If it is 2n, the system is controllable.
   std::size_t controllable_rank = 0;
 };
 
 /// The linear motions about some points of rest.
 struct Modes {
-  ClosedForms forms = {};                   ///< as Equilibria::forms
+  ClosedForms forms = {};                   ///< a copy of Equilibria::forms
   std::vector<cln::cl_R> inputs = {};       ///< u at the points of rest
-  std::vector<LinearMotions> motions = {};  ///< one for each point
+  std::vector<LinearMotions> motions = {};  ///< one entry for each point of rest
 };
 
-/// The linear motions about the given point, or about every stable equilibrium. E532: no
-/// equilibrium is known to be stable. E533: M has no inverse.
+/// The linear motions about the given point of `equilibria`, or about every stable equilibrium.
+/// E532: no equilibrium is known to be stable. E533: M is not positive definite.
 [[nodiscard]] Result<Modes> find_modes(const CheckedModel& checked, const Equilibria& equilibria);
 
 /// The kind of a symmetry (see Symmetry), by the parts of its generator that are not 0.
@@ -210,24 +216,27 @@ struct Symmetry {
   std::optional<Fraction> gauge_function = {};
   std::optional<Fraction> unforced_rate = {};  ///< dI/dt at u = 0; none if it has no closed form
   std::optional<Fraction> rate = {};           ///< dI/dt; none if it has no closed form
-  bool is_rounded = false;         ///< some entry of the generator is rounded to six digits
-  bool is_at_values_only = false;  ///< a symmetry only at the parameter values of the scene
-  bool is_proved = false;          ///< closed forms prove dL = dF/dt
+  bool is_rounded = false;         ///< true: some entry of the generator is rounded to six digits
+  bool is_at_values_only = false;  ///< true: dL = dF/dt only at the parameter values of the scene
+  bool is_proved = false;          ///< true: closed forms prove dL = dF/dt
 };
 
 struct Symmetries {
-  ClosedForms forms = {};    ///< with the algebra of all Fractions below
+  ClosedForms forms = {};    ///< all Fractions below are over forms.algebra
   std::size_t unknowns = 0;  ///< number of entries of a generator
-  bool is_exact = false;     ///< found by closed forms, for generic parameters
-  /// True: `symmetries` is complete, because closed forms know all relations of functions in L.
+  /// True: closed forms found the symmetries, for generic parameters. False: samples found the
+  /// symmetries.
+  bool is_exact = false;
+  /// True: `symmetries` is complete, because closed forms use every relation between the functions
+  /// in the equations.
   bool is_complete = false;
-  std::size_t states = 0;  ///< states at which Lagrange's equations were sampled
+  std::size_t states = 0;  ///< number of states at which Lagrange's equations were sampled
   /// Number of symmetries found by samples at the parameter values of the scene.
   std::size_t sampled = 0;
   /// The number of symmetries found by samples at random parameters, the least over several sets of
   /// parameters. None if the list is complete.
   std::optional<std::size_t> sampled_elsewhere = {};
-  bool loses_energy = false;  ///< E is conserved, but T + V is not
+  bool loses_energy = false;  ///< true: E is conserved, but T + V is not
   std::vector<Symmetry> symmetries = {};
 };
 
@@ -254,7 +263,7 @@ struct EquilibriumVerdict {
   std::string name = {};
   ClaimStatus balance = ClaimStatus::undecided;
   std::optional<ClaimStatus> frequencies = {};  ///< none: the model states no frequencies
-  std::string witness = {};                     ///< a state at which the claim is wrong
+  std::string witness = {};  ///< a state at which the claim on frequencies is wrong
 };
 
 /// One verdict per [[equilibrium]], in the order of the model. Empty if a scene expands the

@@ -17,7 +17,7 @@ namespace elgen {
 /// The page with the equation and the value of each base parameter.
 [[nodiscard]] Page base_parameters_page(const CheckedModel& checked, const BaseParameters& found);
 
-/// The analyses as JSON. Each number has enough digits to read back the same double.
+/// The result of an analysis as JSON. Each number has enough digits to read back the same double.
 [[nodiscard]] std::string equilibria_json(const CheckedModel& checked,
                                           const Equilibria& equilibria);
 [[nodiscard]] std::string modes_json(const CheckedModel& checked, const Modes& modes);
@@ -27,8 +27,8 @@ namespace elgen {
 [[nodiscard]] std::string base_parameters_json(const CheckedModel& checked,
                                                const BaseParameters& found);
 
-/// `form` in its shortest notation, in the symbols of `model`. None if `form` is none, or if the
-/// notation is too long to read.
+/// The shortest formula of `form`, a fraction over `algebra`, in the symbols of `model`. None if
+/// `form` is none, or if the formula is too long to read.
 [[nodiscard]] std::optional<Formula> readable_formula(const Model& model, const Algebra& algebra,
                                                       const std::optional<Fraction>& form);
 

@@ -6,8 +6,8 @@
 //     Y pi = sum over kept columns k of  Y_k (pi_k + sum_j factor_kj pi_j)
 //
 // The factors are the reduced row echelon form of the stacked Y, which is unique for the order of
-// pi. Each parameter without a column of its own is thus regrouped towards the base of the robot
-// (Khalil, Dombre, Modeling, Identification and Control of Robots, 2002, chapter 9).
+// pi. Each parameter of an eliminated column is thus regrouped into parameters nearer to the base
+// of the robot (Khalil, Dombre, Modeling, Identification and Control of Robots, 2002, chapter 9).
 #pragma once
 
 #include <cln/real.h>
@@ -32,16 +32,16 @@ struct WeightedParameter {
 struct BaseParameter {
   std::uint32_t parameter = 0;
   std::vector<WeightedParameter> regrouped_terms = {};
-  cln::cl_R value = 0;  ///< at the parameter values of the model
+  cln::cl_R value = 0;  ///< base parameter at the parameter values of the model
 };
 
 struct BaseParameters {
   std::vector<InertialParameter> parameters = {};
   std::vector<BaseParameter> base = {};
-  std::vector<std::uint32_t> unidentifiable = {};  ///< parameters whose column of Y is 0
+  std::vector<std::uint32_t> unidentifiable = {};  ///< indices k of parameters with Y_k = 0
   std::size_t states = 0;                          ///< number of states at which Y was evaluated
-  /// True: factors are rational. False: they are floats, and factors below 1e-100 of the largest
-  /// are 0.
+  /// True: all factors are rational. False: all factors are floats, and entries below 1e-100 of
+  /// the largest entry in a row of Y count as 0.
   bool is_exact = false;
 };
 
@@ -50,9 +50,10 @@ struct BaseParameters {
 
 /// The base parameters, from Y at random states with the geometric parameters of the model. Y is
 /// computed in the finite field of 2^521 - 1 elements, in which ranks are exact. There the sine and
-/// cosine of an angle are a random point of the unit circle. If a constant is neither rational nor
-/// the sine of a multiple of pi/2, numbers have 160 digits instead. E603: the model has no
-/// regressor. E521: the regressor has no value at any state.
+/// cosine of an angle are a random point of the unit circle. If Y contains an irrational
+/// constant, a root or a function besides sine and cosine, or if a factor is not rational, Y is
+/// computed in 160 digits instead. E603: the model has no regressor. E521: the regressor has no
+/// value at more than 95 % of the drawn states.
 [[nodiscard]] Result<BaseParameters> find_base_parameters(const AnalysisInput& input);
 
 }  // namespace elgen

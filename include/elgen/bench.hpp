@@ -22,9 +22,10 @@ struct BenchOptions {
 
 /// A model, and its scene if any, reduced to one output.
 struct SingleOutputModel {
-  CheckedModel checked = {};               ///< checked.scene requests only the output
-  std::optional<FileSyntax> scene = {};    ///< none: no scene file
-  std::vector<SourcePointer> ranges = {};  ///< of the command; they replace ranges of the scene
+  CheckedModel checked = {};             ///< checked.scene requests only the output
+  std::optional<FileSyntax> scene = {};  ///< none: no scene file
+  /// Ranges of the command line, which replace ranges of the scene.
+  std::vector<SourcePointer> ranges = {};
 
   /// The model, scene and ranges as a source of designs. The result refers to *this.
   [[nodiscard]] DesignSource design_source() const {
@@ -32,9 +33,9 @@ struct SingleOutputModel {
   }
 };
 
-/// The model and scene of `inputs`, reduced to `output`. An empty `output` means inverse_dynamics
-/// or, if missing, the first output of the scene, and adds warnings and notes on the model to the
-/// diagnostics. Errors: E601, E606, E630, E633, and the errors of check().
+/// The model and scene of `inputs`, reduced to `output`. If `output` is empty, the output is
+/// inverse_dynamics or, if missing, the first output of the scene; the diagnostics then contain the
+/// warnings and notes on the model. Errors: E601, E606, E630, E633, and the errors of check().
 [[nodiscard]] Result<SingleOutputModel> read_single_output_model(
     const PipelineSources& inputs, const std::string& output,
     const std::vector<SourcePointer>& ranges, const Limits& limits);
@@ -45,7 +46,7 @@ void keep_outputs(const std::vector<std::string>& outputs, Products& products);
 
 struct DesignRequest {
   PipelineSources inputs = {};
-  std::string output = {};  ///< "": as for read_single_output_model()
+  std::string output = {};  ///< the measured output; "": as in read_single_output_model()
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
 };
@@ -68,10 +69,10 @@ struct RunRequest {
 };
 
 /// Costs and errors of runs from the start of the model. A run is projected onto the constraints
-/// after every step. Warnings of the model are among the diagnostics. A sentence below the table
-/// names the methods that do not apply to the system. Errors: E621, E623, E624 of the reference
-/// run, and the errors of the pipeline. Cost: one derivation and one compilation for each method
-/// and order.
+/// after every step. Warnings of the model are among the diagnostics. TradeoffTable::sentences
+/// names the methods that do not apply to the system. Errors: E621 for a duration or step length,
+/// E623 and E624 for the reference run, and the errors of the pipeline. Cost: one derivation and
+/// one compilation for each method and order.
 [[nodiscard]] Result<MeasuredTable> measure_runs(const RunRequest& request,
                                                  const BenchOptions& process);
 

@@ -28,7 +28,7 @@ enum class Verdict : std::uint8_t {
 
 /// Why a state is skipped.
 enum class SkipReason : std::uint8_t {
-  overflow,   ///< an exact intermediate is near the scalar's largest number
+  overflow,   ///< an exact intermediate value is near the scalar's largest number
   undefined,  ///< outside the domain: 1/0, sqrt(-1)
   singular,   ///< M is singular: a pole, a gimbal
   undecided,  ///< in 1000 digits, program and oracle still cannot be compared: 1 - cos(1e-300)
@@ -57,9 +57,10 @@ struct CertificateRow {
   std::string formula = {};  ///< the evaluated formula
   Evidence evidence = Evidence::states;
   std::size_t samples = 0;                  ///< number of states (or numbers) that were compared
-  std::vector<SkippedStates> skipped = {};  ///< numbers of skipped states, by reason
-  std::size_t skipped_in_ranges = 0;  ///< states inside the ranges, in double, that were skipped
-  /// max |x - x*| / (u R) over the entries x, R the scale of x; at most 10^(digits of the scalar).
+  std::vector<SkippedStates> skipped = {};  ///< number of skipped states for each reason
+  std::size_t skipped_in_ranges = 0;  ///< number of skipped states inside the ranges, in double
+  /// max |x - x*| / (u R) over the entries x, at most 10^(digits of the scalar). R is |x*| plus the
+  /// effect of the rounding of inputs and parameters on x.
   std::optional<double> loss = {};
   /// max |x - x*| / (u max |x*|), with the largest exact entry |x*| of the field of x.
   std::optional<double> loss_of_field = {};
@@ -119,27 +120,27 @@ struct Verification {
 [[nodiscard]] std::string verdict_line(const Certificate& certificate);
 /// One line per output, every failed or skipped row in full, and the verdict.
 [[nodiscard]] std::string to_text(const Certificate& certificate);
-/// All rows in full.
+/// All rows of `certificate` in full, and the verdict.
 [[nodiscard]] std::string to_full_text(const Certificate& certificate);
 [[nodiscard]] std::string to_json(const Certificate& certificate);
 
 /// The result of the check before files are written. The check compares random rational projections
-/// of every output with the oracle at 4 to 32 states, fewer for long programs. A state outside the
-/// domain is replaced by another draw, at most eight times.
+/// of every output with the oracle at 4 to 32 states, fewer for long programs. States outside the
+/// domain are drawn again, with at most eight draws per state.
 struct SelfCheck {
-  std::size_t states = 0;  ///< states at which an output was compared
+  std::size_t states = 0;  ///< number of states at which an output was compared
   /// The most decimal digits that an entry loses inside the ranges; none if no state determines the
   /// loss.
   std::optional<double> digits_lost = {};
   std::string failure = {};  ///< empty: passed; otherwise the output, the state and both values
-  std::size_t sampled_zeros = 0;      ///< entries that depend on a zero found only by sampling
-  std::size_t undefined_states = 0;   ///< states at which oracle and program both have no value
+  std::size_t sampled_zeros = 0;      ///< number of entries that rely on zeros found by sampling
+  std::size_t undefined_states = 0;   ///< number of states without value in oracle and program
   bool has_undefined_output = false;  ///< the check failed: an output has no value at any state
-  std::optional<Span> place = {};     ///< the first expression of this output that has no value
-  std::string remedy = {};            ///< a hint for this output
-  std::size_t states_in_ranges = 0;   ///< checked states inside the ranges
-  std::size_t overflowing_states =
-      0;  ///< states inside the ranges with a value that overflows double
+  std::optional<Span> place = {};     ///< the first expression without value, or the output
+  std::string remedy = {};            ///< hint if has_undefined_output
+  std::size_t states_in_ranges = 0;   ///< number of checked states inside the ranges
+  /// Number of states inside the ranges with a value that overflows double.
+  std::size_t overflowing_states = 0;
 };
 [[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program);
 

@@ -32,7 +32,7 @@ namespace elgen {
 struct FormCosts {
   std::string function = {};
   OperationCounts recursive = {};
-  /// None: over budget, or far more expensive than recursive.
+  /// None: the closed form is over budget, or far more expensive than the recursive form.
   std::optional<OperationCounts> closed = {};
   /// The largest loss E / max(E0, |x|) of the recursive form at points at which sums cancel. E is
   /// the error of an entry in u, E0 the least error of all known rewritings
@@ -41,25 +41,25 @@ struct FormCosts {
   std::optional<double> recursive_loss = {};
   /// The same loss of the closed form.
   std::optional<double> closed_loss = {};
-  /// The number of the first entry that every closed form computes inaccurately although the
-  /// recursive form keeps its digits (choose/text_errors.hpp).
+  /// The index, over all fields, of the first entry that every closed form computes inaccurately
+  /// although the recursive form keeps the digits of the entry (choose/text_errors.hpp).
   std::optional<std::size_t> inaccurate_entry = {};
   Form chosen_form = Form::recursive;
-  bool is_demanded = false;  ///< the scene demands this form at any cost
+  bool is_demanded = false;  ///< true: the scene demands `chosen_form` at any cost
 };
 
 struct FormChoice {
-  Program program = {};               ///< has forms for readers in `readable`
+  Program program = {};  ///< each function in its chosen form; forms for readers in `readable`
   std::vector<FormCosts> costs = {};  ///< parallel to program.functions
 };
 
 /// Each element: the coordinates q of a state at which sums of unexpanded_sums() are 0.
 using SumZeros = std::vector<std::vector<double>>;
 
-/// Chooses the form of every function of `recursive`; `forms` are its closed forms. A form that
-/// avoids the loss of a quarter of the digits may cost a quarter more than the cheapest form. If
-/// `zeros` is given, forms are also compared near its states, and a form that keeps more digits
-/// may cost four times as much. E608: the demanded closed form is over budget.
+/// Chooses the form of every function of `recursive`; `forms` are the closed forms of `recursive`.
+/// A form that avoids the loss of a quarter of the digits may cost a quarter more than the cheapest
+/// form. If `zeros` is not null, forms are also compared near the states `zeros`, and a form that
+/// keeps more digits may cost four times as much. E608: the demanded closed form is over budget.
 [[nodiscard]] Result<FormChoice> choose(const Program& recursive, const ClosedForms& forms,
                                         const Domain& domain, const Scene& scene,
                                         const SumZeros* zeros = nullptr);
@@ -79,13 +79,13 @@ enum class Audience : std::uint8_t {
 /// V and its derivatives (PotentialEquations) as rewritten for accuracy.
 struct RewrittenPotential {
   Program program = {};
-  bool has_derivatives = true;  ///< derivatives of V are rewritten, not only V
+  bool has_derivatives = true;  ///< true: derivatives of V are rewritten, not only V
 };
 
-/// Rewrites V once for all functions that contain it. Typed sums are not expanded if this keeps
-/// digits near the zeros of sums or costs less. None if no rewriting differs from the recursive and
-/// the closed form, if the scene prefers speed, or if V is too long. Cost: choose() up to eighteen
-/// times if typed sums lose digits.
+/// V and its derivatives, rewritten once for all functions that contain V. Typed sums are not
+/// expanded if this keeps digits near the zeros of sums or costs less. None if no rewriting differs
+/// from the recursive and the closed form, if the scene prefers speed, or if V is too long. Cost:
+/// up to nineteen calls of choose() if typed sums lose digits.
 [[nodiscard]] std::optional<RewrittenPotential> rewrite_potential(const Program& potential,
                                                                   const Domain& domain,
                                                                   const Scene& scene);

@@ -26,8 +26,8 @@
 
 namespace elgen {
 
-/// numerator / product of factors[i]^exponent; exponents are positive, and no factor divides the
-/// numerator.
+/// numerator / product of Algebra::factors[i]^exponent over the entries i -> exponent of
+/// `denominator`. Exponents are positive, and no factor divides the numerator.
 struct Fraction {
   Polynomial numerator = {};
   std::map<std::uint32_t, std::int32_t> denominator = {};
@@ -46,7 +46,7 @@ enum class AtomKind : std::uint8_t {
 struct Atom {
   AtomKind kind = AtomKind::leaf;
   Opcode leaf = Opcode::constant;
-  std::uint32_t index = 0;  ///< of the leaf, or of the function of Algebra::unexpanded_sums
+  std::uint32_t index = 0;  ///< number of the leaf, or of the function in Algebra::unexpanded_sums
   FunctionId function = FunctionId::sin;
   cln::cl_RA divisor = 1;
   std::vector<Fraction> arguments = {};
@@ -77,7 +77,7 @@ struct Algebra {
 
 struct ClosedField {
   std::string name = {};
-  std::vector<std::optional<Fraction>> entries = {};  ///< none: over budget
+  std::vector<std::optional<Fraction>> entries = {};  ///< none: no closed form within the budget
 };
 
 /// The closed forms of one function. `dynamics` has no fields, because it repeats other outputs.
@@ -94,7 +94,7 @@ struct ClosedForms {
 struct ClosedFormBudget {
   std::size_t products_per_function = 30'000;
   std::size_t products = 150'000;
-  std::size_t terms = 4'000;  ///< of any intermediate sum
+  std::size_t terms = 4'000;  ///< largest number of terms of an intermediate sum
 };
 
 /// The closed forms of the functions of a program. Cost: at most `budget`, about 0.4 us per
@@ -135,9 +135,9 @@ struct ClosedFormBudget {
 /// roots or calls, or if x - y is over budget.
 [[nodiscard]] bool is_proved_equal(ClosedForms& forms, const Fraction& x, const Fraction& y);
 
-/// True for atoms without algebraic relations between them: leaves, pi, and e^(i m/12) for
-/// monomials m of leaves and pi. False for e^(i m/24), roots, e^(ix) for fractions x, and all other
-/// atoms: closed forms do not use their relations.
+/// True if the atom `id` is a leaf, pi, or e^(i m/12) for a monomial m of leaves and pi: no
+/// algebraic relation connects these atoms. False for e^(i m/24), roots, e^(ix) for fractions x,
+/// and all other atoms, whose relations closed forms do not use.
 [[nodiscard]] bool is_independent(const Algebra& algebra, AtomId id);
 
 /// The result of an attempt to prove that an entry is 0.
@@ -158,7 +158,7 @@ enum class ZeroProof : std::uint8_t {
 
 /// The term f_i dx_i/dt of the rate of an open value f: f_i is its derivative by argument x_i.
 struct OpenValueRateTerm {
-  std::uint32_t derivative = 0;  ///< f_i, as the number of its leaf
+  std::uint32_t derivative = 0;  ///< number of the leaf f_i
   Fraction argument = {};        ///< x_i
 };
 
@@ -171,7 +171,7 @@ using OpenValueRates = std::vector<std::vector<OpenValueRateTerm>>;
 /// The rates of leaves along a curve. Parameters have rate 0. The rates of inputs, and of leaves
 /// that the lists do not contain, are unknown.
 struct LeafRates {
-  std::vector<Fraction> coordinates = {};  ///< empty: dq_i = v_i
+  std::vector<Fraction> coordinates = {};  ///< dq_i/ds; empty: dq_i/ds = v_i
   std::vector<Fraction> velocities = {};
   std::vector<Fraction> accelerations = {};
   OpenValueRates open_values = {};
@@ -195,8 +195,8 @@ struct LeafRates {
     ClosedForms& forms, const Fraction& x, const std::vector<Fraction>& accelerations,
     const std::vector<Fraction>& coordinate_rates = {}, const OpenValueRates& open_values = {});
 
-/// An expression of the model over the atoms of `forms`, with the `fixed` parameters as numbers.
-/// None if the closed form is over budget.
+/// The closed form of `expression`, with the `fixed` parameters as numbers. New atoms are added to
+/// `forms`. None if the closed form is over budget.
 [[nodiscard]] std::optional<Fraction> closed_form(ClosedForms& forms, const Model& model,
                                                   const FixedParameters& fixed,
                                                   ExpressionId expression);

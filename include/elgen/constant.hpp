@@ -32,7 +32,8 @@ struct ConstantForm {
   std::vector<ConstantOperand> operands;  ///< no initializer: ConstantOperand is incomplete here
 };
 
-/// An operand. weight: its exponent (not 0) if it is a factor, otherwise its sign (1 or -1).
+/// An operand of a ConstantForm. `weight` is the exponent (not 0) of a factor, or the sign (1 or
+/// -1) of a term or an argument.
 struct ConstantOperand {
   ConstantForm form = {};
   std::int32_t weight = 1;
@@ -47,9 +48,9 @@ struct ConstantOperand {
 /// the factors.
 [[nodiscard]] ConstantForm negated_form(ConstantForm x);
 
-/// The value and a bound of its error. The value is exact, or a float of at least 220 digits with
-/// |error| <= 1e-200 |value| (|error| <= 1e-200 if even 1760 digits cancel). None if the form has
-/// no real value, or if 1760 digits do not decide whether it has one.
+/// The value of `form`, and a bound of the error. The value is exact, or a float of at least 220
+/// digits with |error| <= 1e-200 |value| (|error| <= 1e-200 if even 1760 digits cancel). None if
+/// the form has no real value, or if 1760 digits do not decide whether the value is real.
 [[nodiscard]] std::optional<EnclosedNumber> enclosed_value(const ConstantForm& form);
 
 /// The form as a Formula:
@@ -58,11 +59,12 @@ struct ConstantOperand {
 ///     LaTeX             \frac{1}{2} \cos \frac{3}{10}    \frac{1}{\sqrt{3}}
 [[nodiscard]] Formula constant_formula(const ConstantForm& form);
 
-/// In the model language: `1/2*pi`, `1 - cos(3/10)`.
+/// `form` in the model language: "1/2*pi", "1 - cos(3/10)".
 [[nodiscard]] std::string text_of(const ConstantForm& form);
 
 struct Constant {
-  /// Rational if the form is. Otherwise a float of 200 digits; 0 if the enclosure contains 0.
+  /// The value of `form`: rational if `form` is rational, otherwise a float with 200 correct
+  /// digits, or 0 if the enclosure of the value contains 0.
   cln::cl_R value = 0;
   ConstantForm form = {};
 };

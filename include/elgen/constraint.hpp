@@ -26,17 +26,17 @@ struct Model;
 ///     r = df/dt or phi,   A = dr/dv,   gamma = dr/dt at a = 0
 ///     A a + gamma = -2 zeta omega r - omega^2 f,   M a + bias = B u + A^T lambda
 struct Constraint {
-  std::string name;        ///< "rod"; with several equations "loop_x", "loop_1", "link_2[3]"
-  std::string identifier;  ///< "link_2_3"
+  std::string name;        ///< "rod"; one of several equations: "loop_x", "loop_1", "link_2[3]"
+  std::string identifier;  ///< `name` as an identifier: "link_2_3"
   ExpressionId value = 0;
   bool is_position = true;
   std::optional<ExpressionId> omega = {};  ///< omega of `stabilise`; none: 0
   std::optional<ExpressionId> zeta = {};
   std::optional<Unit> unit = {};  ///< unit of f or phi; none: unknown
   std::string doc = {};
-  Span span = {};  ///< of the name of the [[constraint]]
+  Span span = {};  ///< position of the name of the [[constraint]]
   Span equation_span = {};
-  std::string equality = {};  ///< "z(P[i]) = z(Q)" for coincident points
+  std::string equality = {};  ///< equation for `coincide`: "z(P[i]) = z(Q)"; else ""
 };
 
 /// The hint to write `equation` instead of `coincide`, if `row` is a row of `coincide`. The
@@ -52,10 +52,10 @@ inline constexpr std::uint32_t axis_count = 3;
 
 /// A coordinate or rotation whose motion a scene prescribes or eliminates.
 struct HeldCoordinate {
-  std::uint32_t coordinate = 0;  ///< index; for a rotation, of its first coordinate
-  std::uint32_t velocity = 0;    ///< index; for a rotation, of its first velocity
+  std::uint32_t coordinate = 0;  ///< index of the coordinate, or of the rotation's first coordinate
+  std::uint32_t velocity = 0;    ///< index of the velocity, or of the rotation's first velocity
   bool is_rotation = false;
-  bool has_reaction = false;  ///< the output `reaction` has the force that holds it
+  bool has_reaction = false;  ///< true: the output `reaction` contains the force of the lock
   Span span = {};
 
   [[nodiscard]] std::uint32_t velocity_count() const { return is_rotation ? axis_count : 1; }
@@ -70,7 +70,7 @@ struct HeldCoordinate {
 
 /// A variable that a scene prescribes as a function of time.
 struct LockedCoordinate : HeldCoordinate {
-  std::vector<ExpressionId> values = {};  ///< s(t); for a rotation a unit quaternion
+  std::vector<ExpressionId> values = {};  ///< s(t), or the four entries of a unit quaternion
 };
 
 /// A cyclic coordinate that `[routh]` eliminates. Its constant momentum becomes a parameter.
@@ -87,8 +87,8 @@ struct CyclicCoordinate : HeldCoordinate {
 /// check removes the variables from the Model, which the oracle evaluates; independently,
 /// specialise removes the variables from the Lagrangian. Verification compares the results.
 struct ModelReduction {
-  std::vector<LockedCoordinate> locks = {};     ///< in the order of v of `unreduced`
-  std::vector<CyclicCoordinate> cyclic = {};    ///< in the order of v of `unreduced`
+  std::vector<LockedCoordinate> locks = {};     ///< in the order of the velocities of `unreduced`
+  std::vector<CyclicCoordinate> cyclic = {};    ///< in the order of the velocities of `unreduced`
   std::shared_ptr<const Model> unreduced = {};  ///< null if no variable is held
 };
 

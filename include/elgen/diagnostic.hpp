@@ -21,7 +21,7 @@ enum class ExitCode : int {
   differs = 1,       ///< stale output, or a check fails
   invalid = 2,       ///< bad command line or an error with a position in an input
   limit = 3,         ///< a limit (elgen/limits.hpp) is exceeded, or the self-check fails
-  inaccessible = 4,  ///< cannot read or write, file without our marker, no compiler
+  inaccessible = 4,  ///< unreadable or unwritable file, file without elgen's marker, no compiler
   internal = 70,
   interrupted = 130,
 };
@@ -76,7 +76,7 @@ enum class DiagnosticFormat : unsigned char {
   github,  ///< for GitHub Actions: workflow commands that annotate lines
 };
 
-/// One argument of --format. It applies to all messages of the process.
+/// One argument of --format. The format applies to all messages of the process.
 struct DiagnosticFormatRow {
   DiagnosticFormat format;
   std::string_view word;  ///< the argument of --format
@@ -89,17 +89,17 @@ struct DiagnosticFormatRow {
 struct DiagnosticStyle {
   DiagnosticFormat format = DiagnosticFormat::text;
   bool color = false;
-  std::size_t maximum = 20;  ///< errors shown; a last line counts the others
+  std::size_t maximum = 20;  ///< largest number of shown errors; a last line counts the others
 };
 
-/// Prints diagnostics:
+/// `diagnostics` as text in the format of `style`:
 ///
 ///     model.toml:33:27: error[E201]: unknown name `mq`
 ///        33 | T = "1/2*M*v2(cart) + 1/2*mq*v2(bob)"
 ///           |                           ^~ did you mean `m`? (parameter, line 20)
 [[nodiscard]] std::string format(const Diagnostics& diagnostics, const DiagnosticStyle& style = {});
 
-/// The exit code of the worst diagnostic; `success` without errors.
+/// The largest exit code of all `diagnostics`; `success` without errors.
 [[nodiscard]] ExitCode exit_code(const Diagnostics& diagnostics);
 
 /// The candidate with the least edit distance to `word` (a transposition counts 1); empty if no
@@ -107,7 +107,7 @@ struct DiagnosticStyle {
 [[nodiscard]] std::string nearest_word(std::string_view word,
                                        const std::vector<std::string>& candidates);
 
-/// A value with its warnings, or the errors that prevented it.
+/// A value with its warnings, or the errors that prevented the value.
 template <class T>
 struct Result {
   std::optional<T> value = {};

@@ -44,7 +44,7 @@ struct ImpactRow {
 /// Renamed entries, old name -> new name.
 using Renames = std::map<std::string, std::string>;
 
-/// Numbers that replace parameters, by name.
+/// Name of a parameter -> the number that replaces the parameter.
 using ParameterValues = std::map<std::string, Constant>;
 
 /// One component of a path to a value: a key, or an item of a list.
@@ -59,12 +59,12 @@ struct PathComponent {
 
 /// One changed key. Spans point into the version that has the key.
 struct KeyChange {
-  std::string table = {};                ///< as in the key table: "gravity", "scene.parameters"
-  std::string entry = {};                ///< for readers: "[gravity]", "[[point]] bob"
-  std::vector<PathComponent> path = {};  ///< empty: the whole entry
-  bool is_reordering = false;  ///< the order of entries, or of keys that are names, changed
-  std::string before = {};     ///< as written; "" if the key is new
-  std::string after = {};      ///< "" if the key is gone
+  std::string table = {};  ///< name of the table in key_table(): "gravity", "scene.parameters"
+  std::string entry = {};  ///< name of the entry for readers: "[gravity]", "[[point]] bob"
+  std::vector<PathComponent> path = {};  ///< path of the key in the entry; empty: the whole entry
+  bool is_reordering = false;  ///< true: the order of entries, or of keys that are names, changed
+  std::string before = {};     ///< old value as written; "" if the key is new
+  std::string after = {};      ///< new value as written; "" if the key is gone
   Span old_span = {};
   Span new_span = {};
   Impact impact = Impact::equal;  ///< the worst effect that this key alone could have; the actual
@@ -91,19 +91,19 @@ enum class EntryVerdict : std::uint8_t {
 struct Witness {
   /// "theta = 0.3, dot(x) = -1.2": the leaves of the entry, in three digits.
   std::string state_text = {};
-  double before = 0;  ///< the values of the entry
-  double after = 0;
+  double before = 0;  ///< value of the entry in the older version
+  double after = 0;   ///< value of the entry in the newer version
 };
 
 struct EntryChange {
   std::string place = {};  ///< "gravity[2]", "linearization.A[1,2]"
-  std::string unit = {};   ///< of the entry; "" if unknown
+  std::string unit = {};   ///< unit of the entry; "" if unknown
   EntryVerdict verdict = EntryVerdict::identical;
-  bool is_proved = false;       ///< `equal` is proved by the closed form of the difference
-  bool is_certain = true;       ///< false if sampled points agree but prove nothing
+  bool is_proved = false;       ///< true: the closed form of the difference proves `equal`
+  bool is_certain = true;       ///< false: sampled points agree, but prove nothing
   std::string before = {};      ///< closed form; "" if none is short enough to read
   std::string after = {};       ///< closed form; "" if none is short enough to read
-  std::string difference = {};  ///< after - before
+  std::string difference = {};  ///< closed form of `after` - `before`; "" if too long
   double relative_change =
       0;  ///< largest |change| / largest magnitude of the entry, over the sampled states
   std::optional<Witness> witness = {};
@@ -119,29 +119,30 @@ struct OutputChange {
 struct InterfaceChange {
   Impact impact = Impact::equal;
   std::string text = {};   ///< "function `bias` is removed"
-  bool is_silent = false;  ///< callers still compile, but the meaning changes as `text` says
+  bool is_silent = false;  ///< true: callers still compile, but the meaning changes as `text` says
 };
 
 /// Executed operations of emitted functions, by the name of the function.
 using OperationsByName = std::map<std::string, OperationCounts>;
 
-/// One side of a comparison. The objects that it refers to must outlive the comparison.
+/// One side of a comparison. The objects to which a Version refers must outlive the comparison.
 struct Version {
   const FileSyntax& model;
   const FileSyntax* scene = nullptr;  ///< null: the built-in scene `full`
   const CheckedModel& checked;
-  const Program& program;       ///< in chosen forms if files are emitted, else in recursive form
-  const Diagnostics& warnings;  ///< of the model
-  const OperationsByName* operations = nullptr;  ///< of the emitted functions; null: unknown
+  const Program& program;       ///< in chosen forms if an output is a step, else in recursive form
+  const Diagnostics& warnings;  ///< warnings and notes of the pipeline
+  const OperationsByName* operations = nullptr;  ///< counts of all emitted functions; null: unknown
 };
 
 struct CompareOptions {
   Renames renames = {};
   std::set<std::string> reported_outputs = {};  ///< names of the outputs to report; empty: all
-  bool is_strict = false;                       ///< undecided entries count as different
+  bool is_strict = false;                       ///< true: undecided entries count as different
 };
 
-/// The changes that callers of the code see: coordinates, inputs, parameters, outputs, the target.
+/// The changes that callers of the code see: of coordinates, inputs, parameters, outputs, and the
+/// target language.
 [[nodiscard]] std::vector<InterfaceChange> interface_changes(const Version& before,
                                                              const Version& after,
                                                              const Renames& renames = {});
@@ -161,21 +162,23 @@ struct OperationsChange {
 
 struct SystemChange {
   std::string name = {};  ///< Scene::base_name of the newer version
-  std::string path = {};  ///< of the newer version; "" if unknown
+  std::string path = {};  ///< path of the newer version; "" if unknown
   Impact impact = Impact::equal;
   std::vector<KeyChange> keys = {};
   std::vector<OutputChange> outputs = {};
   std::vector<InterfaceChange> interface = {};
-  std::optional<std::vector<OperationsChange>> operations = {};  ///< none: unknown
-  bool is_certain = true;  ///< false if some entries are undecided
+  /// The functions whose numbers of operations changed; none: the numbers are unknown.
+  std::optional<std::vector<OperationsChange>> operations = {};
+  bool is_certain = true;  ///< false: some entries are undecided
   /// If `impact` is `extended`: "at mt = 0 all entries equal the old entries (proved)".
   std::string extension = {};
-  /// Entries of [[expect]] that held before and fail now: "gravity[2,1]".
+  /// Entries of [[expect]] that fail in the newer version, but not in the older: "gravity[2,1]".
   std::vector<std::string> broken_expectations = {};
   Diagnostics warnings = {};  ///< only warnings that the older version lacks
 };
 
-/// Compares two versions. `impact` considers all outputs, not only options.reported_outputs.
+/// All changes from `before` to `after`. `impact` considers all outputs; `outputs` has only
+/// options.reported_outputs.
 [[nodiscard]] SystemChange compare(const Version& before, const Version& after,
                                    const CompareOptions& options = {});
 
@@ -204,8 +207,8 @@ struct DiffReport {
 /// a system was removed.
 [[nodiscard]] Impact impact_of(const DiffReport& report);
 
-/// About a dozen lines for people. A change that several systems share is listed once, with the
-/// names of the systems. `lists_all`: also every key and every entry.
+/// `report` in about a dozen lines for people. A change that several systems share is listed once,
+/// with the names of the systems. If `lists_all`, the text also lists every key and every entry.
 [[nodiscard]] std::string to_text(const DiffReport& report, bool lists_all);
 
 /// A comment for a pull request: the lines of to_text(), then every entry in a collapsed block.
@@ -216,8 +219,8 @@ struct DiffReport {
 /// per step of a job, so the tenth counts the rest.
 [[nodiscard]] std::string to_annotations(const DiffReport& report);
 
-/// JSON for programs. Every change has a stable id: the path of the key in the file, or the place
-/// of the entry in the output.
+/// `report` as JSON for programs. Every change has a stable id: the path of the key in the file, or
+/// the place of the entry in the output.
 [[nodiscard]] std::string to_json(const DiffReport& report);
 
 }  // namespace elgen

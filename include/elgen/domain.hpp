@@ -28,12 +28,12 @@ struct Range {
 struct Domain {
   const Model& model;
   LeafValues<Range> ranges = {};
-  /// Random states in the ranges (sample/states.hpp), with parameters at their values. The states
-  /// are the same on every machine.
+  /// Random states in the ranges (sample/states.hpp); parameters have the values of the scene. The
+  /// states are the same on every machine.
   std::vector<LeafValues<double>> states = {};
 };
 
-/// The ranges of `space`, and eight random states inside them. Refers to space.model.
+/// The ranges of `space`, and eight random states inside them. The result refers to space.model.
 [[nodiscard]] Domain domain_of(const StateSpace& space);
 
 }  // namespace elgen

@@ -21,7 +21,7 @@ struct FieldEquations {
 struct OutputEquations {
   OutputRequest request = {};
   std::vector<FieldEquations> fields = {};
-  ExpressionMap<std::string> value_names = {};  ///< names of definitions, by their symbols
+  ExpressionMap<std::string> value_names = {};  ///< symbol -> name of a definition
   /// If the fields are the parts of an output (elgen/compose.hpp): the velocities in the order in
   /// which M is eliminated.
   std::vector<std::uint32_t> elimination_order = {};
@@ -31,32 +31,34 @@ struct EquationsOfMotion {
   Symbols symbols = {};
   LeafNames leaves = {};
   Definitions definitions = {};
-  std::vector<OutputEquations> outputs = {};  ///< in the order of the scene; without `dynamics`
+  std::vector<OutputEquations> outputs = {};  ///< in the order of the scene, if has_equations()
   /// Forward dynamics by the articulated-body algorithm, with separate definitions, if this code
   /// may be shorter. If this code is certainly shorter, `outputs` does not contain forward
   /// dynamics.
   std::vector<EquationsOfMotion> alternatives = {};
 };
 
-/// Derives every requested output. The headers of src/derive/ explain the mechanics.
+/// The equations of every output in `outputs` with has_equations(). The headers of src/derive/
+/// explain the mechanics. Errors: E313; E501, E537 or E603 if a pivot is 0; E908 if the definitions
+/// exceed limits.derived_nodes.
 [[nodiscard]] Result<EquationsOfMotion> derive(const Lagrangian& lagrangian,
                                                const std::vector<OutputRequest>& outputs,
                                                const Limits& limits);
 
 /// V of [energy] at zero rates, and its derivatives by the variables x of V (coordinates and t).
-/// There are three outputs: V, all dV/dx_i, all d2V/dx_i dx_j with i <= j.
+/// The outputs are V, all dV/dx_i and, if derived, all d2V/dx_i dx_j with i <= j.
 struct PotentialEquations {
-  std::vector<GiNaC::ex> variables = {};  ///< x
+  std::vector<GiNaC::ex> variables = {};  ///< the variables x, in the order of (q, t)
   std::vector<OutputRequest> requests = {};
   EquationsOfMotion equations = {};
 };
 
-/// Derives V and its first derivatives, and with `has_second` its second derivatives. None if V
-/// depends on no coordinate, if it depends on rates, or if the scene expands it.
+/// V and its first derivatives and, if `has_second`, its second derivatives. None if V depends on
+/// no coordinate or on rates, or if the scene expands the energies.
 [[nodiscard]] std::optional<PotentialEquations> derive_potential(const Lagrangian& lagrangian,
                                                                  bool has_second);
 
-/// The same Lagrangian with V of [energy] replaced by an open value. V and its derivatives are
+/// `lagrangian` with V of [energy] replaced by an open value. V and its derivatives are
 /// numbered after the open values of the model, in the order of PotentialEquations. Third
 /// derivatives are 0, so no output may use them.
 [[nodiscard]] Lagrangian with_open_potential(Lagrangian lagrangian,
