@@ -36,7 +36,7 @@ template <class Scalar>
   return x;
 }
 
-/// Rules of fold() for numbers.
+/// The rules by which fold() computes in Scalar; the leaves have the values in `arguments`.
 template <class Scalar>
 struct NumberRules {
   const Arguments<Scalar>& arguments;
@@ -63,8 +63,8 @@ struct NumberRules {
 
 }  // namespace interpreter
 
-/// The values of all instructions, in order. `arguments` must contain every leaf that the
-/// instructions load.
+/// The values of all instructions of `function`, in order. `arguments` must contain every leaf that
+/// the instructions load.
 template <class Scalar>
 [[nodiscard]] std::vector<Scalar> evaluate_instructions(const Program& program,
                                                         const Function& function,
@@ -72,7 +72,7 @@ template <class Scalar>
   return fold<Scalar>(interpreter::NumberRules<Scalar>{arguments}, program, function);
 }
 
-/// The entries of all fields, field by field, row-major.
+/// The values of the entries of all fields of `function`, field by field, row-major.
 template <class Scalar>
 [[nodiscard]] std::vector<Scalar> evaluate(const Program& program, const Function& function,
                                            const Arguments<Scalar>& arguments) {

@@ -26,7 +26,7 @@ struct LeafAssignment {
 /// `leaves` replaced. Momenta that `leaves` does not contain are computed from the rates.
 struct ExpectationState {
   std::vector<LeafAssignment> leaves = {};
-  cln::cl_R tolerance = 0;  ///< tolerance of an entry, relative to the largest entry
+  cln::cl_R tolerance = 0;  ///< allowed error of an entry / largest |entry| of the field
 };
 
 /// One equation of an [[expect]] after repetitions are expanded: the expected expressions of all
@@ -41,8 +41,8 @@ struct Expectation {
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
   std::vector<ExpressionId> entries = {};
-  std::vector<Span> spans = {};                 ///< of each entry
-  std::vector<std::optional<Unit>> units = {};  ///< of each entry; empty: not checked
+  std::vector<Span> spans = {};                 ///< place of each entry in the file
+  std::vector<std::optional<Unit>> units = {};  ///< by entry; none: unknown; empty: not checked
   /// The only state about which the claim is made; none: the claim is about every state.
   std::optional<ExpectationState> state = {};
   Span span = {};

@@ -22,8 +22,8 @@ enum class ExpressionKind : std::uint8_t {
              ///< arguments of its function
   named,     ///< the value of entry `index` of the NamedKind in member `named`
   negate,    ///< -operands[0]
-  add,       ///< n-ary
-  multiply,  ///< n-ary
+  add,       ///< sum of all operands
+  multiply,  ///< product of all operands
   divide,    ///< operands[0] / operands[1]
   power,     ///< operands[0] ^ number, rational exponent; sqrt is the power 1/2
   function,  ///< function(operands…)
@@ -39,8 +39,8 @@ enum class NamedKind : std::uint8_t {
   frame,       ///< a number of frames[index], see FrameComponent
 };
 
-/// `component` of an expression that refers to a frame: the position of the first number of a
-/// vector or matrix.
+/// Values of Expression::component for a frame: the index of the first number of each vector or
+/// matrix among the 18 numbers of the frame.
 enum FrameComponent : std::uint32_t {
   frame_rotation = 0,  ///< Frame::rotation, row-major
   frame_origin = 9,
@@ -51,11 +51,11 @@ enum FrameComponent : std::uint32_t {
 
 struct Expression {
   ExpressionKind kind = ExpressionKind::number;
-  Opcode leaf = Opcode::parameter;  ///< kind of a leaf (leaves.def)
+  Opcode leaf = Opcode::parameter;  ///< kind of the leaf (leaves.def), if `kind` is `leaf`
   FunctionId function = FunctionId::sin;
   NamedKind named = NamedKind::definition;
-  std::uint32_t index = 0;      ///< of the leaf, or of the named entry
-  std::uint32_t component = 0;  ///< of a point, a body or a frame
+  std::uint32_t index = 0;      ///< number of the leaf among its kind, or index of the named entry
+  std::uint32_t component = 0;  ///< number of the component of a point, a body or a frame
   cln::cl_RA number = 0;
   std::vector<ExpressionId> operands = {};
   Span span = {};

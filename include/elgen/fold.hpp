@@ -13,7 +13,8 @@
 
 namespace elgen {
 
-/// The value of one instruction; values[k] is the value of instruction k.
+/// The value of instruction `i`. For each operand k of `i`, values[k] must be the value of
+/// instruction k.
 template <class Rules, class Values>
 [[nodiscard]] auto fold_instruction(Rules&& rules, const Program& program, const Instruction& i,
                                     const Values& values) {
@@ -42,7 +43,7 @@ template <class Rules, class Values>
   return rules.leaf(i.opcode, i.a);
 }
 
-/// The values of all instructions, in order.
+/// The values of all instructions of `function`, in order, computed with `rules`.
 template <class Value, class Rules>
 [[nodiscard]] std::vector<Value> fold(Rules&& rules, const Program& program,
                                       const Function& function) {
@@ -54,7 +55,8 @@ template <class Value, class Rules>
   return values;
 }
 
-/// The values of all entries, field by field, row-major.
+/// The values of the entries of all fields of `function`, field by field, row-major. values[k] is
+/// the value of instruction k.
 template <class Value>
 [[nodiscard]] std::vector<Value> entries_of(const Function& function,
                                             const std::vector<Value>& values) {

@@ -22,7 +22,7 @@ struct ForeignClaim {
 struct ForeignOptions {
   std::string code = {};  ///< as ForeignFunction::code
   std::vector<ForeignClaim> claims = {};
-  double tolerance = 1e-9;  ///< relative to the largest entry of the field
+  double tolerance = 1e-9;  ///< allowed error of an entry / largest |entry| of the field
   std::size_t states = 60;
   std::uint64_t seed = 1;
   std::uint64_t seconds = 60;  ///< wall-clock limit for one function, in s
@@ -31,9 +31,10 @@ struct ForeignOptions {
 /// Returns one row for each claim. Values are compared with the oracle's at states in the declared
 /// ranges: at rest; at rest with inputs and accelerations; moving; moving with inputs and
 /// accelerations; and with other parameters.
-/// With constraints, the states are moved onto them; a state for which Newton's method fails is
-/// skipped. The number of results selects the fields. The first choice that fits is used: the first
-/// field; all fields without pivots and remainders; all fields; another single field.
+/// If the model has constraints, Newton's method first moves each state onto the constraints; a
+/// state at which the method fails is skipped. The number of results selects the fields. The first
+/// choice that fits is used: the first field; all fields without pivots and remainders; all fields;
+/// another single field.
 ///
 /// For a wrong function, the row and a diagnostic E717 report the kinds of states with wrong
 /// values, the convention (such as the sign of a coordinate) under which all values would be right,

@@ -19,8 +19,9 @@ struct ForeignFunction {
 };
 
 struct ForeignResults {
-  std::vector<std::vector<double>> values = {};  ///< by state; after a failure, states are missing
-  /// Why states are missing, or how the code fails after the last state; empty: no failure.
+  /// The results at each state, in order. After a failure, the last states may be missing.
+  std::vector<std::vector<double>> values = {};
+  /// The failure of the code before or after its last result: "ends early"; empty: no failure.
   std::string failure = {};
   /// The output of the code on stderr (of a library also on stdout), as lines of a message:
   /// ":\n    Traceback".

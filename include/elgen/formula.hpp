@@ -65,7 +65,7 @@ struct Formula {
 using Formulas = std::vector<Formula>;
 
 [[nodiscard]] Formula number_formula(const cln::cl_RA& value);
-/// A number by its decimal digits, with or without exponent: "1.5e-07".
+/// The number with these decimal digits, with or without exponent: "1.5e-07".
 [[nodiscard]] Formula digits_formula(std::string digits);
 
 /// A symbol without glyphs: text_of() prints `name`, all other notations print nothing.
@@ -98,15 +98,15 @@ using Formulas = std::vector<Formula>;
 [[nodiscard]] Formula prose(std::string words);
 /// A row of the parts that are not empty. A single part is returned unchanged.
 [[nodiscard]] Formula row_of(Formulas parts);
-/// "x", "x and y", "x, y and z"
+/// A row of the items with commas and "and": "x", "x and y", "x, y and z".
 [[nodiscard]] Formula enumeration(Formulas items);
 
-/// Prints in the model language, with the fewest brackets that preserve the tree. Prose is
+/// The formula in the model language, with the fewest brackets that preserve the tree. Prose is
 /// unchanged.
 [[nodiscard]] std::string text_of(const Formula& formula);
 [[nodiscard]] std::vector<std::string> texts_of(const Formulas& formulas);
 
-/// Typesets a formula. Equal trees give equal glyphs.
+/// The typeset formula. Equal trees give equal glyphs.
 [[nodiscard]] Glyphs glyphs_of(const Formula& formula);
 
 }  // namespace elgen

@@ -47,7 +47,7 @@ struct FunctionRow {
   Smoothness smoothness;
   FunctionDomain domain;
   FunctionUnits units;
-  std::uint32_t roundings;    ///< error bound of the library's value, in u
+  std::uint32_t roundings;    ///< error bound of the library's value, in u = epsilon/2
   std::string_view own_name;  ///< "sign_of": its name if emitted code defines the function; else ""
   std::string_view latex;     ///< "\\sin"
   int exact_argument;
@@ -64,7 +64,7 @@ struct FunctionRow {
 /// The row of the function `name`; null if no function has this name.
 [[nodiscard]] const FunctionRow* find_function(std::string_view name);
 
-/// True if the function lacks a derivative somewhere; only forces may call it.
+/// True if the function has no derivative at some argument, so that only forces may call it.
 [[nodiscard]] inline bool is_kinked(FunctionId id) {
   return function_row(id).use == FunctionUse::forces_only;
 }

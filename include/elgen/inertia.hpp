@@ -7,7 +7,7 @@
 
 namespace elgen {
 
-/// xx yy zz xy xz yz, about the centre of mass
+/// The entries xx yy zz xy xz yz of I about the centre of mass; I_xy = -(integral of x y dm).
 using InertiaTensor = std::array<cln::cl_R, 6>;
 
 /// True if a rigid body can have this inertia I, that is, if its second moments

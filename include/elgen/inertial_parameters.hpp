@@ -28,10 +28,10 @@ inline constexpr std::uint32_t first_moment_component = 1;
 inline constexpr std::uint32_t first_inertia_component = 4;
 inline constexpr std::uint32_t body_component_count = 10;
 
-/// The owner of an entry of pi in a model.
+/// One entry of pi: its owner in the model and, if the owner is a body, its component.
 struct InertialEntry {
   InertialOwner owner = InertialOwner::body;
-  std::uint32_t index = 0;      ///< index of the owner among all bodies, points, …
+  std::uint32_t index = 0;      ///< index in Model::bodies, points, coordinates or parameters
   std::uint32_t component = 0;  ///< component of a body (see above); 0 for other owners
 
   [[nodiscard]] bool is_mass() const {
@@ -44,13 +44,12 @@ struct InertialParameter : InertialEntry {
   std::optional<Unit> unit = {};
 };
 
-/// The owners of the entries of pi, in order. Cheaper than inertial_parameters(), since no names
-/// are built.
+/// The entries of pi, in order, without names and units. Cheaper than inertial_parameters().
 [[nodiscard]] std::vector<InertialEntry> inertial_entries(const Model& model);
 
 [[nodiscard]] InertialParameter inertial_parameter(const Model& model, const InertialEntry& place);
 
-/// The entries of pi of a model.
+/// The entries of pi, in order, with names and units.
 [[nodiscard]] std::vector<InertialParameter> inertial_parameters(const Model& model);
 
 /// Two parameters whose product an expression contains. If the expression is not affine in one
@@ -63,8 +62,8 @@ struct CoupledParameters {
 [[nodiscard]] std::optional<CoupledParameters> find_coupled_parameters(
     const Model& model, ExpressionId expression, const std::vector<std::uint32_t>& parameters);
 
-/// The parameters that occur in D, but in no other expression of the equations of motion, and in
-/// which D is jointly affine. In the order of declaration.
+/// The indices of the parameters that occur in D, but in no other expression of the equations of
+/// motion, and in which D is jointly affine. In the order of declaration.
 [[nodiscard]] std::vector<std::uint32_t> friction_parameters(const Model& model);
 
 }  // namespace elgen

@@ -22,15 +22,17 @@ namespace elgen {
 /// E527, E536 to E538, E603, E613, E614, E616, E619, E627 and E910.
 [[nodiscard]] Diagnostics inspect(const Model& model, const Scene& scene);
 
-/// The exact states of rest at which inspect() checks an [[equilibrium]]: at up to four parameter
-/// sets that meet its condition, the first with the values of the model. Empty if no drawn set
-/// meets the condition, or if bias or B has no value at the states.
+/// At most four exact states of rest, at which inspect() checks `equilibrium`. Their parameters
+/// meet the condition of `equilibrium`: first the values of the model, unless they violate the
+/// condition, then random values. Empty if no drawn parameters meet the condition, or if bias or B
+/// has no value at the states.
 [[nodiscard]] std::vector<State> sample_equilibrium(const CheckedModel& checked,
                                                     const Equilibrium& equilibrium);
 
-/// Sets the momenta of `[routh]`: the declared value, or the value at the start. E635: L
-/// depends on the coordinate at one of 8 sampled states, the momenta do not determine the rates, or
-/// a momentum has no value. Cost: a few evaluations of L for each momentum.
+/// Sets each momentum of `[routh]` that has no value yet: to the declared value, or to the value at
+/// the start if none is declared. E635: L depends on a coordinate of `[routh]` at one of 8 sampled
+/// states, the momenta do not determine the rates, or a momentum has no value. Cost: a few
+/// evaluations of L for each momentum.
 [[nodiscard]] Diagnostics set_routh_momenta(CheckedModel& checked);
 
 /// True if `[routh]` can eliminate the coordinate (see E635): L does not depend on it, no force of
@@ -42,8 +44,8 @@ namespace elgen {
 /// sines or cosines is 0/0 at the state. Cost: the oracle for each quotient.
 [[nodiscard]] std::string quotient_hint(const Model& model, const State& state);
 
-/// The residuals after an assembly: f if no pose was found, else r (see Constraint). "0.5 m of
-/// `loop_x`, 0.1 m of `loop_y`".
+/// The residuals after the assembly `at`, as text: "0.5 m of `loop_x`, 0.1 m of `loop_y`". If `at`
+/// has a pose, the numbers are |r|, else |f| (see Constraint).
 [[nodiscard]] std::string residual_text(const Model& model, const Assembly& at);
 
 }  // namespace elgen

@@ -31,7 +31,7 @@ struct RotationPlace {
   std::uint32_t first_velocity = 0;
 };
 
-/// The leaves, in the order of declaration.
+/// The symbols of the leaves, in the order of declaration.
 struct Symbols : LeafValues<GiNaC::ex> {
   std::vector<GiNaC::ex> q_rates = {};  ///< dq/dt as functions of q and v
   std::vector<RotationPlace> rotations = {};
@@ -41,7 +41,7 @@ struct Definition {
   GiNaC::ex symbol;
   GiNaC::ex value;
   std::string name;  ///< a readable C++ identifier ("bob_x"), or empty
-  Entity origin;     ///< the entry of the model that contains the expression
+  Entity origin;     ///< the entry of the model from which `value` comes
   std::vector<std::uint32_t>
       used_definitions;  ///< indices of the definitions in `value`, ascending
   /// Kinds of leaves in `value`, directly or through `used_definitions`.
@@ -63,7 +63,7 @@ using ExpressionMap = std::unordered_map<GiNaC::ex, Value, ExpressionHash, Expre
 /// The position of a symbol in elgen's order: leaves as declared, then definitions.
 struct SymbolPlace {
   bool is_definition = false;
-  std::uint32_t index = 0;       ///< index of the definition, or rank of the leaf
+  std::uint32_t index = 0;       ///< index in Definitions::list, or rank among the leaves
   LeafSet leaf_dependence = {};  ///< Definition::leaf_dependence, or the kind of the leaf
 };
 
@@ -78,18 +78,18 @@ struct ValueMeaning {
 /// Names of definitions, from the meaning at their first use in an output: "moment_link5_y", and
 /// "moment_link5_y_2", … for further definitions with the same meaning.
 struct ValueNames {
-  ExpressionMap<std::string> names = {};   ///< by symbol
-  std::map<std::string, int> counts = {};  ///< number of definitions for each name without suffix
+  ExpressionMap<std::string> names = {};   ///< symbol of a definition -> name
+  std::map<std::string, int> counts = {};  ///< name without suffix -> number of definitions
 };
 
 /// An ordered list of definitions, each over earlier definitions only. Append with define().
 struct Definitions {
   std::vector<Definition> list = {};
-  ExpressionMap<SymbolPlace> places = {};  ///< of leaves and definitions
+  ExpressionMap<SymbolPlace> places = {};  ///< symbol of a leaf or definition -> position
   /// Value -> symbol, so that no value is defined twice.
   ExpressionMap<GiNaC::ex> known_values = {};
   ValueMeaning meaning = {};
-  ValueNames value_names = {};  ///< for the output that is being derived
+  ValueNames value_names = {};  ///< names in the output that is being derived
 };
 
 /// The name and origin of a new definition.
@@ -102,7 +102,7 @@ struct Label {
 /// the symbol of an equal definition; else the symbol of a new definition.
 GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label = {});
 
-/// Registers a leaf.
+/// Adds the symbol of a leaf of this kind to `definitions.places`, after the leaves added before.
 void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, Opcode kind);
 
 /// The kinds of leaves that `value` depends on, directly or through definitions.
@@ -130,8 +130,8 @@ struct PointMass {
 /// The rotational part of a body outside frames: adds 1/2 w.I w to T. The inertia I is in the axes
 /// of the angular velocity w.
 struct RotatingBody {
-  std::vector<GiNaC::ex> spin;     ///< w, or w_z
-  std::vector<GiNaC::ex> inertia;  ///< xx yy zz xy xz yz, or zz
+  std::vector<GiNaC::ex> spin;     ///< {w_x, w_y, w_z}, or {w_z} if planar
+  std::vector<GiNaC::ex> inertia;  ///< {xx, yy, zz, xy, xz, yz}, or {zz} if planar
   Entity origin;
 };
 
@@ -145,14 +145,14 @@ using ExVector3 = std::array<GiNaC::ex, 3>;
 
 /// One elementary transform (see ElementaryTransform): x_parent = R x + p, with R = 1 or p = 0.
 struct TreeTransform {
-  std::optional<std::uint32_t> parent = {};  ///< the previous transform; none: the world
+  std::optional<std::uint32_t> parent = {};  ///< index of the previous transform; none: the world
   TransformKind kind = TransformKind::translation;
   ExVector3 vector;  ///< p in the axes of the parent, or the unit axis of the turn
   GiNaC::ex angle = 0;
   /// A quaternion of any length except 0; for a rotation of the model a unit quaternion.
   std::array<GiNaC::ex, 4> quaternion;
-  std::optional<std::uint32_t> rotation = {};  ///< for a rotation of the model: its first velocity
-  std::string name = {};                       ///< the frame's identifier
+  std::optional<std::uint32_t> rotation = {};  ///< index of a rotation's first velocity; else none
+  std::string name = {};                       ///< identifier of the frame or point
   Entity origin = {};
 };
 
@@ -163,7 +163,7 @@ struct TreeTransform {
 ///     I about the centre of mass   T = 1/2 m v_c^2 + 1/2 w.I w
 ///     I about the origin           T = 1/2 m v^2 + v.(w x h) + 1/2 w.I w,   h = m c
 struct RigidBody {
-  std::optional<std::uint32_t> transform = {};  ///< none: fixed to the world
+  std::optional<std::uint32_t> transform = {};  ///< index in FrameTree::transforms; none: world
   GiNaC::ex mass = 0;
   ExVector3 com;
   std::vector<GiNaC::ex> inertia = {};
@@ -194,7 +194,7 @@ struct FrameTree {
 /// The twist of the frame that results from a transform: its angular velocity, and the velocity of
 /// its origin.
 struct TwistOutput {
-  std::optional<std::uint32_t> transform = {};  ///< none: the world, at rest
+  std::optional<std::uint32_t> transform = {};  ///< index in FrameTree::transforms; none: world
   bool is_in_world = true;  ///< true: in world axes; false: in the axes of the frame
 };
 
@@ -202,8 +202,8 @@ struct NamedOutput {
   std::string name;
   std::vector<GiNaC::ex> values;
   std::optional<TwistOutput> twist = {};
-  bool solves_motion =
-      false;  ///< true: a and multipliers in `values` solve the equations of motion
+  /// True: a and lambda in `values` solve the equations of motion. False: a is an argument.
+  bool solves_motion = false;
 };
 
 /// f(q, t) = 0, or phi(q, v, t) = 0 affine in v. Along the motion dr/dt = -damping r - stiffness f,
@@ -212,12 +212,12 @@ struct ConstraintEquation {
   GiNaC::ex value;
   bool is_position = true;
   GiNaC::ex damping = 0;    ///< 2 zeta omega
-  GiNaC::ex stiffness = 0;  ///< omega^2, for positions
+  GiNaC::ex stiffness = 0;  ///< omega^2 for f(q, t), 0 for phi
   Entity origin = {};
 };
 
-/// A held variable. A locked variable has the value s(t), or a unit quaternion of t; a cyclic
-/// variable has a constant momentum, which is a parameter.
+/// A held variable. `values` has s(t) for a locked coordinate, a constant unit quaternion for a
+/// locked rotation, and the parameter that is the momentum for a cyclic coordinate.
 struct HeldCoordinateMotion : HeldCoordinate {
   std::vector<GiNaC::ex> values = {};
 };
@@ -229,11 +229,13 @@ struct Lagrangian;
 /// coordinates share one list of definitions.
 struct ReactionSource {
   std::shared_ptr<const Lagrangian> unreduced = {};
-  ExpressionMap<GiNaC::ex> values = {};        ///< q, v, a -> functions of time
-  std::vector<std::uint32_t> velocities = {};  ///< velocities of `unreduced` with `reaction`
+  /// q, v and a of the locked variables -> functions of time; each held input -> 0.
+  ExpressionMap<GiNaC::ex> values = {};
+  /// Indices, in `unreduced`, of the velocities whose holding force the output `reaction` returns.
+  std::vector<std::uint32_t> velocities = {};
 };
 
-/// A leaf whose deviation from a value is small.
+/// A leaf in which energies and forces are expanded: leaf - value is small.
 struct SmallLeaf {
   GiNaC::ex leaf;
   GiNaC::ex value;
@@ -249,10 +251,10 @@ struct Expansion {
 
 /// The source of a term of an energy.
 enum class EnergyOrigin : std::uint8_t {
-  energy,    ///< `[energy]`
+  energy,    ///< a term of `[energy]`
   spin,      ///< 1/2 w.I w of a body outside frames
   armature,  ///< 1/2 J v^2
-  mass,      ///< 1/2 m |dp/dt|^2 and -m gravity.p, written by specialise
+  mass,      ///< 1/2 m |dp/dt|^2 or -m gravity.p of a point mass; added by specialise()
   momentum   ///< -1/2 w.v_c of Routh's function (derive/specialise/routh.cpp)
 };
 
@@ -274,34 +276,38 @@ struct Lagrangian {
   EnergyTerms potential = {};    ///< terms of V that `masses` and `tree` do not contain
   EnergyTerms dissipation = {};  ///< terms of D
   EnergyTerms lagrangian = {};  ///< terms of L instead of T and V, if the file or `[routh]` gives L
-  std::vector<GiNaC::ex> forces = {};  ///< generalized force on each velocity, inputs included
+  /// The generalised force on each velocity, inputs included; without -dD/dv, `point_forces` and
+  /// the wrenches of `tree`.
+  std::vector<GiNaC::ex> forces = {};
   std::vector<PointForce> point_forces = {};
-  /// For the regressor: the data of terms that `kinetic` already contains. Armatures: J by
-  /// velocity, 0 without an armature.
+  /// For the regressor: the data of terms that `kinetic` already contains. `armatures` has J of
+  /// 1/2 J v_i^2 for each velocity v_i, or 0 without an armature.
   std::vector<RotatingBody> rotating_bodies = {};
   std::vector<GiNaC::ex> armatures = {};
-  std::vector<InertialParameter> inertial = {};  ///< of the model after held variables are removed
-  FrameTree tree = {};  ///< with an expansion or Routh's function, used for twist outputs only
+  std::vector<InertialParameter> inertial = {};  ///< pi of the model without held variables
+  /// The tree of frames. Under an expansion or `[routh]`, only the twists of outputs use `tree`.
+  FrameTree tree = {};
   std::vector<ConstraintEquation> constraints = {};
   std::vector<NamedOutput> outputs = {};
   std::vector<GiNaC::ex> cyclic_rates = {};  ///< rates of the eliminated cyclic coordinates
-  std::optional<ReactionSource> reaction_source = {};  ///< for the output `reaction`, else none
+  std::optional<ReactionSource> reaction_source = {};  ///< none: no lock has a reaction
   std::optional<Expansion> expansion = {};
   bool is_quadratic = true;
-  bool eliminates_last_first = false;  ///< elimination order of M, see model/elimination.hpp
+  bool eliminates_last_first = false;  ///< true: eliminates M from the last velocity to the first
 };
 
 /// A Lagrangian in which all variables still move, with the variables that specialise() removes.
 struct UnreducedLagrangian : Lagrangian {
   std::vector<HeldCoordinateMotion> locked = {};
-  std::vector<std::uint32_t> held_inputs = {};  ///< inputs that act only on locked variables
+  std::vector<std::uint32_t> held_inputs = {};  ///< indices of the inputs removed with the locks
   std::vector<HeldCoordinateMotion> cyclic = {};
 };
 
 /// Sets the name of the definition of `symbol` to `text`, unless the definition already has a name.
 void name_definition(Definitions& definitions, const GiNaC::ex& symbol, const std::string& text);
 
-/// Builds the Lagrangian of a checked model. E502: dot() of an expression that contains rates.
+/// Builds the Lagrangian of a checked model. E312: an expression divides by 0 at every state. E313:
+/// an expression has no value at any state.
 [[nodiscard]] Result<UnreducedLagrangian> formulate(const Model& model);
 
 /// A value of an open function f or of a derivative of f, as a GiNaC function. Operands: the leaf
@@ -310,7 +316,8 @@ void name_definition(Definitions& definitions, const GiNaC::ex& symbol, const st
 // NOLINTNEXTLINE(readability-function-size): GiNaC takes every operand by itself.
 DECLARE_FUNCTION_7P(elgen_open)
 
-/// The number of the leaf that an elgen_open represents; none beyond second derivatives.
+/// The number of the open value that `value`, a call of elgen_open, represents; none beyond second
+/// derivatives.
 [[nodiscard]] std::optional<std::uint32_t> open_value_number(const GiNaC::ex& value);
 
 /// elgen_log1p, …: the functions that GiNaC lacks (its abs is complex), with their derivatives from

@@ -11,8 +11,8 @@
 
 namespace elgen {
 
-/// For each leaf the result of f(kind, entry), with the entry of the model that owns it; for t, h
-/// and E the result of single(kind).
+/// For each leaf the result of f(kind, entry), with the entry of `model` that owns the leaf; for t,
+/// h and E, which no entry owns, the result of single(kind).
 template <class T, class F, class Single>
 [[nodiscard]] LeafValues<T> make_leaf_values(const Model& model, const F& f, const Single& single) {
   LeafValues<T> leaves;
@@ -30,7 +30,7 @@ template <class T, class F, class Single>
 /// names only in programs with functions that take them; E has no name.
 struct LeafNames : LeafValues<std::string> {
   bool uses_time = false;
-  std::vector<Assumption> assumptions = {};  ///< of the parameters; empty: no assumptions
+  std::vector<Assumption> assumptions = {};  ///< one for each parameter; empty: no assumptions
 };
 
 [[nodiscard]] Assumption assumption_of(const LeafNames& leaves, std::uint32_t parameter);
@@ -52,13 +52,13 @@ void name_optional_leaves(LeafSet takes, LeafNames& leaves);
 [[nodiscard]] std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number);
 [[nodiscard]] std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number);
 
-/// "q[3]" -> "q_3": keeps word characters and replaces "[" by "_".
+/// The identifier for a name: keeps word characters and replaces "[" by "_". "q[3]" -> "q_3".
 [[nodiscard]] std::string identifier_of(std::string_view name);
 
 /// The number of leaves of a kind.
 [[nodiscard]] std::size_t leaf_count(const Model& model, Opcode kind);
 
-/// The unit that the entry of a leaf declares; none if it declares no unit.
+/// The unit of the entry that owns the leaf, not of the leaf; none if the entry has no unit.
 [[nodiscard]] std::optional<Unit> declared_unit(const Model& model, Opcode kind,
                                                 std::uint32_t number);
 

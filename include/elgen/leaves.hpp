@@ -81,7 +81,7 @@ template <class List, class One>
   return nullptr;
 }
 
-/// The leaf of this kind and number.
+/// The entry of `leaves` for leaf `number` of this kind; for a single leaf, `number` is ignored.
 template <class T>
 [[nodiscard]] const T& leaf_of(const LeafValues<T>& leaves, Opcode kind, std::uint32_t number) {
   switch (leaf_kind(kind)) {
@@ -98,7 +98,7 @@ template <class T>
   return leaves.t;
 }
 
-/// The number of leaves of a kind.
+/// The number of leaves of a kind; 1 for a kind with a single leaf.
 template <class T>
 [[nodiscard]] std::size_t leaf_count(const LeafValues<T>& leaves, Opcode kind) {
   const std::vector<T>* const list = leaf_list(leaves, kind);

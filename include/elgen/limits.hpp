@@ -19,14 +19,14 @@ struct Limits {
   std::uint64_t decimal_exponent = 400;
   std::uint64_t integer_power = 64;
   std::uint64_t coordinates = 1024;
-  /// User definitions, points and bodies, after repetitions are expanded.
+  /// Entries except coordinates, after repetitions are expanded; also elements of one array.
   std::uint64_t definitions = 20'000;
   std::uint64_t derived_nodes = 2'000'000;
   std::uint64_t seconds = 60;  ///< processor time of one command on one model
   std::uint64_t boxes = 200'000;
-  std::uint64_t enclosures =
-      enclosures_per_second *
-      seconds;  ///< interval operations; not a time, so that results do not depend on the machine
+  /// Interval operations in the search for equilibria; not a time, so that results do not depend on
+  /// the machine.
+  std::uint64_t enclosures = enclosures_per_second * seconds;
   std::uint64_t memory_mib = 1024;
   std::uint64_t page_bytes = 1U << 20U;  ///< size of a page with an animation
 };

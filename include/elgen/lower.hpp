@@ -17,9 +17,11 @@ namespace elgen {
 
 struct EquationsOfMotion;
 
-/// One Function per requested output except `step`. For a composed output, the function computes
-/// the parts of the output (elgen/compose.hpp). A requested `dynamics` has one field per requested
-/// output that takes neither a nor u. E908: more than limits.derived_nodes nodes.
+/// One Function per requested output except `step` and `step_derivatives`. For a composed output,
+/// the function computes the parts of the output (elgen/compose.hpp). A requested `dynamics` has
+/// one field per requested output that takes neither a nor u. E312: a denominator is 0 at every
+/// state. E501, E603: a matrix with which the output solves is singular. E908: more than
+/// limits.derived_nodes nodes. E912: an internal error.
 [[nodiscard]] Result<Program> lower(const EquationsOfMotion& equations,
                                     const std::vector<OutputRequest>& outputs,
                                     const Limits& limits);

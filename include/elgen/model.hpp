@@ -41,7 +41,7 @@ struct Coordinate {
   std::string name;
   std::string identifier;
   std::optional<Unit> unit = {};  ///< none: units are not checked
-  std::string unit_text = {};     ///< as in the file
+  std::string unit_text = {};     ///< text of `unit` in the file
   std::optional<Interval> range = {};
   cln::cl_R start_value = 0;
   bool wraps = false;  ///< an angle that may make full turns; it is compared modulo 2 pi
@@ -50,7 +50,7 @@ struct Coordinate {
   std::uint32_t velocity = 0;
   /// For a component of a rotation: index in Model::rotations.
   std::optional<std::uint32_t> rotation = {};
-  std::optional<ExpressionId> armature = {};            ///< adds 1/2 J v^2 to T
+  std::optional<ExpressionId> armature = {};            ///< J of the term 1/2 J v^2 of T
   std::optional<ExpressionId> singular_condition = {};  ///< M may lose rank if this expression is 0
   std::string latex = {};
   std::string doc = {};
@@ -62,7 +62,7 @@ struct Coordinate {
 struct Velocity {
   std::string name;
   std::string identifier;
-  std::uint32_t coordinate = 0;  ///< q_i if v_i = dq_i/dt; for a rotation its first coordinate
+  std::uint32_t coordinate = 0;  ///< index of q_i with v_i = dq_i/dt, or of w of a rotation
   /// For an angular velocity: index in Model::rotations.
   std::optional<std::uint32_t> rotation = {};
   std::optional<Unit> unit = {};  ///< unit of the velocity; none: units are not checked
@@ -71,8 +71,7 @@ struct Velocity {
   Span span = {};
 };
 
-/// A unit quaternion (Hamilton, scalar first) from body axes to parent axes: four coordinates,
-/// three velocities.
+/// A unit quaternion (Hamilton, w first) from body to parent axes: 4 coordinates, 3 velocities.
 struct Rotation {
   std::string name;
   std::string identifier;
@@ -94,7 +93,7 @@ struct Parameter {
   cln::cl_R value = 0;  ///< exact rational, or a float of 100 decimal digits if it is irrational
   Assumption assumption = Assumption::none;
   std::optional<Unit> unit = {};
-  std::optional<ExpressionId> exact_expression = {};  ///< as declared, of an irrational value
+  std::optional<ExpressionId> exact_expression = {};  ///< the expression of an irrational `value`
 };
 
 /// A parameter as declared: one number, or an array of `count` numbers.
@@ -104,7 +103,7 @@ struct ParameterArray {
   std::uint32_t count = 1;
   bool is_array = false;
   std::string unit_text = {};
-  std::optional<Interval> range = {};  ///< [min, max]
+  std::optional<Interval> range = {};  ///< [min, max] for every element
   std::string latex = {};
   std::string doc = {};
   Span span = {};
@@ -123,13 +122,12 @@ struct NamedExpression {
 using Vector3 = std::array<ExpressionId, 3>;
 
 enum class TransformKind : std::uint8_t {
-  translation,  ///< by `vector`
-  turn,         ///< by `angle` about the unit axis `vector`
+  translation,  ///< translation by `vector`
+  turn,         ///< rotation by `angle` about the unit axis `vector`
   quaternion,   ///< rotation by `quaternion`, of any length except 0
 };
 
-/// One elementary transform of a frame, expressed in the axes that result from the previous
-/// transform.
+/// One elementary transform of a frame, in the axes that result from the previous transform.
 struct ElementaryTransform {
   TransformKind kind = TransformKind::translation;
   Vector3 vector{};
@@ -144,10 +142,10 @@ struct ElementaryTransform {
 struct Frame {
   std::string name;
   std::string identifier;
-  std::optional<std::uint32_t> parent = {};          ///< none: the world
-  std::vector<ElementaryTransform> transforms = {};  ///< from the parent to the frame
+  std::optional<std::uint32_t> parent = {};          ///< index in Model::frames; none: the world
+  std::vector<ElementaryTransform> transforms = {};  ///< in order, from the parent to the frame
   std::array<ExpressionId, 9> rotation{};            ///< R, row-major
-  Vector3 origin{};                                  ///< in the world
+  Vector3 origin{};                                  ///< position in world axes
   Vector3 spin{};              ///< angular velocity in frame axes: [spin]x = R^T dR/dt
   Vector3 recursive_spin{};    ///< the vector `spin`, computed from the parent and the transforms
   Vector3 angular_velocity{};  ///< in world axes: R spin
@@ -173,11 +171,11 @@ struct Point {
   std::string name;
   std::string identifier;
   std::uint32_t dimension = 3;  ///< 2 or 3 declared components; `position` is padded with 0
-  Vector3 position{};           ///< in the world
-  std::optional<PointInFrame> local = {};  ///< if the point is declared in a frame
+  Vector3 position{};           ///< in world axes
+  std::optional<PointInFrame> local = {};  ///< none: the point is declared in the world
   std::optional<ExpressionId> mass = {};
-  std::vector<LineEnd> line_ends = {};  ///< for drawings only
-  bool has_springs = false;             ///< draws `line_ends` as springs, not rods
+  std::vector<LineEnd> line_ends = {};  ///< other ends of the lines that a page draws
+  bool has_springs = false;             ///< true: the lines are springs; false: rods
   bool is_named = true;  ///< false: an unnamed point at the origin of a frame, for a wrench
   std::string doc = {};
   Span span = {};
@@ -210,8 +208,9 @@ struct Body {
 struct Input {
   std::string name;
   std::string identifier;
-  std::optional<std::uint32_t> velocity = {};  ///< on which a generalised force acts
-  bool is_external = false;  ///< a component of an external force or torque, not a motor
+  /// Index of the velocity on which the input acts; none: the input acts through `forces`.
+  std::optional<std::uint32_t> velocity = {};
+  bool is_external = false;  ///< true: a component of an external force or torque; false: a motor
   std::optional<Interval> limits = {};
   std::optional<Unit> unit = {};
   std::string unit_text = {};
@@ -227,13 +226,13 @@ struct Force {
   /// One number for a generalised force. Otherwise three components, padded with 0: a force in
   /// world axes, or a torque in the axes of its frame.
   std::vector<ExpressionId> value = {};
-  std::optional<std::uint32_t> velocity = {};  ///< the velocity on which a generalised force acts
+  std::optional<std::uint32_t> velocity = {};  ///< index of the velocity of a generalised force
   std::optional<std::uint32_t> point = {};
   std::optional<std::uint32_t> reaction_point = {};
   std::optional<std::uint32_t> frame = {};
   std::optional<std::uint32_t> reaction_frame = {};
   std::vector<ExpressionId> reaction = {};  ///< torque in axes of reaction_frame, not negated
-  /// The components as declared, and their frame (none: the world).
+  /// The components as declared, in the axes of the frame `declared_axes` (none: world axes).
   std::vector<ExpressionId> declared_value = {};
   std::optional<std::uint32_t> declared_axes = {};
   Span span = {};
@@ -247,11 +246,11 @@ struct UserOutput {
   std::vector<ExpressionId> values = {};  ///< row-major
   std::optional<std::uint32_t> frame = {};
   bool is_in_world = true;               ///< the twist is in world axes; false: in frame axes
-  std::vector<ExpressionId> twist = {};  ///< six entries, linear in v
+  std::vector<ExpressionId> twist = {};  ///< (angular velocity, velocity of the origin)
   bool has_jacobian = false;
-  bool solves_motion = false;   ///< a and lambda solve the equations of motion; else arguments
-  bool is_requested = true;     ///< by the scene; locks do not remove inputs in requested `values`
-  LeafSet argument_kinds = {};  ///< kinds of leaves in the values, of v, a, u and t
+  bool solves_motion = false;  ///< true: a, lambda solve the equations of motion; false: a is given
+  bool is_requested = true;    ///< true: requested by the scene; locks keep the inputs in `values`
+  LeafSet argument_kinds = {};  ///< kinds of arguments besides q: v, a, u; on pages also t
   std::string doc = {};
   Span span = {};
 };
@@ -274,8 +273,8 @@ struct Condition {
 /// A stated point of rest, for all parameters that meet `condition`. The coordinates and inputs are
 /// expressions of parameters.
 struct OperatingPoint {
-  std::vector<std::optional<ExpressionId>> coordinates = {};  ///< none: any value
-  std::vector<std::optional<ExpressionId>> inputs = {};       ///< none: 0
+  std::vector<std::optional<ExpressionId>> coordinates = {};  ///< by coordinate; none: any value
+  std::vector<std::optional<ExpressionId>> inputs = {};       ///< by input; none: 0
   std::optional<Condition> condition = {};                    ///< none: all parameter values
 };
 
@@ -283,7 +282,7 @@ struct OperatingPoint {
 /// about this point, with det(x M - K)/det M = product of (x - w_i^2), K as in elgen/analyse.hpp.
 struct Equilibrium : OperatingPoint {
   std::string name = {};
-  std::vector<ExpressionId> frequencies_squared = {};  ///< one per velocity, or empty
+  std::vector<ExpressionId> frequencies_squared = {};  ///< one per velocity; empty: not stated
   std::string doc = {};
   Span span = {};
 };
@@ -295,9 +294,9 @@ struct Equilibrium : OperatingPoint {
 /// `order`, all other forces of degree order + 1.
 struct Approximation : OperatingPoint {
   std::uint32_t order = 1;
-  std::vector<bool> small = {};   ///< by coordinate
+  std::vector<bool> small = {};   ///< true for each small coordinate
   bool has_small_inputs = false;  ///< true if every coordinate that is not held is small
-  Span span = {};                 ///< of the key `about`
+  Span span = {};                 ///< place of the key `about` in the file
 };
 
 inline constexpr std::uint32_t max_expansion_order = 5;
@@ -311,8 +310,8 @@ struct Model {
   std::string description = {};
   std::string reference = {};
   std::vector<Expression> expressions = {};
-  /// For pages, the typed form of each expression that the stage check rewrote: sin(q)/q if
-  /// `expressions` contains stumpff(q, 1).
+  /// Each expression that the stage check rewrote, as the author wrote it, for pages and messages:
+  /// sin(q)/q if `expressions` has stumpff(q, 1) at the same index.
   std::map<ExpressionId, Expression> original_expressions = {};
   std::vector<Coordinate> coordinates = {};  ///< q
   std::vector<Velocity> velocities = {};     ///< v
@@ -335,19 +334,20 @@ struct Model {
   std::vector<UserOutput> outputs = {};
   std::vector<Equilibrium> equilibria = {};
   std::vector<Expectation> expectations = {};
-  std::optional<Approximation> approximation = {};  ///< of the scene; [[output]] stays exact
+  std::optional<Approximation> approximation = {};  ///< `[approximate]`; [[output]] stays exact
 
   /// The held variables of the scene. The other members describe a Model without them: locked
   /// variables are replaced by functions of time, cyclic coordinates by 0. With `[routh]`, the
   /// Lagrangian is Routh's function R of the unreduced model.
   ModelReduction reduction = {};
-  std::vector<std::uint32_t> affine_parameters = {};  ///< forces are jointly affine in them
+  /// Indices of the parameters in pi; the forces are jointly affine in these parameters.
+  std::vector<std::uint32_t> affine_parameters = {};
 
   bool is_quadratic = true;   ///< T - V (or L) is at most quadratic in the rates
-  bool omits_pivots = false;  ///< default of forward_dynamics; a scene may override it
-  /// True if t occurs in an energy, a point, a force or an output, so that functions take t.
+  bool omits_pivots = false;  ///< true: forward_dynamics has no pivots unless a scene adds them
+  /// True if t occurs in the equations of motion or in an output, so that functions take t.
   bool uses_time = false;
-  /// False if `drift` is 0: T has only terms of degree 2 in the rates, and V none of degree 1.
+  /// False: `drift` is 0, because no t or L occurs, T has degree 2 in the rates, and V degree 0.
   bool may_drift = false;
 };
 
@@ -389,7 +389,7 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
   return model.energies.L.has_value() || has_routhian(model);
 }
 
-/// The properties of a model that select the equation of an output.
+/// The flags has_rotations and has_constraints of `model`, which select the equation of an output.
 [[nodiscard]] inline EquationSetting setting_of(const Model& model) {
   return {!model.rotations.empty(), !model.constraints.empty()};
 }

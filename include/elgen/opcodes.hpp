@@ -75,15 +75,15 @@ enum class ArgumentRule : std::uint8_t {
   never     ///< not in emitted functions: E occurs in `conserved`, multipliers in derivations
 };
 
-/// The unit of a leaf. [v] is the declared unit of the entry that owns the leaf.
+/// The unit of a leaf. [e] is the unit of the entry e of the model that owns the leaf.
 enum class LeafUnit : std::uint8_t {
   second,
   joule,
-  entry_unit,        ///< [v]
-  entry_per_second,  ///< [v]/s
-  joule_per_entry,   ///< J/[v]
-  open_value_unit,   ///< [f]/([x_i] [x_j]), from the function f and its arguments x
-  multiplier_unit,   ///< W / unit of the rate of its constraint
+  entry_unit,        ///< [e]
+  entry_per_second,  ///< [e]/s
+  joule_per_entry,   ///< J/[e]
+  open_value_unit,   ///< of f, df/dx_i, d2f/dx_i dx_j: [f], [f]/[x_i], [f]/([x_i] [x_j])
+  multiplier_unit,   ///< W/[r], r = df/dt or phi of the constraint
 };
 
 /// The groups of factors, in the order in which books write a product.
@@ -106,7 +106,7 @@ struct LeafNotation {
   std::string_view text;        ///< in models: "dot({})"; {} is the name of the owning entry
   std::string_view identifier;  ///< in code and dumps: "{}_dot"
   std::string_view latex;       ///< "\\dot{s}"; s is the symbol of the owning entry
-  std::string_view own_latex;   ///< as `latex`, but s is the symbol of a velocity (of rotations)
+  std::string_view own_latex;   ///< as `latex`, if the velocity has its own symbol s (rotations)
 };
 
 /// The use of a kind of leaf in products, functions and states.
@@ -115,7 +115,7 @@ struct LeafUse {
   LeafUnit unit;
   ArgumentRule argument_rule;
   bool is_zero_at_rest;  ///< true for rates and causes of motion, which are 0 at rest
-  bool is_settable;      ///< true if `--state` can set it, although it is not part of a start
+  bool is_settable;      ///< true if `--state` can set the leaf, which is not part of a start
 };
 
 struct LeafRow : LeafNotation, LeafUse {
@@ -138,7 +138,7 @@ struct LeafRow : LeafNotation, LeafUse {
   return leaf != Opcode::parameter && leaf_row(leaf).argument_rule != ArgumentRule::never;
 }
 
-/// A set of kinds of leaves.
+/// A set of kinds of leaves: bit k stands for the opcode with number k.
 class LeafSet {
  public:
   constexpr LeafSet() = default;
