@@ -27,9 +27,9 @@ double round_to_double(const Real& x) {
   return x.is_defined() ? cln::double_approx(x.value()) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// K computed in double is used if its error bound, relative to K, is at most this: K is reported
-/// to a tenth of a decimal digit. Long functions and cancelling derivatives have larger bounds;
-/// then K is computed in Real.
+/// The relative error bound up to which K computed in double is used. This bound suffices, because
+/// K is reported to a tenth of a decimal digit. If long functions or cancelling derivatives exceed
+/// this bound, K is computed in Real.
 constexpr double tolerated_error = 1e-4;
 
 /// An upper bound on the error that underflow causes in a factor or a product in double.

@@ -7,10 +7,10 @@
 //     x / y       (Ex + |x/y| Ey) / |y| + |x/y|
 //     f(x)        |f'| Ex + |f|; for sine and cosine also u/2 Ex^2
 //
-// A result below the normal numbers adds eta/u, with eta the smallest denormal. These are the
-// first-order errors of N. J. Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed.,
-// section 3.3. Second-order terms are included where first-order terms vanish: at a zero of f', and
-// in (x^2 - y^2)^2 at x = y.
+// If a result is below the normal numbers, E grows by eta/u, with eta the smallest denormal. The
+// formulas are the first-order errors of N. J. Higham, Accuracy and Stability of Numerical
+// Algorithms, 2nd ed., section 3.3. Second-order terms are included where first-order terms vanish:
+// at a zero of f', and in (x^2 - y^2)^2 at x = y.
 //
 // The template argument Number is Real, or double for rough errors. Rough errors are correct within
 // a factor of two on every machine, as long as a value loses only its last digits.
@@ -99,7 +99,7 @@ struct RunningErrorRules {
   [[nodiscard]] Value divide(const Value& x, const Value& y) const;
   [[nodiscard]] Value square_root(const Value& x) const;
   /// The value and error of f(x, y); functions of one argument ignore y. A function with kinks has
-  /// the larger error of its operands; `sign` of an uncertain value is lost.
+  /// the larger error of its operands; `is_lost` is set for `sign` of an uncertain value.
   [[nodiscard]] Value call(FunctionId function, const Value& x, const Value& y) const;
 };
 

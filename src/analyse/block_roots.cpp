@@ -23,7 +23,8 @@ using cln::cl_R;
 constexpr double first_angle = -2.6;
 constexpr double two_pi_bound = 0x1.921fb54442d19p2;  // more than 2 pi
 
-/// Undecided boxes are joined if their distance is less than this multiple of their lengths.
+/// Undecided boxes are joined if their distance along every coordinate is at most this multiple of
+/// the length of one box along this coordinate.
 constexpr double join_distance_factor = 10;
 
 /// The largest number of Newton starts in open boxes, and the largest number of places. A place is
@@ -90,8 +91,8 @@ class BlockSearch {
     return with_entries(system_.residual(), entries);
   }
 
-  /// The roots of an equation without coordinates: none, or one root without values. The equation
-  /// is proved to be 0 only for rational values of the parameters; a value that is 0 in 64 digits
+  /// The roots of an equation without coordinates: none, or one root without values. Only rational
+  /// values of the parameters can prove that the left side is 0. A left side that is 0 in 64 digits
   /// proves nothing.
   BlockRoots solve_constant_equation() {
     const Real value = evaluate(system_.program, rows_, start())[0];
@@ -142,8 +143,8 @@ class BlockSearch {
                       system_.state);
   }
 
-  /// The number of enclosures per box: two evaluations of f, values and slopes of f for every
-  /// unknown, and the products of Krawczyk's test.
+  /// The number of enclosures computed per box: two evaluations of f, an evaluation of f with its
+  /// slope for every unknown, and the matrix products of Krawczyk's test.
   [[nodiscard]] std::uint64_t enclosures_of_box() const {
     const std::uint64_t n = unknowns_.coordinates.size();
     return 1 + square_.instructions.size() * (2 * n + 2) + 2 * n * n * n;
@@ -209,7 +210,7 @@ class BlockSearch {
 
   [[nodiscard]] bool is_in_box(const Box& box, const Arguments<Real>& root) const {
     for (std::size_t i = 0; i < box.size(); ++i) {
-      // Roots have 58 digits.
+      // The root is accurate to 58 digits, so 1e-40 covers its error.
       static const cl_R slack = power_of_ten(-40);
       const cl_R value = root.q[unknowns_.coordinates[i]].value();
       if (value < exact_value(box[i].low) - slack || value > exact_value(box[i].high) + slack)
@@ -357,7 +358,7 @@ class BlockSearch {
   Unknowns unknowns_ = {};
   std::vector<std::uint32_t> velocities_ = {};   ///< velocities of the unknowns
   std::vector<std::uint32_t> chosen_rows_ = {};  ///< at most one per unknown
-  std::vector<Fraction> forms_ = {};             ///< closed forms of the rows that have one
+  std::vector<Fraction> forms_ = {};             ///< the closed form of each row that has a form
   Function rows_ = {};
   Function square_ = {};  ///< the chosen rows
   BlockRoots result_ = {};

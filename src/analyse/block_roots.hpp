@@ -44,8 +44,9 @@ struct BlockRoots {
 [[nodiscard]] Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block,
                                              const Limits& limits);
 
-/// Of the derivatives of a row by one coordinate, the first that is not 0 at a root. At the root
-/// and the values of the parameters, the row and its derivatives of lower order are exactly 0.
+/// Among the derivatives of a row by one coordinate, the derivative of lowest order that is not 0
+/// at a root. At the root, for the values of the parameters, the row and all derivatives of lower
+/// order are exactly 0.
 struct LeadingDerivative {
   std::uint32_t order = 1;  ///< of the derivative; equals the multiplicity of the root
   Fraction derivative = {};

@@ -40,12 +40,12 @@ struct BoxSearchResult {
 /// A box is not halved again if each side is shorter than this fraction of the domain's side.
 inline constexpr double box_resolution = 1e-7;
 
-/// Examines at most `max_boxes` boxes. Cost per box: up to two evaluations of f, and an evaluation
-/// of its slopes per unknown.
+/// The boxes of `domain` that may contain solutions, after at most `max_boxes` boxes are examined.
+/// Cost per box: up to two evaluations of f, and one evaluation of df/dq_k for each unknown q_k.
 [[nodiscard]] BoxSearchResult search_boxes(const IntervalEquations& equations, const Box& domain,
                                            std::uint64_t max_boxes);
 
-/// The values of all equations on a box.
+/// For each equation f = 0, an enclosure of the values of f on `box`.
 [[nodiscard]] std::vector<Enclosure> enclose_values(const IntervalEquations& equations,
                                                     const Box& box);
 

@@ -1,4 +1,4 @@
-// Compares the pivots of M at a state with its pivots after a shift of all coordinates.
+// Compares the pivots of M at a state with the pivots of M after a shift of all coordinates.
 #include "analyse/chart_breaks.hpp"
 
 #include <algorithm>

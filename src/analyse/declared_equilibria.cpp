@@ -232,7 +232,8 @@ class EquilibriumCheck {
     return difference && difference->numerator.empty();
   }
 
-  /// Compares frequencies at sampled states. The first state at which they differ is the witness.
+  /// Compares the declared frequencies with det(x M - K) at `points`, and stores the status in
+  /// `result`. The witness is the first point at which a declared frequency is wrong.
   void compare_frequencies(const std::vector<State>& points, EquilibriumVerdict& result) const {
     result.frequencies = ClaimStatus::undecided;
     for (const State& point : points) {

@@ -1,5 +1,5 @@
 // After denominators are cleared, an equation is a sum of monomials in q, v, a and t, with
-// coefficients in the parameters. It holds for all motions if each coefficient is 0.
+// coefficients in the parameters. The equation holds for all motions if each coefficient is 0.
 #include "analyse/exact_generators.hpp"
 
 #include <algorithm>
@@ -115,7 +115,8 @@ class MonomialEquations {
   std::vector<Equation> equations_ = {};
 };
 
-/// Sets the unknown of each equation with one term to 0, and removes it from all other equations.
+/// `equations` without the unknowns that an equation with one term sets to 0, and an equation x = 0
+/// for each of these unknowns x.
 std::vector<Equation> eliminate_zero_unknowns(std::vector<Equation> equations) {
   std::set<std::size_t> zeros;
   for (bool is_done = false; !is_done;) {

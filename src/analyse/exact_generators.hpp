@@ -49,8 +49,8 @@ class FormField : public Arithmetic {
 struct ExactGenerators {
   std::vector<std::vector<Fraction>> basis = {};
   /// True if no other generators exist, because the functions in the equations (leaves, sines,
-  /// cosines and at most one root) are independent. If `has_root`, this is not proved: the root may
-  /// be the root of a square.
+  /// cosines and at most one root) are independent. If `has_root`, the independence is not proved,
+  /// since the root may be the root of a square.
   bool is_complete = false;
   bool has_root = false;
 };

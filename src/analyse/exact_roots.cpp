@@ -280,7 +280,7 @@ std::optional<LinearSolution> solve_rows(NumericPivotField& field,
   return solution;
 }
 
-/// Multiplies a row by the powers of unknowns in its denominators, and adds these unknowns to
+/// `row` times the powers of unknowns in its denominators. Adds the unknowns in the denominators to
 /// `poles`.
 OptionalFraction clear_poles(Algebra& algebra, const Fraction& row, const Unknowns& unknowns,
                              std::set<std::uint32_t>& poles) {
@@ -380,7 +380,7 @@ std::optional<std::vector<RestCoordinate>> exact_root(ClosedForms& forms,
   if (!open && is_solved(algebra, rows, coordinate_replacements(unknowns.coordinates, values))) {
     return values;
   }
-  // A root may be pi/2 only for these parameters: asin(tau/(m g l)) at tau = m g l.
+  // A root may be pi/2 only at these values of the parameters: asin(tau/(m g l)) at tau = m g l.
   if (!open && values.size() == 1) open = 0;
   if (!open) return std::nullopt;
   values[*open] = {};

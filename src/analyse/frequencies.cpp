@@ -1,5 +1,5 @@
-// The two values w^2 of a block of two coordinates have one divisor and a common factor in front.
-// If the radicand is a square, each value has a formula without a root.
+// The two values w^2 of a block of two coordinates are s (x -+ sqrt(y))/d, with a common factor s
+// and a common divisor d. If y is a square, each value has a formula without a root.
 #include "analyse/frequencies.hpp"
 
 #include <cln/integer.h>
@@ -78,8 +78,8 @@ class FrequencySolver {
 
   /// Adds middle -+ sqrt(square), with the common divisor d and the common factor s:
   ///     s (middle d/s -+ sqrt(square d^2/s^2))/d
-  /// If the radicand is a square, adds two formulas without a root. The sign of the root does not
-  /// matter, because both signs occur.
+  /// If `square` d^2 is the square of a sum, adds two formulas without a root. The sign of the sum
+  /// does not matter, because both signs occur.
   void add_root_pair(std::vector<SquaredFrequency>& all, const Fraction& middle,
                      const Fraction& square) {
     if (square.numerator.empty()) {
@@ -106,7 +106,7 @@ class FrequencySolver {
     if (above && root) all.push_back({*above, root, s, d});
   }
 
-  /// A sum with rational coefficients whose square is x, if it exists.
+  /// A square root of x that is a sum with rational coefficients; none if x has no such root.
   static std::optional<Fraction> exact_square_root(const Fraction& x) {
     const GaussianRational& lead = x.numerator.rbegin()->second;
     cln::cl_RA root;
@@ -117,7 +117,7 @@ class FrequencySolver {
     return sum ? std::optional(fraction_of(multiply_by_term(*sum, {root, 0}))) : std::nullopt;
   }
 
-  /// The smallest form that clears the divisors of x and makes its coefficients integers.
+  /// The smallest form whose product with x has no divisors and only integer coefficients.
   Fraction integer_denominator(const Fraction& x) {
     cln::cl_I whole = 1;
     for (const auto& [monomial, coefficient] : x.numerator) {

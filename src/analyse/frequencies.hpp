@@ -30,8 +30,8 @@ struct SquaredFrequency {
   Fraction divisor = {};
 };
 
-/// w^2 of each block of one or two coordinates out of `size`. A block of two has two entries
-/// without a root if the radicand is a square. Empty if M or K has no closed form.
+/// w^2 of each block of one or two coordinates out of `size`. A block of two coordinates has two
+/// entries without a root if b^2 - 4 a c is a non-zero square. Empty if M or K has no closed form.
 [[nodiscard]] std::vector<SquaredFrequency> squared_frequencies(ClosedForms& forms,
                                                                 const RestMatrices& at_rest,
                                                                 std::size_t size);

@@ -1,4 +1,4 @@
-// Residues: arithmetic modulo 2^521 - 1, angles by the addition theorem.
+// Residues: arithmetic modulo 2^521 - 1. The addition theorem gives the sine and cosine of a sum.
 #include "analyse/residues.hpp"
 
 #include <cln/integer.h>

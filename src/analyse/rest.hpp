@@ -29,7 +29,7 @@ struct RestProgram {
 /// The coordinates on which a value depends.
 struct CoordinateOccurrence {
   std::set<std::uint32_t> coordinates = {};
-  std::set<std::uint32_t> outside_sinusoids = {};  ///< also outside of e^(i k q), k an integer
+  std::set<std::uint32_t> outside_sinusoids = {};  ///< q occurs outside e^(i k q), k an integer
   bool has_time = false;
 };
 

@@ -1,4 +1,4 @@
-// Scales rows and columns before elimination. Entries below 1e-100 are 0.
+// Scales rows and columns before elimination. Scaled entries below 1e-100 count as 0.
 #include "analyse/sampled_generators.hpp"
 
 #include <cln/float.h>

@@ -20,8 +20,8 @@ inline constexpr long root_digits = 25;
 /// The searched range of a coordinate; null if it has no range, or if the range is a whole turn.
 [[nodiscard]] const Interval* searched_range(const Coordinate& coordinate, SearchKind kind);
 
-/// True if the range intersects [highest - width, highest], which may be shifted by whole turns for
-/// an angle. True also if the coordinate has no searched range.
+/// True if the range intersects [highest - width, highest] or, for an angle, this interval shifted
+/// by whole turns. True also if the coordinate has no searched range.
 [[nodiscard]] bool is_in_range(const Coordinate& coordinate, SearchKind kind, const Real& highest,
                                const Real& width = {});
 

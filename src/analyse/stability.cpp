@@ -1,7 +1,7 @@
 // Natural systems have normal modes. Eigen's self-adjoint solver gives the shapes in doubles. w^2
-// is the Rayleigh quotient in 64 digits, whose error is the squared error of the shape. All other
-// systems are judged by their poles. D counts as dissipative if dD/dv does not depend on q, and
-// d2D/dv2 at v = 0 is positive semidefinite.
+// is the Rayleigh quotient in 64 digits. The error of w^2 is the squared error of the shape. All
+// other systems are judged by their poles. D counts as dissipative if dD/dv does not depend on q,
+// and d2D/dv2 at v = 0 is positive semidefinite.
 #include "analyse/stability.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -40,7 +40,7 @@ constexpr double pole_noise = 1e-5;
 
 // Linear equations in doubles.
 
-/// The matrix with this number of rows, from row-major numbers rounded to doubles.
+/// The matrix with `rows` rows and the row-major entries `values`, rounded to doubles.
 Matrix matrix_of(const std::vector<cl_R>& values, std::size_t rows) {
   std::vector<double> numbers;
   for (const cl_R& value : values) numbers.push_back(to_double(value));
@@ -54,7 +54,7 @@ std::vector<double> row_major_values(const Matrix& matrix) {
   return {rows.data(), rows.data() + rows.size()};
 }
 
-/// [0 1; -M^-1 K, -M^-1 D] with D = `damping`; not finite if M is singular.
+/// [0, 1; -M^-1 K, -M^-1 D] with D = `damping`; some entries are not finite if M is singular.
 Matrix state_matrix(const RestPoint& point) {
   const std::size_t n = point.state.v.size();
   const auto size = static_cast<Eigen::Index>(n);
@@ -197,7 +197,8 @@ Poles poles_of(const RestPoint& point) {
   return poles;
 }
 
-/// Sets the verdict from the signs of the real parts. A conjugate pair has one growth rate.
+/// Sets `verdict` from the signs of the real parts of `poles`. A conjugate pair adds at most one
+/// growth rate.
 void set_verdict_from_poles(const Poles& poles, StabilityVerdict& verdict) {
   double largest = 0;
   for (const auto& pole : poles) largest = std::max(largest, std::abs(pole));

@@ -93,8 +93,8 @@ class BasisChange {
     return true;
   }
 
-  /// Subtracts a multiple of a common rotation, so that coinciding points do not move. For two
-  /// bodies, the rotation of one body about the other remains.
+  /// Subtracts `generator` from a multiple of a common rotation, if coinciding points do not move
+  /// under the difference. For two bodies, the rotation of one body about the other remains.
   void make_relative(const GeneratorLayout& all, const CommonRotation& common,
                      Generator& generator) {
     const std::size_t dimension = common.dimension;

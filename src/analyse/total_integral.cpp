@@ -1,5 +1,5 @@
-// Integrates the coefficient of each v_k by q_k and subtracts the integral's rate; the rest does
-// not contain v_k any more. Finally the rest is integrated by t.
+// Integrates the coefficient of each v_k with respect to q_k and subtracts the integral's rate.
+// The remaining rate contains no v_k and is integrated with respect to t.
 #include "analyse/total_integral.hpp"
 
 #include "analyse/formulas.hpp"

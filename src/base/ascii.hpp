@@ -12,7 +12,7 @@ namespace elgen {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// True if a name may contain the character after its first character.
+/// True if `c` may follow the first character of a name.
 [[nodiscard]] constexpr bool is_word_character(char c) {
   return is_letter(c) || is_digit(c) || c == '_';
 }

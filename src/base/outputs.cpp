@@ -352,7 +352,7 @@ constexpr OutputRow step_derivatives{
     .differentiates = true,
     .is_step = true};
 
-/// The row with its kind and name set, and with the needs that follow from other columns added.
+/// `row` with `kind` and `name`, and with the additional needs that follow from other columns.
 constexpr OutputRow complete_row(OutputKind kind, std::string_view name, OutputRow row) {
   row.kind = kind;
   row.name = name;

@@ -26,7 +26,7 @@ struct EntryReadRule {
   void (*read)(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 };
 
-/// Reads the instances of the given entries, in the order of the file.
+/// Reads the instances of the entries in `readers`, in the order of the file.
 void read_entries(Context& context, const std::vector<EntryInstance>& instances,
                   const std::vector<EntryReadRule>& readers) {
   for (const auto& [entry, scope, target] : instances) {
@@ -62,7 +62,7 @@ void read_all_entries(Context& context, const FileSyntax& syntax) {
   check_output_names(context.model, context.report);
 }
 
-/// Sets the kinds of arguments of each output besides q, from the leaves in its values.
+/// Sets UserOutput::argument_kinds, without q, from the leaves in the values of each output.
 void set_output_arguments(Model& model, const std::vector<ExpressionTraits>& traits) {
   for (UserOutput& output : model.outputs) {
     for (const ExpressionId value : output.values) {

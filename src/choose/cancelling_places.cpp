@@ -209,8 +209,8 @@ class PlaceSearch {
     add_place({x.coordinate, -std::sqrt(ratio), other});
   }
 
-  /// Adds places at which the root, inverse or function x cancels y. For f(a) = ±f(b) these
-  /// are the places with a = ±b. A root or inverse of a that equals a number is solved for a.
+  /// Adds places at which x, the root, inverse or function f of a sum a, cancels y. If y is a
+  /// number, a root or inverse x is solved for a. For f(a) = ±f(b), the places have a = ±b.
   void add_places_of_equality(const SumTerm& x, const SumTerm& y, double ratio) {
     using Kind = SumTerm::Kind;
     SumTerms difference = *x.inner;

@@ -100,7 +100,7 @@ class RecursiveForms {
         scene_(scene),
         zeros_(std::move(zeros)) {}
 
-  /// The recursive form of a function. The total energy is the sum of the two energies if possible.
+  /// The recursive form of a function. The form of the total energy is energy_sum() if possible.
   const Function& form(std::size_t index) {
     const auto known = energy_sums_.find(index);
     if (known != energy_sums_.end()) return known->second;

@@ -1,7 +1,7 @@
 // finish: see finish.hpp. A guard takes two instructions per pivot. A pivot needs no guard if M_ii
 // is a number or if the pivot is already divided by M_ii. The guard multiplies by 1/M_ii if the
-// function contains it. Lengths of quaternions are added instruction by instruction, so that all
-// components share them.
+// function computes 1/M_ii. Lengths of quaternions are added instruction by instruction, so that
+// all components share them.
 #include "choose/finish.hpp"
 
 #include <algorithm>
@@ -114,8 +114,8 @@ class TrigonometryOrder {
     for (std::uint32_t at = 0; at < size(); ++at) place_instruction(at);
   }
 
-  /// Old instruction numbers in the new order: sines and cosines first, then the rest in its old
-  /// order.
+  /// Old instruction numbers in the new order: first sines and cosines with their operands, then
+  /// all other instructions in their old order.
   InstructionNumbers order = {};
 
  private:

@@ -20,8 +20,8 @@ inline constexpr std::string_view diagonal_field = "diagonal";
 /// Algebra cancels common factors of D_i and M_ii, and with them the state at which both vanish and
 /// M is singular. 0/M_ii restores this state. Elsewhere 0/M_ii is exactly 0, and it needs neither a
 /// branch nor a comparison of scalars. If the reciprocal is infinite (M_ii below 1/4 of the
-/// smallest normal number), the result is NaN, as in the acceleration. `constants` may grow by 0.
-/// Pages omit guards.
+/// smallest normal number), the result is NaN, as in the acceleration. Adds the constant 0 to
+/// `constants` if missing. Pages omit guards.
 [[nodiscard]] Function with_guarded_pivots(Function forward_dynamics,
                                            std::vector<Constant>& constants);
 
@@ -35,7 +35,7 @@ inline constexpr std::string_view diagonal_field = "diagonal";
 [[nodiscard]] Function with_scaled_lengths(Function function, const std::string& name);
 
 /// Reorders instructions: first sines and cosines with their operands, both calls of an angle
-/// adjacent, then the rest in its old order.
+/// adjacent, then all other instructions in their old order.
 ///
 ///     before    0 = m  1 = l  2 = multiply 0 1  3 = q  4 = cos 3  5 = sin 3  6 = multiply 2 5
 ///     after     0 = q  1 = sin 0  2 = cos 0  3 = m  4 = l  5 = multiply 3 4  6 = multiply 5 1

@@ -24,8 +24,8 @@ constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_di
 constexpr double near_distance = distances[2];
 constexpr double nearest_distance = distances[3];
 
-/// The largest values of unbounded coordinates u in exp(u) and log(u). Up to 16, exp(u) covers a
-/// few decades; up to 1024, most of the range of double.
+/// Unbounded coordinates u in exp(u) and log(u) are 1/2 to 1 times one of these values. Up to 16,
+/// exp(u) covers a few decades; up to 1024, most of the range of double.
 constexpr double remote_values[]{16, -16, 1024, -1024};
 
 /// For each coordinate: true if it occurs in an argument of a function that `is_sought`.
@@ -91,8 +91,8 @@ class PointMaker {
     return domain_.states[next_state_++ % domain_.states.size()];
   }
 
-  /// Sets rates, accelerations and inputs to 0. Large ones would hide the digits that a static
-  /// force loses.
+  /// `point` with rates, accelerations and inputs set to 0, because large values would hide the
+  /// digits that a static force loses.
   static Arguments<double> point_at_rest(Arguments<double> point) {
     const auto stop = [](Opcode kind, std::uint32_t, double& value) {
       if (is_moving_leaf(kind)) value = 0;
@@ -113,7 +113,7 @@ class PointMaker {
     return point;
   }
 
-  /// False if the units differ or one of them is unknown.
+  /// True if the parameters `i` and `k` have the same unit; false if a unit is unknown.
   [[nodiscard]] bool has_same_unit(std::size_t i, std::size_t k) const {
     const std::optional<Unit>& unit = domain_.model.parameters[i].unit;
     return unit && unit == domain_.model.parameters[k].unit;

@@ -15,11 +15,12 @@ namespace {
 /// The search tries to expand at most this many of the whole sums, one after the other.
 constexpr std::size_t most_expanded_sums = 16;
 
-/// The most instructions of V and its derivatives. The closed forms of longer potentials, such as
-/// chains of springs, are never chosen and would take as long as all other functions.
+/// The largest number of instructions of V and its derivatives. Closed forms of longer potentials,
+/// such as of chains of springs, are never chosen and take as long as all other functions.
 constexpr std::size_t longest_potential = 1'500;
 
-/// A choice of whole sums that keeps no more digits than the best must save a fifth of the cost.
+/// A choice of whole sums that keeps no more digits than the best choice must save a fifth of the
+/// cost of the best choice.
 constexpr std::size_t max_cost_fifths = 4;
 
 /// For each sum of unexpanded_sums(): true if the sum stays whole.
@@ -32,7 +33,8 @@ struct UnexpandedChoice {
   double loss = 0;
 };
 
-/// Compares choices of whole sums by the losses of all functions, then by their costs.
+/// Searches for the choice of whole sums with the smallest loss; if losses are equal, for the
+/// cheapest choice. The loss of a choice is the largest loss of all functions.
 class UnexpandedSumSearch {
  public:
   UnexpandedSumSearch(const Program& potential, const Domain& domain, const Scene& scene)
@@ -226,7 +228,7 @@ std::optional<RewrittenPotential> rewrite_potential(const Program& potential, co
   if (scene.numerics.prefer == Preference::speed || length > longest_potential) return std::nullopt;
   Scene unnamed = scene;
   unnamed.outputs.clear();
-  // V and dV/dx contain the same sums as the second derivatives, so the search omits these.
+  // V and dV/dx contain the same sums as the second derivatives, so the search omits the latter.
   Program without_second = potential;
   without_second.functions.resize(2);
   UnexpandedSumSearch search(without_second, domain, unnamed);

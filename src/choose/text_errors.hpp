@@ -93,7 +93,7 @@ class FormErrors {
   Points points_;
   std::vector<RunningErrorRules<double>> rules_ = {};  ///< by point
   std::vector<RoughEntries> rough_entries_ = {};       ///< of the text, by point and entry
-  /// By point, on demand.
+  /// Entries of the text in 64 digits by point, computed on demand.
   mutable std::map<std::size_t, std::vector<RunningValue<Real>>> exact_entries_ = {};
   std::vector<std::vector<double>> magnitudes_ = {};  ///< by point and entry; NaN: no value
   /// Least E of all rewritings, by point and entry.

@@ -14,7 +14,7 @@ namespace elgen {
 /// the axes of its frame; the body also keeps `local`.
 void set_world_pose(Context& context, LocalBody local, Body& body);
 
-/// The given components (one to three), padded with zeros to three.
+/// `components` (one to three), padded with zeros to three.
 [[nodiscard]] Vector3 pad_to_three(const std::vector<ExpressionId>& components);
 
 /// Sets the pose [R p] (row-major) and the twist (angular velocity, velocity of the origin) of a

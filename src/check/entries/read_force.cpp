@@ -124,8 +124,8 @@ const KeySyntax* find_force_key(const EntrySyntax& entry, Report& report) {
   return nullptr;
 }
 
-/// Reads the output of a frame: its pose [R p], and its twist in the axes of the key `axes`, which
-/// are the world's or the frame's own.
+/// Reads the output of a frame: the pose [R p], and the twist in world axes or in the axes of the
+/// frame itself, as the key `axes` states.
 void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput& output) {
   Context& context = values.context();
   output.frame = values.resolve_reference(entry.find("frame")->value, SymbolKind::frame);

@@ -127,7 +127,7 @@ Vector3 transform_spin(NodeBuilder& nodes, const Model& model,
   return result;
 }
 
-/// Fills the pose and the angular velocities from the transforms and the parent.
+/// Sets the pose and the angular velocities of `frame` from its transforms and its parent.
 ///
 ///     before    parent world, translate (l, 0, 0), turn by q about z
 ///     after     R = [cos(q), -sin(q), 0; sin(q), cos(q), 0; 0, 0, 1], origin (l, 0, 0),
@@ -254,7 +254,7 @@ class FrameReader {
     frame_.transforms.push_back(transform);
   }
 
-  /// A number above one turn (2 pi < 7) is probably in degrees.
+  /// Reports E405 for a number above one turn (2 pi < 7), which is probably in degrees.
   void report_angle_in_degrees(const ValueSyntax& value, ExpressionId angle) {
     const Expression& e = context_.model.expressions[angle];
     if (e.kind != ExpressionKind::number || cln::abs(e.number) <= 7) return;
@@ -288,7 +288,7 @@ class FrameReader {
     }
   }
 
-  /// Adds a turn about an axis and a shift along it, which commute.
+  /// Adds a turn about an axis and a shift along the same axis, which commute.
   void add_screw(std::size_t axis, std::optional<ExpressionId> angle,
                  std::optional<ExpressionId> length) {
     if (angle) add_turn(axis, *angle);

@@ -98,7 +98,7 @@ class BodyReader {
     if (count == 3) body_.inertia.resize(6, no_expression);
   }
 
-  /// Reports E112: `spin` gives a body an angular velocity, but only `frame` gives it an origin.
+  /// Reports E112: `spin` gives a body an angular velocity, but only `frame` gives an origin.
   void report_missing_origin() {
     report_.add(Reason::inertia_without_origin, entry_.find("inertia_about")->key_span,
                 "a body without `frame` has no origin, so its inertia cannot be about the origin",

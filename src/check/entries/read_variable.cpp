@@ -47,7 +47,7 @@ void read_start(ValueReader& values, const ValueSyntax& table, Coordinate& coord
 }
 
 void check_wrap(Context& context, const EntrySyntax& entry, const Coordinate& coordinate) {
-  // The unit of rad is 1; without units in the model, the coordinate has none.
+  // The unit rad equals 1. A coordinate of a model without units has no unit and may wrap.
   const bool is_angle = coordinate.unit.value_or(*find_unit("rad")) == *find_unit("rad");
   if (!coordinate.wraps || is_angle) return;
   context.report.add(

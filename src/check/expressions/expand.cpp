@@ -130,8 +130,8 @@ class EntryExpander {
            namespace_of(context_, kind.kind).declare(name, kind.kind, target, context_.report);
   }
 
-  /// Adds the instance of an entry that has declared its own names; false after a failed
-  /// declaration.
+  /// Adds the instance `target` of an entry whose names are declared; false if the declaration
+  /// failed and `target` is none.
   bool add_declared_instance(const EntrySyntax& entry, const IndexScope& scope,
                              const std::optional<std::uint32_t>& target) {
     if (target) {

@@ -86,7 +86,8 @@ std::optional<DottedName> dotted_name(const std::string& name, const SymbolTable
   return std::nullopt;
 }
 
-/// Hint on how to write a rate or an angle in degrees, if the name suggests it; "" otherwise.
+/// Hint on how to write an angle in degrees, a rate or an acceleration, if `name` looks like any of
+/// these; "" otherwise.
 std::string rate_spelling_hint(const ExpressionSyntax& name, const SymbolTable& symbols) {
   if (name.text == "deg" || name.text == "degrees") return std::string(degrees_hint);
   const auto dotted = dotted_name(name.text, symbols);

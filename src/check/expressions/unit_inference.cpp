@@ -269,8 +269,8 @@ class UnitInference {
     return term.kind == ExpressionKind::negate ? term.operands[0] : id;
   }
 
-  /// Hint on two terms with different units: if one is dimensionless, a number in it may lack a
-  /// unit.
+  /// unnamed_number_hint() of `a` or `b`, whichever is dimensionless, because a number in this term
+  /// may lack a unit. "" if neither term is dimensionless.
   [[nodiscard]] std::string dimensionless_hint(ExpressionId a, ExpressionId b) const {
     if (units_[a].unit == Unit{}) return unnamed_number_hint(model_, a);
     return units_[b].unit == Unit{} ? unnamed_number_hint(model_, b) : "";

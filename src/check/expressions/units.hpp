@@ -15,7 +15,7 @@
 namespace elgen {
 
 /// The unit that a text denotes; none after E402. `*` and `/` associate to the left. `value`, if
-/// known, is the value in this unit; the hint converts it.
+/// known, is the value in this unit; the hint of E402 converts the value.
 [[nodiscard]] std::optional<Unit> read_unit(const ValueSyntax& unit, Report& report,
                                             const ValueSyntax* value = nullptr);
 

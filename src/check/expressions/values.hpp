@@ -75,8 +75,8 @@ class ValueReader {
   /// frame has this name. E201, E208.
   std::optional<LineEnd> resolve_joined_place(const ValueSyntax& value);
 
-  /// False after E104: a vector has 2 or 3 components. E516 if their number is not
-  /// Context::dimension.
+  /// True if `value` has 2 or 3 components; false after E104. Reports E516 if the number of
+  /// components is not Context::dimension.
   bool check_vector(const ValueSyntax& value);
 
   Context& context() { return context_; }
@@ -132,7 +132,7 @@ std::uint32_t append_row(Model& model, const EntrySyntax& entry, const NewName& 
   return static_cast<std::uint32_t>(rows.size() - 1);
 }
 
-/// The first two of the alternative `keys` that the entry has; null if absent. The caller
+/// The first two of the alternative `keys` that the entry has; null for a missing key. The caller
 /// reports a second key.
 [[nodiscard]] std::array<const KeySyntax*, 2> first_two_keys(
     const EntrySyntax& entry, std::span<const std::string_view> keys);

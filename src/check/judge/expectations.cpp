@@ -68,7 +68,7 @@ bool is_nested(const ValueSyntax& value) {
   return !value.items.empty() && value.items.front().kind == ValueKind::list;
 }
 
-/// The shape of the given entries: "2 x 1 entries".
+/// The shape of `rows`: "2 x 1 entries".
 std::string observed_dimensions_text(const Rows& rows) {
   const std::size_t columns = rows.empty() ? 0 : rows.front().size();
   const bool is_ragged =
@@ -192,8 +192,8 @@ class ExpectationReader {
     store_expectation(std::move(expectation));
   }
 
-  /// If the [[expect]] has a state and the last entry is a plain number, removes its expected unit:
-  /// plain numbers come from tables and get no E405.
+  /// If the [[expect]] has a state, removes the expected unit of the last entry if the entry is a
+  /// plain number: plain numbers come from tables and get no E405.
   void drop_plain_number_unit() {
     if (at_ && !context_.roots.empty() && context_.roots.back().is_in_role_unit) {
       context_.roots.back().unit.reset();

@@ -1,4 +1,4 @@
-// Checks whether resolved entries have equations of motion. Reads closed forms: [[expect]] ->
+// Checks whether the resolved entries define equations of motion. Reads closed forms: [[expect]] ->
 // Model::expectations.
 #pragma once
 

@@ -54,8 +54,8 @@ Expressions expressions_in_equations(const Model& model) {
   return all;
 }
 
-/// True if T has terms below degree 2 in the rates or a spin below degree 1, if V depends on rates,
-/// or if L is given.
+/// True if T has a term below degree 2 in the rates, if a spin has a term below degree 1, if V
+/// depends on rates, or if L is given.
 bool energy_may_drift(const Model& model, const std::vector<ExpressionTraits>& traits) {
   const Energies& e = model.energies;
   const auto lowest = [&](ExpressionId id) { return traits[id].lowest_rate_degree; };
@@ -188,7 +188,7 @@ Expressions expressions_in_energies(const Model& model) {
                                }));
 }
 
-/// Subexpressions differentiated by time in the energies, and the positions of masses.
+/// All subexpressions of the time derivatives in `energies` and of the positions of masses.
 Expressions differentiated_expressions(const Model& model, const Expressions& energies) {
   Expressions roots;
   std::ranges::copy_if(energies, std::back_inserter(roots), [&](ExpressionId id) {

@@ -4,10 +4,10 @@
 //     sin(kappa*L)/kappa      ->   stumpff(kappa*L, 1)*L
 //     x + L/q - L/q*cos(q)    ->   x + L*q*stumpff(q, 2)
 //
-// by sin(a) = a stumpff(a, 1) and X - X cos(a) = X a^2 stumpff(a, 2), with a = c q. This precedes
-// any derivation, since derivatives of these quotients are not recognised. Nodes of the arena
-// change in place, so that references stay valid. Model::original_expressions keeps the original
-// nodes.
+// by sin(a) = a stumpff(a, 1) and X - X cos(a) = X a^2 stumpff(a, 2), with a = c q. The rewriting
+// precedes any derivation, since derivatives of these quotients are not recognised. Nodes of the
+// arena change in place, so that references stay valid. Model::original_expressions keeps the
+// original nodes.
 #include <cln/integer.h>
 
 #include <algorithm>
@@ -147,7 +147,7 @@ class PowerProduct {
   std::size_t visits_ = 0;
 };
 
-/// Recognises X and -X cos(a) as X (1 - cos(a)).
+/// The factor X (1 - cos(a)) if `whole` is X and `part` is -X cos(a); none for other terms.
 std::optional<VanishingFactor> find_versine(const Model& model, ExpressionId whole,
                                             ExpressionId part) {
   PowerProduct quotient(model, part);
@@ -171,7 +171,7 @@ std::optional<VanishingFactor> find_vanishing_factor(const Model& model, Express
   return factor ? factor : find_versine(model, node.operands[1], node.operands[0]);
 }
 
-/// sin(a) = a stumpff(a, 1), X - X cos(a) = X a^2 stumpff(a, 2)
+/// Multiplies `product` by sin(a) = a stumpff(a, 1) or X - X cos(a) = X a^2 stumpff(a, 2).
 void multiply_series(PowerProduct& product, const VanishingFactor& factor) {
   if (factor.scale) product.multiply(*factor.scale, 1);
   product.multiply(factor.argument, factor.order);
@@ -229,8 +229,8 @@ std::optional<PowerProduct> merge_pair(const Model& model, ExpressionId whole, E
   return product;
 }
 
-/// The sum with each pair X and -X cos(a) merged if both contain 1/q; none if no pair matches. The
-/// number of comparisons is quadratic, so longer sums are not rewritten.
+/// The sum with each pair X and -X cos(a) merged if both contain 1/q; none if no pair matches. None
+/// also for more than `most_quotients` terms with 1/q: the number of comparisons is quadratic.
 std::optional<ExpressionId> merge_pairs_of_sum(NodeBuilder& nodes, const Model& model,
                                                ExpressionId id) {
   constexpr std::size_t most_quotients = 100;

@@ -99,7 +99,8 @@ EnclosedResult apply_operation(const Expression& node, const Operands& x,
   }
 }
 
-/// The result of an operation; unknown if a float overflows, such as an error bound of few digits.
+/// The result of an operation; unknown if a float overflows. The float may be an error bound, which
+/// has few digits.
 EnclosedResult try_operation(const Expression& node, const Operands& x,
                              const EnclosedArithmetic& with) {
   try {

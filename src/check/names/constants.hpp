@@ -27,7 +27,7 @@ struct ConstantOutcome {
   std::optional<ConstantFailure> failure = {};
 };
 
-/// Decimal digits to which constants are kept.
+/// Correct decimal digits of a constant that is not rational.
 inline constexpr int constant_digits = 100;
 
 /// Value of one node from the values of its operands, in floats of `digits` decimal digits. A sum

@@ -23,7 +23,7 @@ LanguageId find_language(std::string_view name) {
 
 constexpr const char* language_hint = "omit the key, or write `language = \"c++17\"`";
 
-/// True if a language that takes one scalar supports the requested scalars.
+/// True if `numerics` requests one scalar, and code in `language` can have this scalar.
 bool takes_scalars(const LanguageRow& language, const Numerics& numerics) {
   if (numerics.scalars.size() != 1) return false;
   const ScalarKind scalar = numerics.scalars.front();

@@ -96,7 +96,7 @@ class HeldCoordinateReader {
     return id;
   }
 
-  /// The quaternion scaled to length 1, on which every later stage relies.
+  /// The quaternion scaled to length 1; every later stage relies on this length.
   std::vector<ExpressionId> read_unit_quaternion(const ValueSyntax& value) {
     std::vector<ExpressionId> components(quaternion_size, no_expression);
     if (value.kind != ValueKind::list || value.items.size() != quaternion_size) {

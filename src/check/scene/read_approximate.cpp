@@ -62,7 +62,7 @@ class ApproximationReader {
     result_.order = cln::cl_I_to_uint(cln::floor1(order));
   }
 
-  /// Reads the given values, or copies an equilibrium of the model.
+  /// Reads the values in `about`, or copies the equilibrium that `about` names.
   void read_point(const ValueSyntax& about) {
     if (about.kind == ValueKind::text) return copy_equilibrium(about);
     ValueReader values(context_);

@@ -108,7 +108,7 @@ class SceneReader {
     check_steps(context_, scene_.outputs);
   }
 
-  /// The scene's entry for the step with this name, either the standard name or a new one.
+  /// The scene's entry for the step `name`, a standard or a new name; null if absent.
   const KeySyntax* find_step_key(const EntrySyntax* outputs, const std::string& name) const {
     if (outputs == nullptr) return nullptr;
     const bool is_standard = find_request(model_, name).has_value();
@@ -227,8 +227,8 @@ class SceneReader {
     }
   }
 
-  /// Fixes the parameters that `name` denotes: NAME all elements, NAME[i] one element, "all" every
-  /// parameter. Without `value`, a parameter is fixed at its value in the model.
+  /// Fixes the parameters that `name` denotes. NAME denotes all elements, NAME[i] one element, and
+  /// "all" every parameter. Without `value`, a parameter is fixed at its value in the model.
   void fix_parameters_named(const std::string& name, const Span& span, const ValueSyntax* value) {
     const bool fixes_all = name == "all" && value == nullptr;
     std::vector<std::uint32_t> targets(model_.parameters.size());

@@ -1,4 +1,4 @@
-// Marks the outputs of a model that are wanted; adds the outputs that an animated page needs.
+// Marks the requested outputs of a model; adds the outputs that an animated page needs.
 #include <fmt/format.h>
 
 #include <algorithm>
