@@ -58,7 +58,7 @@ inline std::string number_error(const std::string& word) {
   return is_read ? "" : "`" + word + "` is not a whole number below 2^64";
 }
 
-/// Adds an option with a number; `value` stays empty if the command line lacks the option.
+/// Adds an option for a number to `command`. Without the option, `value` stays empty.
 inline CLI::Option* add_number_option(CLI::App& command, const char* name,
                                       std::optional<double>& value, const char* doc) {
   return command.add_option_function<double>(

@@ -46,8 +46,8 @@ bool is_hidden(const fs::path& name) { return name.string().starts_with("."); }
 struct VersionReader {
   SourceReader read;
   std::function<Result<PipelineSources>(const std::string& path)> read_inputs;
-  /// The paths of all files below a folder, relative to it, without files in hidden folders. E707
-  /// if a folder cannot be read.
+  /// The paths of all files below `folder`, relative to `folder`, without files in hidden folders.
+  /// E707 if a folder cannot be read.
   std::function<Result<std::vector<std::string>>(const std::string& folder)> list_files;
 };
 
@@ -105,7 +105,7 @@ std::string join_paths(const std::string& folder, const std::string& inside) {
   return (fs::path(folder) / inside).lexically_normal().generic_string();
 }
 
-/// The role of a TOML file.
+/// The role of a TOML file in the comparison of two folders.
 enum class FileRole : std::uint8_t {
   system,    ///< a model or a scene, or a file that cannot be read
   doubtful,  ///< may be a model with errors
@@ -148,11 +148,11 @@ Result<FolderFiles> find_systems(const VersionReader& side, const std::string& f
   return files;
 }
 
-/// A file that exists on one side only.
+/// A file that only one of the two versions has.
 struct UnpairedFile {
   const VersionReader* reader = nullptr;
-  std::string path = {};         ///< the path on its side
-  std::string report_path = {};  ///< the path in the report
+  std::string path = {};  ///< the path in the version that has the file
+  std::string report_path = {};
 };
 
 class VersionComparison {
@@ -269,7 +269,7 @@ class VersionComparison {
     }
   }
 
-  /// Adds to the report the errors of a file that is not compared; true if the file has none.
+  /// Adds to the report the errors of a file that is not compared; true if the file has no errors.
   bool keep_input_errors(const std::string& path, const PipelineSources& inputs) {
     return keep_errors(path, inspection_diagnostics(inputs, limits_));
   }

@@ -24,7 +24,7 @@ struct DiffOptions {
   std::vector<std::string> only = {};
   std::string format = {};  ///< empty: follows the global --format
   bool lists_all = false;
-  bool strict = false;  ///< equal entries without a proof count as different
+  bool strict = false;  ///< undecided entries count as different
 };
 
 struct DiffFormat {

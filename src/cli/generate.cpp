@@ -1,4 +1,4 @@
-// elgen generate: writes the files of its inputs, or prints with --check, --list-outputs, --stdout.
+// elgen generate: writes the emitted files. With --check, --list-outputs or --stdout, only prints.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -20,7 +20,7 @@ namespace {
 
 struct ImportCommandOptions {
   std::string input = {};
-  std::string checked_file = {};  ///< the model file of --check; nothing is written
+  std::string checked_file = {};  ///< the file that --check compares with the import
   FileOption output = {};         ///< empty: stdout
   ImportOptions model = {};
 };

@@ -21,7 +21,7 @@ struct GlobalOptions {
   Limits limits = {};
 };
 
-/// Prints a result on stdout, in one piece. E706 if that fails.
+/// Prints a result on stdout, all bytes in one call. E706 if stdout cannot be written.
 ExitCode print(const GlobalOptions& global, const std::string& result);
 
 /// Prints diagnostics on stderr, without notes if --quiet is set, and returns their exit code.

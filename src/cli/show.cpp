@@ -208,7 +208,7 @@ std::string cost_table(const PipelineSources& inputs, const PipelineOptions& opt
   rows[0].emplace_back("alone");
   columns.push_back({true, 12});
   for (std::size_t i = 0; i < requests.size(); ++i) {
-    if (!has_equations(output_row(requests[i].kind))) continue;  // an integration step has none
+    if (!has_equations(output_row(requests[i].kind))) continue;  // a step has no equations
     std::vector<std::string>& row = rows.emplace_back(1, requests[i].name);
     const std::vector<std::string> costs = cost_columns(requests[i], *products.program, full);
     row.insert(row.end(), costs.begin(), costs.end());

@@ -22,8 +22,8 @@ namespace elgen::cli {
 /// Prints the dump, if any, on stdout and the diagnostics on stderr.
 ExitCode report_products(const GlobalOptions& global, const Products& products);
 
-/// True if the model or scene in the file `path` is called `name`, or has errors, so that its name
-/// is unknown. False if the file cannot be read.
+/// True if the model or scene in the file `path` is called `name`, or if errors hide the name.
+/// False if the file cannot be read.
 [[nodiscard]] bool may_have_name(const GlobalOptions& global, const std::string& path,
                                  const std::string& name);
 

@@ -1,5 +1,5 @@
-// elgen tradeoff: measures the designs of one output, or of runs, and prints a table. The table's
-// file and the scene of a picked row are written together or not at all.
+// elgen tradeoff: prints a table of measured designs of one output, or of measured runs. The file
+// of the table and the scene of a picked row are written together or not at all.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -141,7 +141,7 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
   ExitCode found = report(global, result.diagnostics);
   if (!result) return found;
   if (!result->compiler_errors.empty()) {
-    // Other designs were compiled and measured, so the exit code is not the one of an internal
+    // Other designs were compiled and measured, so the exit code does not report an internal
     // error.
     report(global, result->compiler_errors);
     found = ExitCode::inaccessible;
@@ -197,7 +197,7 @@ void add_subject_options(CLI::App& command, TradeoffOptions& options) {
   command.get_option("--range")->excludes(time);
 }
 
-/// Adds the options for the output of the table.
+/// Adds the options for the table, and for the scene of the picked row.
 void add_output_options(CLI::App& command, TradeoffOutput& output) {
   CLI::Option* const max_error =
       add_number_option(command, "--max-error", output.max_error,

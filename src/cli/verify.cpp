@@ -22,7 +22,7 @@
 namespace elgen::cli {
 namespace {
 
-/// A word of --build.
+/// A word of --build, and the build that the word selects.
 struct BuildWord {
   std::string_view word;
   BuildFlags build;
@@ -70,8 +70,8 @@ auto run_timed(const std::string& name, Products& products, const Progress& prog
   return result;
 }
 
-/// One header without code and with the reason `late`, so that all checks of code are skipped: a
-/// slow compiler is no fault of the model.
+/// One header without code and with the reason `late`. All checks of code are then skipped, because
+/// a slow compiler is no fault of the model.
 CompiledHeaders skipped_header(const Diagnostic& late) {
   CompiledHeaders headers(1);
   headers.front().failure_reason = late.message + "; " + late.hint;

@@ -25,7 +25,7 @@ namespace {
 
 using Fields = std::vector<FieldEquations>;
 
-/// The entries of each field of an output; one element per field, in the order of the table.
+/// The entries of each field of an output: one list per field, in the order of the output table.
 using FieldEntries = std::vector<RealVector>;
 
 FieldEntries field_entries(RealVector x) { return {std::move(x)}; }

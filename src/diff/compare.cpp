@@ -136,7 +136,7 @@ bool has_same_texts(const Version& before, const Version& after) {
          source_text(scene_syntax(before).source) == source_text(scene_syntax(after).source);
 }
 
-/// The parameters that only the newer version has, with the value 0 instead of their own.
+/// The parameters that only the newer version has, each with the value 0.
 ParameterValues new_parameters(const Version& before, const Version& after,
                                const Renames& renames) {
   ParameterValues values;

@@ -24,7 +24,7 @@ Json json_of(const KeyChange& change) {
           {"new_place", json_of(change.new_span)}};
 }
 
-/// The words of EntryVerdict, in its order.
+/// The words of EntryVerdict in JSON, in the order of the enumerators.
 constexpr std::array verdict_words{"identical", "equal", "not_told_apart",
                                    "different", "added", "removed"};
 

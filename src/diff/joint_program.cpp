@@ -89,7 +89,7 @@ auto JointProgram::add_leaves(const LeafNames& names) -> LeafIndices {
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
 #undef ELGEN_LEAF
-  // A parameter that both versions have gets the weaker of its assumptions.
+  // A parameter that both versions have gets the weaker of the two assumptions.
   joint.assumptions.resize(joint.parameters.size(), Assumption::none);
   for (std::uint32_t i = 0; i < names.parameters.size(); ++i) {
     Assumption& assumption = joint.assumptions[places.parameters[i]];
@@ -146,8 +146,8 @@ struct LabelledEntry {
   std::string unit = {};
 };
 
-/// True if both versions eliminate in the same order, on which the pivots of M and of A M^-1 A^T
-/// depend.
+/// True if both versions have the same order of elimination, on which the pivots of M and of
+/// A M^-1 A^T depend.
 bool has_same_pivot_order(const Model& before, const Model& after, const Renames& renames) {
   return labels_of(before, renames, Extent::pivots) == labels_of(after, {}, Extent::pivots);
 }

@@ -62,8 +62,8 @@ std::vector<std::string> closed_form_texts(const Program& program, const Functio
   return texts;
 }
 
-/// Number of states from which a witness is selected. Further states may reveal differences at
-/// roots and kinks.
+/// Number of states from which a witness is selected. decide_zeros() evaluates all states, to
+/// find differences at roots and kinks.
 constexpr std::size_t witness_count = 16;
 constexpr std::size_t state_count = zero_sample_count;
 constexpr std::uint64_t seed_of_witnesses = 16;

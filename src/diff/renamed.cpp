@@ -33,7 +33,7 @@ void rename(std::vector<KeySyntax>& keys, const std::string& table, const Rename
 
 /// Renames all names in `value`. `table`: the path of `value` in the key table, needed for tables.
 void rename(ValueSyntax& value, const std::string& table, const Renames& renames) {
-  // If the value is a single name, its text is renamed, too, because it identifies entries.
+  // If the value is a single name, the text is renamed, too, because the text identifies entries.
   const bool is_name = value.kind == ValueKind::expression &&
                        value.expression.kind == SyntaxKind::name &&
                        value.expression.operands.empty();

@@ -18,8 +18,8 @@ namespace elgen {
 namespace {
 
 constexpr std::uint64_t seed_of_zeros = 16;
-/// The largest number of points to try until each entry has a value at enough points: 8 points for
-/// each needed point, for 4 scales and 2 rules of signs.
+/// The largest number of points to try until each entry has a value at enough points. The factor 8
+/// is the number of scales (4) times the number of rules of signs (2).
 constexpr std::size_t most_tries = 8 * zero_sample_count;
 
 /// The observation of an entry at one point; `inconclusive`: no value, or rounding hides the value.
@@ -108,8 +108,8 @@ class PointObserver {
     return point;
   }
 
-  /// True if only one of both terms has a value: at x < 0, log(x^2) has a value but 2 log(x) has
-  /// none.
+  /// True if only one of the two operands of `i` has a value: at x < 0, log(x^2) has a value but
+  /// 2 log(x) has none.
   static bool is_one_sided(const Instruction& i, const std::vector<RunningValue<Real>>& values) {
     return operand_count(i) > 1 && values[i.a].value.is_defined() != values[i.b].value.is_defined();
   }

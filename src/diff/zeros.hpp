@@ -15,10 +15,10 @@ enum class ZeroVerdict : std::uint8_t {
   proved,     ///< the closed form is the empty sum
 };
 
-/// The verdict on each entry, in the order of the fields. Cost: one evaluation in 64 digits. An
-/// entry that may vanish there costs a proof. If the proof does not decide, the entry is evaluated
-/// at `zero_sample_count` more points; an entry that is not analytic, again at `states` and at
-/// `zero_sample_count` further points.
+/// The verdict on each entry, in the order of the fields. Cost: one evaluation at a random point in
+/// 64 digits, and a proof for each entry that may vanish at this point. If the proof is undecided,
+/// the entry is evaluated at `zero_sample_count` more points; an entry that is not analytic, again
+/// at `states` and at `zero_sample_count` further points.
 [[nodiscard]] std::vector<ZeroVerdict> decide_zeros(
     const Program& program, const Function& function,
     const std::vector<Arguments<double>>& states = {});

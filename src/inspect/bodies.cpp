@@ -5,7 +5,7 @@
 //
 //     d/dt dw/dv_i - dw/dq_i = sum_j (ds_i/dq_j - ds_j/dq_i) v_j + ds_i/dt - ds0/dq_i
 //
-// vanishes identically. The oracle evaluates it as the equation of motion of the Lagrangian L = w.
+// vanishes identically. The oracle evaluates this expression as the equation of motion of L = w.
 #include <fmt/format.h>
 
 #include "elgen/inertia.hpp"

@@ -1,6 +1,6 @@
 // E312, E313, E314, E910: constants without a value, and too large powers, that are found only if
-// names are replaced by their expressions. Such names are definitions, prescribed functions without
-// t, components of points, fixed parameters and locks.
+// names are replaced by their expressions. These names are definitions, prescribed functions
+// without t, components of points, fixed parameters and locks.
 //
 //     c = 2      asin(c)*x        asin(c) has no value
 //     x1 = x*x   x2 = x1*x1 ...   the degree is computed before anything is expanded
@@ -180,7 +180,7 @@ class ConstantEvaluator {
     return false;
   }
 
-  /// The values of the names in a node that has no value: "`c` is 2".
+  /// The known values of the names in the operands of `node`: "`c` is 2, `d` is fixed at 3".
   [[nodiscard]] std::string operand_values_text(const Expression& node) const {
     std::vector<std::string> values;
     std::vector<ExpressionId> stack(node.operands.rbegin(), node.operands.rend());

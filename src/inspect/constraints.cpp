@@ -3,7 +3,7 @@
 // equations.
 //
 // For E537, A is evaluated at several poses near the start that satisfy the constraints, because
-// equations may be dependent only at such poses. A linear combination of rows that is 0 is a null
+// equations may be dependent only at these poses. A linear combination of rows that is 0 is a null
 // vector of A^T. The equations are dependent if A^T has a null vector at every pose.
 #include <fmt/format.h>
 

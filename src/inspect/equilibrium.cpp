@@ -1,5 +1,5 @@
 // E613: an [[equilibrium]], or the point about which a scene expands, is no equilibrium. E614:
-// energies or forces have no expansion there.
+// energies or forces have no expansion at this point.
 //
 // The oracle evaluates the model at rest at the point, at several times and parameter values that
 // meet the condition of the point. The residual bias - B u must be 0: in all rows for an

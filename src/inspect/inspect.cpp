@@ -35,7 +35,7 @@ Diagnostics inspect(const Model& model, const Scene& scene) {
   add(inspect_smoothed_friction(subject));
   if (!has_errors(all)) add(inspect_equilibria(subject));
   if (!has_errors(all)) add(inspect_expansion_point({model, scene}));
-  // If all entries of a repetition have the same mistake, it is reported once.
+  // If all entries of a repetition have the same mistake, the mistake is reported once.
   Report unique;
   for (Diagnostic& diagnostic : all) unique.add(std::move(diagnostic));
   return unique.sorted_diagnostics();

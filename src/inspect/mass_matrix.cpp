@@ -4,8 +4,8 @@
 // E524: at a sampled state, M is regular but not positive definite.
 // E525: D is negative at a sampled state.
 // E501: M is singular at every sampled state: M x = 0, so x is a motion without kinetic energy. The
-// message has the basis of the null space if it is the same at all samples, else its dimension. For
-// outputs that divide by M, E501 is also reported if a diagonal entry is 0 at every sample.
+// message has a basis of the null space if the basis is the same at all samples, else the rank. If
+// an output divides by M, E501 is also reported if a diagonal entry is 0 at every sample.
 // E511: M is regular in general, but loses rank at special configurations. The `singular` factor of
 // a coordinate declares these configurations. Without a factor, we try multiples of a right angle
 // for each angle and 0 for each coordinate, with random values of all other coordinates.
@@ -84,8 +84,8 @@ Diagnostic rank_deficit_error(const Model& model, const Basis& basis, const Stat
           "too many coordinates, or a mass is missing"};
 }
 
-/// The velocities among `candidates` whose diagonal entry is only rounding error relative to its
-/// row. Then M is not positive definite, and its factorisation fails.
+/// The velocities i among `candidates` for which M_ii is only rounding error relative to row i. If
+/// the list is not empty, M is not positive definite, and the factorisation fails.
 std::vector<std::size_t> rates_without_energy(const MassSample& sample,
                                               const std::vector<std::size_t>& candidates) {
   const std::size_t n = sample.state.v.size();
@@ -264,7 +264,7 @@ Diagnostics inspect_mass_matrix(const InspectedModel& subject) {
 Diagnostics inspect_signs(const InspectedModel& subject) {
   const Model& model = subject.model;
   Diagnostics found = negative_mass_errors(subject);
-  // D has one root; with several, their sum would have to be checked.
+  // D has one root; several roots would have to be summed before the check.
   for (const ExpressionId root : dissipation_roots(model)) {
     for (unsigned seed = 0; seed < zero_sample_count; ++seed) {
       const auto value = oracle_expression_value(model, root, sample_state(subject, seed));

@@ -65,7 +65,7 @@ Diagnostic omission_note(const OmittedOutputs& left_out) {
           "use a smooth approximation: `tanh(x/width)` for `sign(x)`"};
 }
 
-/// The place of the first tanh in a force whose argument contains rates; none if there is none.
+/// The place of the first tanh of rates in a force; none if no force contains a tanh of rates.
 std::optional<Span> find_smoothed_friction(const Model& model) {
   for (const ExpressionId id : reachable_expressions(model, filter_roots(model, is_force_value))) {
     const Expression& node = model.expressions[id];

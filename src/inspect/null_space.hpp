@@ -10,7 +10,7 @@ namespace elgen {
 using RealVector = std::vector<cln::cl_R>;
 
 /// 1e-80. An entry that is smaller than this multiple of the largest entry is rounding error of the
-/// oracle, because inertias of one model do not differ by such a factor.
+/// oracle, because inertias of one model do not differ by a factor of 1e80.
 [[nodiscard]] const cln::cl_R& rounding_tolerance();
 
 /// The largest magnitude in each row of a row-major matrix with n columns; 0 if this magnitude is

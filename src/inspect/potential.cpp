@@ -159,7 +159,7 @@ ParameterSet parameters_in(const Model& model, const std::vector<ExpressionId>& 
   return found;
 }
 
-/// A mass and its position, whose weight is -m gravity.p.
+/// A mass m and its position p; the weight has the energy -m gravity.p.
 struct PlacedMass {
   std::string name;
   ExpressionId mass = 0;
@@ -177,7 +177,7 @@ std::vector<PlacedMass> placed_masses(const Model& model) {
   return weights;
 }
 
-/// -m gravity.p; none if it has no value.
+/// -m gravity.p; none if m, gravity or p has no value.
 std::optional<cl_R> weight_energy(const Model& model, const PlacedMass& weight,
                                   const State& state) {
   const auto mass = oracle_expression_value(model, weight.mass, state);
@@ -205,8 +205,8 @@ std::optional<cl_R> dependent_part(const StateEnergy& energy, const std::vector<
   return with_all && with_none ? std::optional(*with_all - *with_none) : std::nullopt;
 }
 
-/// The dependent part of an energy at the sampled states, minus its value at the first state,
-/// because a constant in an energy has no effect.
+/// The dependent part of an energy at each sampled state, minus the dependent part at the first
+/// state, because a constant in an energy has no effect.
 std::vector<cl_R> dependent_differences(const InspectedModel& subject, const StateEnergy& energy,
                                         const std::vector<ParameterSet>& sets) {
   std::vector<cl_R> values;

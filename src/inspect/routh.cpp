@@ -1,6 +1,6 @@
 // Momenta of `[routh]`, and E635 if the coordinate of a momentum is not cyclic. L depends on the
-// coordinate if dL/dq is not 0 at a sampled state. If dL/dq is 0 at all samples, we assume that L
-// does not depend on it; verification compares the derived functions with the whole model anyway.
+// coordinate if dL/dq is not 0 at a sampled state. If dL/dq is 0 at all samples, we assume that the
+// coordinate is cyclic; verification compares the derived functions with the whole model anyway.
 #include <utility>
 
 #include "base/reason.hpp"
@@ -40,8 +40,8 @@ bool changes_lagrangian(const InspectedModel& subject, const CyclicCoordinate& c
   return false;
 }
 
-/// True if the block of M for the cyclic velocities is singular at every sample at which it has a
-/// value.
+/// True if the block of M for the cyclic velocities is singular at every sample at which the block
+/// has a value.
 bool has_dependent_momenta(const InspectedModel& subject,
                            const std::vector<CyclicCoordinate>& cyclic) {
   const Model& model = subject.model;

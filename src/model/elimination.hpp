@@ -13,8 +13,8 @@ namespace elgen {
 inline constexpr std::size_t min_articulated_velocities = 10;
 
 /// The order in which velocities are eliminated: true from the last to the first, false from the
-/// first to the last. It determines the relative pivots of forward dynamics. True if a frame
-/// carries at least two other frames: then branches of the tree cause no fill-in between them. True
+/// first to the last. The order determines the relative pivots of forward dynamics. True if a frame
+/// carries at least two other frames: then there is no fill-in between branches of the tree. True
 /// if a model with frames has at least min_articulated_velocities velocities: the articulated-body
 /// algorithm has this order.
 [[nodiscard]] bool eliminates_backward(const Model& model);

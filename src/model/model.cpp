@@ -63,7 +63,7 @@ bool is_locked(const Model& whole, std::uint32_t velocity) {
   });
 }
 
-/// The velocities on which a force does work: none, only locked velocities, or also others.
+/// The velocities on which a force does work: none, only locked velocities, or free velocities too.
 enum class WorkTarget : std::uint8_t { nothing, locks, others };
 
 WorkTarget work_target(const Model& whole, const Force& force) {

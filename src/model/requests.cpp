@@ -67,8 +67,8 @@ FieldLine constraint_line(const Constraint& constraint, std::uint32_t number) {
 
 using LineNames = std::span<const std::string_view>;
 
-// Rows of a pose [R p] are the axes of the world. Its columns are the axes and the origin of the
-// frame. The rows of a twist are the angular velocity, then the velocity of the origin.
+// The rows of a pose [R p] are the axes of the world; the columns are the axes and the origin of
+// the frame. The rows of a twist are the angular velocity, then the velocity of the origin.
 constexpr std::array<std::string_view, 3> rows_of_pose{"x", "y", "z"};
 constexpr std::array<std::string_view, 4> columns_of_pose{"x", "y", "z", "p"};
 constexpr std::array<std::string_view, 6> rows_of_twist{"wx", "wy", "wz", "vx", "vy", "vz"};

@@ -41,7 +41,7 @@ struct FieldLine {
   /// of a position constraint, the unit of the constraint per second. Lines of accelerations,
   /// states and pivots also have the unit of their entry.
   std::optional<Unit> unit = {};
-  std::optional<Opcode> leaf = {};  ///< kind of its leaf; none: the line has no leaf
+  std::optional<Opcode> leaf = {};  ///< kind of the leaf; none: the line has no leaf
   std::uint32_t number = 0;         ///< number of the leaf, or index of the entry in its list
   bool is_rate = false;             ///< true for the lines of v in a state (q, v)
   bool is_numbered = false;         ///< true for values of an [[output]], named by their number

@@ -63,7 +63,7 @@ std::set<std::uint32_t> referenced_places(const Model& model, const std::vector<
   return named;
 }
 
-/// The frame in which a point or body is declared; for a frame its parent; none: the world.
+/// The frame in which a point or body is declared, or the parent of a frame; none: the world.
 std::optional<std::uint32_t> carrying_frame(const Model& model, const ShownPlace& place) {
   if (place.kind == PlaceKind::frame) return model.frames[place.index].parent;
   if (place.kind == PlaceKind::body) {

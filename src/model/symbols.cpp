@@ -96,8 +96,8 @@ Glyphs input_symbol(const Model& model, const Input& input) {
   return symbol;
 }
 
-/// The text by which symbols are compared. It ignores the style of letters, because upright and
-/// italic letters look alike.
+/// The text by which symbols are compared: the LaTeX text without the style of letters, because
+/// upright and italic letters look alike.
 std::string visible_text(const Glyphs& symbol) {
   std::string text = to_latex(symbol);
   for (std::size_t at = 0; (at = text.find("\\mathrm", at)) != std::string::npos;) {
@@ -129,8 +129,8 @@ Glyphs partial_glyphs(const Glyphs& of, const char* order) {
 }
 
 /// The symbol of an open value: V(r), or V'(r) for the derivative of a function of one argument.
-/// For a derivative by one of several arguments \frac{\partial V}{\partial x}, or \partial_{1} V if
-/// an argument has no symbol.
+/// For a derivative by one of several arguments, the symbol is \frac{\partial V}{\partial x}; if an
+/// argument has no symbol, \partial_{1} V.
 Glyphs open_value_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
                          const std::vector<std::uint32_t>& by) {
   const bool have_names =

@@ -28,7 +28,7 @@ namespace elgen {
 
 /// "mass_matrix" -> "Mass matrix"
 [[nodiscard]] std::string title_from_name(std::string name);
-/// The title of a model; if it has no title, its name as a title.
+/// The title of a model; if the model has no title, title_from_name() of the model's name.
 [[nodiscard]] std::string page_title(const Model& model);
 
 /// The symbols of a model, from its `latex` keys or else from its names. All symbols are distinct:

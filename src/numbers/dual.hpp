@@ -1,5 +1,5 @@
-// Dual: value + slope * epsilon with epsilon^2 = 0. A program evaluated on duals gives its
-// derivative along one direction, exact to the base type. Dual<Dual<Real>> gives second
+// Dual: value + slope * epsilon with epsilon^2 = 0. A program evaluated on duals also gives the
+// derivative along one direction, without a truncation error. Dual<Dual<Real>> gives second
 // derivatives.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Echelon: Gaussian elimination of linear equations over any field of numbers. It takes the columns
-// from left to right. The field chooses the pivot of a column and decides which numbers are 0.
+// Echelon: Gaussian elimination of linear equations over any field of numbers. Columns are
+// eliminated from left to right. The field chooses the pivots and decides which numbers are 0.
 //
 //     2x + 4y + 6z                  x + 2y
 //      x + 2y + 4z   -- reduced ->           z     rank 2, kernel (-2, 1, 0)
@@ -115,7 +115,7 @@ class Echelon {
       eliminate_column(column);
   }
 
-  /// The same for a row-major matrix.
+  /// The same elimination for a row-major matrix with `columns` columns.
   Echelon(Field& field, const std::vector<Number>& matrix, std::size_t columns,
           std::size_t unknowns)
       : Echelon(field, echelon_rows(matrix, columns), unknowns) {}

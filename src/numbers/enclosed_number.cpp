@@ -48,7 +48,7 @@ cl_F exp_minus_one(const cl_F& x) {
 }
 
 /// c_k(x) for k > 0; a negative `order` gives c_|order|(i x). Sums the power series if its terms
-/// decrease from the first one on. Otherwise uses
+/// decrease from the first term on. Otherwise uses
 ///
 ///     c_1 = sin(x)/x     c_2 = 2 (sin(x/2)/x)^2     c_(n+2) = (1/n! - c_n)/x^2
 cl_F stumpff_function(const cl_F& x, int order) {
@@ -81,7 +81,7 @@ int stumpff_order(const cl_R& k) { return cln::cl_I_to_int(cln::round1(k)); }
 bool is_zero(const EnclosedNumber& x) { return is_exact(x) && cln::zerop(x.value); }
 
 /// An angle x is a pole of tan if the enclosure of cos(x) contains 0, and the error of cos(x)
-/// exceeds |cos(x)| by at most this.
+/// exceeds |cos(x)| by at most this distance.
 const cl_R& pole_distance() {
   static const cl_R distance = power_of_ten(-60);
   return distance;
@@ -229,7 +229,7 @@ EnclosedResult EnclosedArithmetic::logarithm(FunctionId function, const Enclosed
 EnclosedResult EnclosedArithmetic::exponential(FunctionId function, const EnclosedNumber& x) const {
   const EnclosedNumber argument = to_float(x);
   if (largest_magnitude(argument) > largest_exponent) {
-    // For such arguments, tanh and expm1 equal ±1 to all digits.
+    // At arguments of this size, tanh equals ±1 to all digits, and expm1 equals -1 if x < 0.
     const bool is_flat =
         function == FunctionId::tanh || (function == FunctionId::expm1 && cln::minusp(x.value));
     return is_flat ? EnclosedResult(add_rounding_error(cln::signum(as_float(x.value)), 0))
@@ -340,7 +340,7 @@ cln::cos_sin_t cos_sin_of(const cl_F& x) {
     cl_F x;
     cln::cos_sin_t both;
   };
-  constexpr std::size_t most = 16;  // angles of a few bodies, in one or two precisions
+  constexpr std::size_t most = 16;  // enough for a few angles in two precisions
   thread_local std::deque<Known> latest;
   const auto known = std::ranges::find_if(latest, [&x](const Known& other) {
     return cln::float_digits(other.x) == cln::float_digits(x) && other.x == x;

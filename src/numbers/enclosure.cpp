@@ -1,5 +1,5 @@
 // Interval arithmetic without changing the rounding mode. The sign of the rounding error of a sum,
-// product, quotient or root can be computed. It decides which bound must move outwards.
+// product, quotient or root can be computed. This sign decides which bound must move outwards.
 #include "numbers/enclosure.hpp"
 
 #include <algorithm>
@@ -252,7 +252,7 @@ Enclosure acos(const Enclosure& x) {
                               clip_to_domain(x, -1, 1));
 }
 
-/// In a box without the origin the angle is monotone along every edge, so the corners bound it.
+/// In a box without the origin, the angle is monotone along every edge, so corners bound the angle.
 Enclosure atan2(const Enclosure& x, const Enclosure& y) {
   if (is_undefined(x) || is_undefined(y)) return no_value;
   if (y.low <= 0 && may_contain(x, 0)) {

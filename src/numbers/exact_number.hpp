@@ -24,7 +24,7 @@ namespace elgen {
 [[nodiscard]] cln::cl_RA round_to_digits(const cln::cl_R& x, long digits);
 
 /// The first convergent p/q of the continued fraction of x with |x - p/q| < share |x| and q <=
-/// most. None if no convergent satisfies both; 0 for x = 0.
+/// most. None if no convergent satisfies both conditions; 0 for x = 0.
 [[nodiscard]] std::optional<cln::cl_RA> simple_fraction(const cln::cl_R& x, const cln::cl_I& most,
                                                         const cln::cl_RA& share);
 

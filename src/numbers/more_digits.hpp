@@ -1,23 +1,23 @@
 // More digits: raises the precision of exact arithmetic (Real and the oracle) during a computation.
-// Two exact values that differ only because digits cancelled then agree. Values that still differ
-// are different.
+// Two results of one exact value may differ because digits cancelled; with more digits the results
+// agree. Values that still differ are different.
 //
 // The count belongs to the thread and is not an argument. Numbers become floats deep below
 // templates over all scalars (ScalarTraits<Scalar>::from_real, the functions of functions.def), and
-// Real is the only scalar with a variable precision. Every template in between would have to pass
-// the count on.
+// Real is the only scalar with a variable precision. As an argument, the count would have to go
+// through every template in between.
 #pragma once
 
 namespace elgen {
 
-/// The extra digits of arithmetic. Computations request them by with_digits() and
+/// The extra digits of arithmetic. Computations request extra digits by with_digits() and
 /// with_enough_digits().
 class ExtraDigits {
  public:
   /// The sum of all digits that the running computations of this thread requested.
   [[nodiscard]] static unsigned requested_digits();
 
-  /// Reports that an angle loses `digits` digits, as many as it has before its decimal point.
+  /// Reports that an angle loses `digits` digits: the number of digits before its decimal point.
   static void report_lost(unsigned digits);
 
   /// Reports an exponential that may hide other terms of a sum: terms that are smaller by `digits`

@@ -36,8 +36,8 @@ Real evaluate_in_domain(bool in_domain, const Operation& operation) {
 
 bool are_defined(const Real& x, const Real& y) { return x.is_defined() && y.is_defined(); }
 
-/// x with as many extra digits as it has before its decimal point. After reduction by a multiple of
-/// pi, it still has the digits of Real.
+/// x with as many extra digits as x has before its decimal point. After reduction by a multiple of
+/// pi, x still has the digits of Real.
 cln::cl_F extend_digits(const Real& x) {
   const auto exponent = std::max(std::int64_t{0}, std::int64_t{cln::float_exponent(number(x))});
   const auto before_point = static_cast<unsigned>(exponent / 3);
@@ -45,18 +45,18 @@ cln::cl_F extend_digits(const Real& x) {
   return cln::cl_float(number(x), cln::float_format(current_digits() + before_point));
 }
 
-/// The largest binary exponent of an angle that is reduced; no built-in float has a larger one.
+/// The largest binary exponent of an angle that is reduced. Built-in floats have smaller exponents.
 constexpr std::int64_t maximal_angle_exponent = 20'000;
 
 bool is_periodic(FunctionId function) {
   return is_circular(function) || function == FunctionId::tan || function == FunctionId::stumpff;
 }
 
-/// The largest binary exponent of an exponential's argument. Beyond it CLN overflows without an
-/// error.
+/// The largest binary exponent of an exponential's argument. At larger arguments, CLN overflows
+/// without an error.
 constexpr std::int64_t maximal_exponent = 30;
 
-/// tanh or expm1 of a large argument, if it equals ±1 to all digits; otherwise none.
+/// The value of tanh or expm1 at a large argument if the value is ±1 to all digits; otherwise none.
 std::optional<Real> limit_at_infinity(FunctionId function, const cln::cl_F& x) {
   const std::optional<LimitsAtInfinity>& far = function_row(function).limits_at_infinity;
   if (!far || cln::float_exponent(x) < maximal_exponent) return std::nullopt;

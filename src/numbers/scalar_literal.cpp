@@ -71,9 +71,9 @@ std::optional<Scalar> divide_in_hardware(const cln::cl_RA& x) {
   return dividend / static_cast<Scalar>(cln::cl_I_to_long(divisor));
 }
 
-/// |x| rounded, for two kinds of floats x; otherwise none. CLN rounds normal doubles. Far beyond
-/// all built-in types the result is 0 or infinity, because the exact fraction might need more than
-/// the memory.
+/// |x| rounded, for floats x of two kinds; otherwise none. CLN rounds floats in the range of normal
+/// doubles. Floats far beyond all built-in types become 0 or infinity, because the exact fraction
+/// might need more than the memory.
 template <class Scalar>
 std::optional<Scalar> round_by_exponent(const cln::cl_R& x) {
   constexpr std::int64_t normal = 1'000;
@@ -115,7 +115,7 @@ std::string shortest_text(const cln::cl_R& value) {
   return is_floating ? text : text + ".0";
 }
 
-/// The exact decimal if it is readable: no more digits than a double has.
+/// The exact decimal of `value` if it has at most 17 digits, as many as a double; otherwise none.
 std::optional<std::string> readable_literal(const cln::cl_R& value) {
   constexpr std::size_t readable_digits = 17;
   const std::optional<Decimal> decimal = exact_decimal(value);

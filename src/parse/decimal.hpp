@@ -12,7 +12,7 @@
 
 namespace elgen {
 
-/// The end of the number that starts at a position, and whether it is well-formed.
+/// The end of the number that starts at a position, and whether the number is well-formed.
 struct NumberExtent {
   std::size_t end = 0;
   bool well_formed = true;

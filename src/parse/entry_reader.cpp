@@ -151,7 +151,7 @@ std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind,
 
 namespace {
 
-/// The span of the top-level key `model` if its value has this kind.
+/// The span of the value of the top-level key `model` if the value is of kind `kind`.
 std::optional<Span> find_model_key(const SourceText& source, TomlKind kind) {
   const Result<TomlValue> root = read_toml(source);
   if (!root) return std::nullopt;

@@ -1,5 +1,5 @@
-// Keys of one table: reports unknown, missing and unsupported keys, and reads each value by its
-// row.
+// Keys of one table: reports unknown, missing and unsupported keys, and reads each value by the row
+// of its key.
 #include <fmt/ranges.h>
 
 #include <algorithm>

@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// In the order of KeyType.
+/// The words for the type of a value, in the order of KeyType.
 constexpr std::array<std::string_view, 22> type_words{"expression",
                                                       "[expressions]",
                                                       "expression or list",
@@ -51,8 +51,8 @@ that the file chooses or refers to. Codes such as E112 are explained by `elgen e
 /// Lines of the page have 120 characters, 2 of them the indent of a list.
 constexpr std::size_t page_width = 118;
 
-/// True for the top-level keys of model and scene files. Their sections do not include the keys of
-/// tables.
+/// True if `entry` stands for the top-level keys of model or scene files. The section of `entry`
+/// then does not include the keys of tables.
 bool is_top_level(std::string_view entry) { return entry.empty() || entry == "scene"; }
 
 bool belongs_to_entry(const KeyRow& key, std::string_view entry) {

@@ -1,5 +1,5 @@
-// Lexer: the tokens of an expression, one at a time, so that errors come in reading order. It keeps
-// the current and the previous token with their spans and texts.
+// Lexer: the tokens of an expression, one at a time, so that errors come in reading order. Keeps
+// the current and the previous token.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +52,6 @@ class Lexer {
   [[nodiscard]] Span span(const Token& token) const {
     return source_->span(token.begin, token.end);
   }
-  /// The token in back-ticks.
   [[nodiscard]] std::string token_in_backticks(const Token& token) const;
   /// The error of the current token, if it is invalid: E301, E305, E307, E308, E317.
   [[nodiscard]] const std::optional<Diagnostic>& problem() const { return problem_; }

@@ -42,7 +42,7 @@ std::optional<Diagnostic> size_error(const SourceText& source, const Limits& lim
 }
 
 /// The error of a file whose `format` is not supported. No other error is reported then, because
-/// such a file has other keys.
+/// other formats have other keys.
 std::optional<Diagnostic> format_error(const TomlValue& root) {
   const TomlEntry* const entry = find_entry(root.entries, "format");
   if (entry == nullptr || entry->value.kind != TomlKind::number) {

@@ -142,8 +142,8 @@ void report_hidden_character(const DecodedText& text, FileReadState& reading) {
   }
 }
 
-/// Reports E113 for a text that begins with `::`: a CI runner executes such lines of a log as
-/// commands.
+/// Reports E113 for a text that begins with `::`, because a CI runner executes log lines with this
+/// prefix as commands.
 void report_ci_command(const DecodedText& text, FileReadState& reading) {
   constexpr std::string_view command_prefix = "::";
   const std::size_t begin = text.text.find_first_not_of(" \t\r\n");

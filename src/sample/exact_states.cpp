@@ -13,7 +13,7 @@ using cln::cl_R;
 /// A rational approximation of pi, so that states are exact.
 const cln::cl_RA half_turn = cln::cl_RA(355) / 113;
 
-/// The largest magnitudes of variables without a range. Turn i of draw_motion() uses number i
+/// The largest magnitudes of variables without a range. Turn i of draw_motion() uses element i
 /// mod 3.
 const std::array<cln::cl_RA, 3>& scales() {
   static const std::array<cln::cl_RA, 3> all{1, cln::cl_RA(1) / 1000, 1000};

@@ -9,11 +9,11 @@ namespace {
 
 constexpr double right_angle = 1.5707963267948966;
 
-/// A term of three with equal distributions is the largest at a third of all points. The
-/// probability that it is the largest at none of the 12 points with wide magnitudes is 1/130.
+/// Of three terms with equal distributions, each is the largest at a third of all points. The
+/// probability that a term is the largest at none of the 12 points with wide magnitudes is 1/130.
 constexpr std::size_t mixed_count = 16;
 
-/// Binary logarithms of the largest magnitudes.
+/// Wide magnitudes are in [2^-26, 2^27), ordinary magnitudes in [2^-3, 2).
 constexpr int wide_exponent = 26;
 constexpr int ordinary_exponent = 3;
 

@@ -71,8 +71,8 @@ using Points = std::vector<LeafValues<double>>;
 ///     a*y + b*z                           digit of the first form is right
 ///
 /// Cancelling terms cause an error only if they are larger than all other terms. Therefore each
-/// leaf has a random magnitude: from 2^-26 to 2^26, the range in which programs are checked; at a
-/// quarter of the points from 2^-3 to 2.
+/// leaf has a random magnitude: from 2^-26 to 2^27, about the range in which programs are checked;
+/// at a quarter of the points from 2^-3 to 2.
 [[nodiscard]] Points mixed_magnitude_points(const LeafNames& leaves);
 
 }  // namespace elgen

@@ -93,8 +93,8 @@ ExtremeMagnitudes extreme_magnitudes() {
   }
 }
 
-/// Makes the extreme states. Each is a new nominal state with one change; the last states combine
-/// two changes that lose digits.
+/// Makes the extreme states. Each state is a new nominal state with one change; the last states
+/// combine two changes that lose digits.
 class ExtremeStates {
  public:
   ExtremeStates(const StateSpace& space, Sampler& draw)
@@ -177,7 +177,7 @@ class ExtremeStates {
 
   /// Adds at most `most` states. Each has one parameter multiplied or divided by one of `sizes`,
   /// and angles of one kind of CancellingAngles. In these states sums of masses or lengths cancel,
-  /// and their small results are divisors.
+  /// and the small sums are divisors.
   void add_combinations(const std::vector<double>& sizes, std::size_t most) {
     const std::size_t places = std::size(all_cancelling_angles);
     const std::size_t per_parameter = 2 * sizes.size() * places;

@@ -15,9 +15,9 @@
 namespace elgen {
 
 /// Draws all leaves of `state` except parameters and h, as rational numbers in their declared
-/// ranges. Without a range, angles are in one turn, and all others (also momenta) have a magnitude
-/// of up to 1, 1e-3 or 1e3, for `turn` mod 3 = 0, 1, 2. Quaternions have length 1. The state may be
-/// outside the domain of the model; then callers draw again.
+/// ranges. Without a range, angles are in one turn, and all other leaves have a magnitude of up to
+/// 1, 1e-3 or 1e3, for `turn` mod 3 = 0, 1, 2. Quaternions have length 1. The state may be outside
+/// the domain of the model; then callers draw again.
 void draw_motion(const Model& model, Sampler& draw, std::size_t turn, State& state);
 
 /// A new state with leaves from draw_motion(). Parameters that the scene does not fix are
@@ -95,8 +95,8 @@ void normalize_quaternions(const Model& model, LeafValues<Number>& values);
 [[nodiscard]] LeafValues<double> draw_in_ranges(const StateSpace& space,
                                                 const LeafValues<Range>& ranges, Sampler& draw);
 
-/// The values rounded to Scalar (double or float). Values beyond the range of Scalar become its
-/// largest finite number.
+/// The values rounded to Scalar (double or float). Values beyond the range of Scalar become the
+/// largest finite number of Scalar, with the sign of the value.
 template <class Scalar>
 [[nodiscard]] LeafValues<Scalar> round_to_finite(const LeafValues<double>& values);
 

@@ -12,7 +12,7 @@ namespace elgen::cli {
 
 namespace {
 
-constexpr std::size_t diff_lines = 20;  // printed lines per file; the rest is only counted
+constexpr std::size_t diff_lines = 20;  // printed lines per file; further lines are only counted
 
 std::vector<std::string> split_lines(const std::string& text) {
   std::vector<std::string> result;

@@ -1,4 +1,4 @@
-// Reads the files that a command names. The path of a scene's model is in the scene's text.
+// Reads the files that a command names. For a scene, also reads the model that the scene names.
 #include "cli/files/inputs.hpp"
 
 #include <fcntl.h>
@@ -54,7 +54,7 @@ std::optional<Diagnostic> missing_file_error(const std::string& path) {
   return unreadable_error(path, fmt::format("is {}, not a file", kind));
 }
 
-/// Reads an open file. E901 if the file exceeds `limits.file_bytes`; reading then stops soon.
+/// Reads an open file. Stops soon after `limits.file_bytes` bytes, with the error E901.
 Result<SourcePointer> read_descriptor(const std::string& name, const FileDescriptor& file,
                                       const Limits& limits) {
   struct stat found {};
@@ -95,7 +95,7 @@ bool is_scene(const SourceText& source) {
 }
 
 /// The error of a file whose name and content disagree: a robot description, a scene without the
-/// ending of scenes, or a model with this ending. None otherwise.
+/// ending of scenes, or a model with the ending of scenes. None otherwise.
 std::optional<Diagnostic> misnamed_error(const SourceText& source) {
   const std::size_t first = source.text.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && source.text[first] == '<') {

@@ -14,9 +14,9 @@ namespace elgen::cli {
 /// The name of standard input in diagnostics.
 inline constexpr std::string_view stdin_name = "<stdin>";
 
-/// Reads a file, or standard input if `path` is "-". E111 if it does not exist; E707 if it cannot
-/// be read; E901 if it exceeds `limits.file_bytes`. Ends the process with E909 if the input does
-/// not arrive within `limits.seconds`.
+/// Reads a file, or standard input if `path` is "-". E111 if the file does not exist; E707 if the
+/// input cannot be read; E901 if the input exceeds `limits.file_bytes`. Ends the process with E909
+/// if the input does not arrive within `limits.seconds`.
 [[nodiscard]] Result<SourcePointer> read_source(const std::string& path, const Limits& limits);
 
 /// Reads a model; or a scene and the model that it names, relative to the scene's folder. A scene

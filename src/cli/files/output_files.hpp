@@ -39,7 +39,7 @@ struct WriteOptions {
                                                       const EmittedFiles& files);
 
 /// Writes the files, and returns the paths of the files that changed. E703: an existing file may
-/// not be replaced. E708: a path cannot be reached, is given twice, or is an input or no regular
+/// not be replaced. E708: a path cannot be reached, is given twice, is an input, or is no regular
 /// file. E706: a file cannot be written. After an error no file has changed.
 [[nodiscard]] Result<std::vector<std::string>> write_files(const std::vector<OutputFile>& files,
                                                            const WriteOptions& options);
@@ -60,7 +60,7 @@ enum class FileState : unsigned char {
   stale,
   edited,  ///< by hand: the hash in the file is not the hash of its text
   missing,
-  orphaned,  ///< it has the marker, but no input generates it now
+  orphaned,  ///< has the marker, but no input generates the file now
 };
 
 /// "stale", "edited", "missing" or "orphaned".
@@ -70,7 +70,7 @@ enum class FileState : unsigned char {
 struct FileDifference {
   FileState state = FileState::stale;
   std::string path = {};
-  std::string detail = {};  ///< first lines of a unified diff; if orphaned, the reason
+  std::string detail = {};  ///< first lines of a unified diff; for an orphan, why it is orphaned
 };
 
 /// The generated files that are missing or different on disk. Does not search for orphans.

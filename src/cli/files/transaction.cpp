@@ -1,8 +1,8 @@
 // transaction: all processes create, open and lock folders in the same order. After locking they
 // check that the folders still exist, because a process that fails removes the folders it created.
 // New files are first written to a stage, a temporary folder with a known prefix inside the target
-// folder. If a process is killed, the next process finds its stage by the prefix and removes it
-// under the lock.
+// folder. If a process is killed, the next process finds the stage of the killed process by the
+// prefix, and removes this stage under the lock.
 #include "cli/files/transaction.hpp"
 
 #include <dirent.h>

@@ -3,7 +3,7 @@
 
 namespace elgen::cli {
 
-/// The first twelve hexadecimal digits; "" if the sources have no git history.
+/// The first twelve hexadecimal digits of the commit; "" if the sources have no git history.
 extern const char* const commit;
 
 }  // namespace elgen::cli

@@ -26,8 +26,8 @@ constexpr std::array exit_rows{
     ExitCodeRow{ExitCode::internal, "internal error of elgen"},
     ExitCodeRow{ExitCode::interrupted, "interrupted; no file is incomplete"}};
 
-/// Escapes backslashes and leading dots and quotes for troff. Hyphens become minus signs, so that
-/// readers can copy options.
+/// Escapes for troff: backslashes, and dots and apostrophes at the start of a line. Hyphens become
+/// minus signs, so that readers can copy options.
 std::string escape_for_troff(const std::string& text) {
   std::string result;
   bool begins_line = true;

@@ -39,7 +39,7 @@ struct FinalMessages {
   DiagnosticStyle style = {};
   std::uint64_t seconds = 0;
   std::optional<std::string> stage = {};
-  std::array<std::string, 2> processor_time = {};  ///< one may be read while the other is written
+  std::array<std::string, 2> processor_time = {};  ///< the current and the next message
   std::atomic<const std::string*> current_message = nullptr;
   std::string waiting = {};
   std::string memory = {};
@@ -68,7 +68,7 @@ Diagnostic time_limit_error(std::string message) {
   return {Code::E909, {}, std::move(message), "`--limit seconds=N` raises the limit"};
 }
 
-/// Limits the real time, in seconds. alarm(0) would set no limit.
+/// Limits the real time to `seconds`, but at least to 1 s, because alarm(0) would set no limit.
 void set_alarm(std::uint64_t seconds) {
   constexpr std::uint64_t longest = 1U << 30U;
   ::alarm(static_cast<unsigned>(std::clamp<std::uint64_t>(seconds, 1, longest)));

@@ -1,4 +1,4 @@
-// Limits of time and memory of the process, and its end by signals.
+// Limits the time and memory of the process, and handles the signals that end the process.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace elgen::cli {
 
 /// Sets the limits. If processor time exceeds its limit, the process ends with E909 and exit code
 /// 3. If memory exceeds its limit, allocations throw std::bad_alloc. SIGINT, SIGTERM and SIGHUP end
-/// the process with exit code 130, unless they were ignored when it started. A SignalBlocker defers
-/// these three signals.
+/// the process with exit code 130, unless the signal was ignored when the process started. A
+/// SignalBlocker defers these three signals.
 void set_resource_limits(const Limits& limits, const DiagnosticStyle& style);
 
 /// Sets the stage that E909 names; "" for none.

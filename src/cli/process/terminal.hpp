@@ -18,7 +18,7 @@ namespace elgen::cli {
 /// nor `linux`.
 [[nodiscard]] Screen screen_of(std::FILE* stream);
 
-/// If stderr is a terminal, shows the current stage on stderr from half a second on.
+/// If stderr is a terminal, shows the current stage on stderr after the first half second.
 class Progress {
  public:
   explicit Progress(const std::string& subject);

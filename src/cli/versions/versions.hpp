@@ -28,11 +28,11 @@ class Revision {
   [[nodiscard]] bool contains(const std::string& path) const { return objects_.count(path) > 0; }
 
   /// The files below a folder ("": the root), with paths relative to this folder. Omits submodules,
-  /// and links to no file of the revision.
+  /// and links that lead to no file of the revision.
   [[nodiscard]] std::vector<std::string> list_files(const std::string& folder) const;
 
-  /// Reads a file. Messages call it NAME:PATH. Links are followed inside the revision. E111 if
-  /// there is no such file.
+  /// Reads a file. Messages call the file NAME:PATH. Links are followed inside the revision. E111
+  /// if there is no such file.
   [[nodiscard]] Result<SourcePointer> read_source(const std::string& path,
                                                   const Limits& limits) const;
 
@@ -57,7 +57,7 @@ class Revision {
   std::map<std::string, Object> objects_ = {};
 };
 
-/// A model or scene with its equations, and the syntax trees into which their diagnostics point.
+/// A model or scene with its equations, and the syntax trees into which the diagnostics point.
 struct LoadedVersion {
   PipelineSources inputs = {};
   FileSyntax model = {};

@@ -59,9 +59,8 @@ struct PartialDerivative {
                                                                  const GiNaC::ex& value,
                                                                  LeafSet mask);
 
-/// A value for each listed leaf. For a Tangent, the rate of the leaf along the direction; leaves
-/// that are not listed have rate 0. For a Substitution, the new value of the leaf; leaves that are
-/// not listed are kept.
+/// A value for each listed leaf x. For a Tangent, the value is dx/ds (0 for all other leaves). For
+/// a Substitution, the value replaces x; all other leaves are kept.
 using Seeds = ExpressionMap<GiNaC::ex>;
 
 /// seeds[leaves[i]] = values[i], unless the leaf has a seed already.
@@ -75,7 +74,7 @@ void add_seeds(Seeds& seeds, const std::vector<GiNaC::ex>& leaves,
 [[nodiscard]] std::array<std::array<GiNaC::ex, 3>, 4> rate_matrix(const Symbols& symbols,
                                                                   const RotationPlace& rotation);
 
-/// The direction of the motion: q -> dq/dt, v -> a, t -> 1.
+/// The seeds of d/dt along the motion: q -> dq/dt, v -> a, t -> 1.
 [[nodiscard]] Seeds motion_seeds(const Symbols& symbols);
 
 /// Forward: the derivative along a direction, d/ds f = sum df/dx dx/ds.

@@ -337,8 +337,8 @@ std::optional<std::uint32_t> open_value_number(const ex& value) {
   const int first = to_integer(value.op(0));
   const int count = to_integer(value.op(1));
   const int digits = to_integer(value.op(2));
-  // The leaves of a function V: V itself, V_1 to V_n, then the upper triangle of the second
-  // derivatives, row by row.
+  // The leaves of a function V: V itself, the first derivatives V_1 to V_n, then the upper triangle
+  // of the second derivatives, row by row.
   const int i = digits / 10;
   const int j = digits % 10;
   if (i >= 10) return std::nullopt;

@@ -108,8 +108,8 @@ void append_terms(std::vector<WeightedTerm>& to, const std::vector<WeightedTerm>
 /// compilers evaluate arguments in different orders.
 [[nodiscard]] RealVector vector_sum(RealVector left, const RealVector& right);
 
-/// The result of `derive` for a Derivation of `other` that appends its definitions to the list of
-/// `derivation`. Earlier results of `derivation` stay valid, because definitions are only appended.
+/// The result of `derive` for a Derivation of `other`. New definitions are appended to the list of
+/// `derivation`, so that earlier results of `derivation` stay valid.
 template <class Derive>
 [[nodiscard]] RealVector derive_with_shared_definitions(Derivation& derivation, Lagrangian other,
                                                         const Derive& derive) {

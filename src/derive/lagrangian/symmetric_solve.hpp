@@ -31,7 +31,7 @@ struct ZeroPivot : std::domain_error {
 class SymmetricSolver {
  public:
   /// `matrix` is n x n, row-major, positive definite, so that no pivoting is needed. `order` lists
-  /// its rows in the order of elimination. Throws ZeroPivot.
+  /// the rows of `matrix` in the order of elimination. Throws ZeroPivot.
   SymmetricSolver(Definitions& definitions, const RealVector& matrix,
                   std::vector<std::size_t> order, RowKind rows);
 
@@ -86,7 +86,7 @@ class SymmetricSolver {
 ///     M = L D L^T,   W = L^-1 A^T,   S = A M^-1 A^T = W^T D^-1 W
 ///     z = L^-1 r,   S y = s - W^T D^-1 z,   x = L^-T D^-1 (z + W y)
 ///
-/// Without constraints it solves M x = r. The rounding error grows with the product of the
+/// Without constraints, M x = r is solved. The rounding error grows with the product of the
 /// condition numbers of M and of the whole system, because S inherits the condition of M. Benzi,
 /// Golub, Liesen, Numerical solution of saddle point problems, Acta Numerica 14 (2005), sec. 5.
 class ConstrainedSolver {

@@ -8,7 +8,7 @@
 
 namespace elgen {
 
-// N is defined by dq/dt = N v; it is the identity without rotations.
+// N is defined by dq/dt = N v; without rotations, N is the identity.
 
 // Generalised forces and momenta: vectors of n_v entries. Unit: J per unit of the coordinate, for
 // momenta J s per unit.
@@ -55,9 +55,9 @@ enum class BodySelection : unsigned char { all, outside_frames };
 /// N^T dL/dq. For a rotation, the entries are derivatives of L along the rotation vector.
 [[nodiscard]] RealVector position_gradient(Derivation& derivation);
 
-/// For each locked coordinate whose reaction is requested, the force that holds it in addition to
-/// the inputs: d/dt dL/dv - dL/dq + dD/dv - Q - B u with L before locking, at q = s(t), v = ds/dt,
-/// a = d2s/dt2.
+/// For each locked coordinate whose reaction is requested, the force that holds the coordinate in
+/// addition to the inputs: d/dt dL/dv - dL/dq + dD/dv - Q - B u with L before locking, at q = s(t),
+/// v = ds/dt, a = d2s/dt2.
 [[nodiscard]] RealVector reaction(Derivation& derivation);
 
 /// v_c, the velocities of the cyclic coordinates that specialise removed.
@@ -246,9 +246,9 @@ struct ForwardDynamics {
 /// Forward dynamics that does not form M (tree/articulated.hpp), and the number of operations that
 /// factorising M would need. None, unless all of this holds: bodies in frames; no constraints and
 /// no point masses outside frames; T and V (not L), quadratic in v; a T of [energy] that adds at
-/// most a diagonal to M; a value of tree_joints(); M eliminated from the last velocity, because
-/// other orders have other pivots. If `has_pivots` is false, M_ii and the relative pivots are not
-/// computed.
+/// most a diagonal to M; joints that tree_joints() accepts; M eliminated from the last velocity,
+/// because other orders have other pivots. If `has_pivots` is false, M_ii and the relative pivots
+/// are not computed.
 struct ArticulatedDynamics {
   ForwardDynamics solution;
   std::size_t factorisation_operations = 0;

@@ -1,4 +1,4 @@
-// Replaces leaves by values in every expression of a Lagrangian, in the order of its members.
+// Replaces leaves by values in every expression of a Lagrangian, one member after the other.
 // Removes variables from every list that has an entry per variable.
 #include <utility>
 

@@ -4,7 +4,7 @@
 //     before    p = l*sin(q), T = 1/2*m*p_dot^2      l = 1/2 fixed
 //     after     p = 1/2*sin(q), T = 1/2*m*p_dot^2
 //
-// No energy, force or output refers to a definition that became 0, so later stages do not see it.
+// A definition that became 0 occurs in no energy, force or output, so later stages ignore it.
 // If the scene requests an expansion, energies and forces are expanded at the end.
 #include "elgen/specialise.hpp"
 
@@ -52,8 +52,8 @@ constexpr ValueProblem complex_value{Code::E314, "a value complex"};
 
 using LagrangianPass = std::function<void(UnreducedLagrangian&)>;
 
-/// Runs a step. Returns the first problem of its values: a division by 0, an undefined value or a
-/// complex value.
+/// Runs a step. Returns the first problem of the new values: a division by 0, an undefined value or
+/// a complex value.
 std::optional<ValueProblem> run_checked(const LagrangianPass& step,
                                         UnreducedLagrangian& lagrangian) {
   const std::size_t known = lagrangian.definitions.list.size();

@@ -199,8 +199,8 @@ Symmetric3 to_parent(KinematicTree& tree, std::size_t transform, const Symmetric
   return rotate_by_matrix(tree.algebra, r.entries, s);
 }
 
-/// A constant quarter turn uses the general product R A R^T, which the entries 0 and +-1 of R
-/// reduce to a permutation with signs.
+/// R A R^T. For a constant quarter turn, the general product is cheap: the entries 0 and +-1 of R
+/// reduce the product to a permutation with signs.
 ExMatrix3 to_parent(KinematicTree& tree, std::size_t transform, const ExMatrix3& a) {
   const TransformRotation& r = tree.rotation(transform);
   const bool is_quarter =

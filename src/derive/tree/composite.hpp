@@ -1,5 +1,5 @@
-// Composite inertias: the subtree of a transform as one rigid body, expressed in the transform's
-// child frame and about its origin.
+// Composite inertias: the subtree of a transform as one rigid body, expressed in the child frame of
+// the transform, about the origin of this frame.
 //
 //     turn         h_p = R h,          I_p = R I R^T
 //     translation  h_p = h + m p,      I_p = I - [p]x [h]x - [h_p]x [p]x

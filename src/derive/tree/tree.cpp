@@ -8,7 +8,7 @@ using GiNaC::ex;
 
 namespace {
 
-/// The coordinate axis parallel to a unit vector, and its sign; none if no axis is parallel.
+/// The index k and the sign in axis = +-e_k; none if `axis` is parallel to no coordinate axis.
 std::optional<std::pair<std::size_t, int>> coordinate_axis(const ExVector3& axis) {
   for (const auto& [k, i, j] : cyclic_axes) {
     if (!axis[i].is_zero() || !axis[j].is_zero()) continue;

@@ -154,7 +154,7 @@ template <class Value, class ToParent>
 }
 
 /// The bodies of the Lagrangian. Bodies with rational mass, com and inertia are regrouped into at
-/// most one body per transform, about the origin of its child frame (regroup.cpp); the energies do
+/// most one body per transform, about the origin of the child frame (regroup.cpp); the energies do
 /// not change. Symbolic bodies are not merged, because every call would compute sums of their
 /// parameters. with_lifted_masses() then moves the masses on rotations.
 [[nodiscard]] std::vector<RigidBody> regroup_bodies(KinematicTree& tree);

@@ -257,7 +257,7 @@ Terms tree_kinetic_energy(KinematicTree& tree, Tangent& along) {
     terms.push_back(half * algebra.dot(spin, twist.spin));
     if (!has_mass(body)) continue;
     if (body.is_about_origin) {
-      // 1/2 m v^2 + v.(w x h) with v of the origin; 1/2 w.I w about the origin contains the rest.
+      // T = 1/2 m v^2 + v.(w x h) + 1/2 w.I w about the origin; 1/2 w.I w is already a term.
       const ExVector3 turning = algebra.cross(twist.spin, first_moment(algebra, body));
       const ExVector3 linear = algebra.scale(half * body.mass, twist.velocity);
       terms.push_back(algebra.dot(twist.velocity, algebra.add(linear, turning)));

@@ -19,8 +19,8 @@
 
 namespace elgen {
 
-/// Angular velocity of a transform's child frame, and velocity of its origin. tree_twists() has one
-/// twist per transform, along a direction of motion.
+/// Angular velocity of a transform's child frame, and velocity of its origin. tree_twists() returns
+/// one twist per transform, along a direction of motion.
 struct Twist {
   ExVector3 spin{0, 0, 0};
   ExVector3 velocity{0, 0, 0};
@@ -28,7 +28,7 @@ struct Twist {
 [[nodiscard]] std::vector<Twist> tree_twists(KinematicTree& tree, Tangent& along);
 
 /// Angular velocity of transform k relative to its parent: the velocities of a rotation (0 if
-/// `along` does not move it), else relative_spin().
+/// `along` does not move the rotation), else relative_spin().
 [[nodiscard]] ExVector3 joint_spin(KinematicTree& tree, std::size_t k, Tangent& along);
 
 /// dT/dv of the bodies, stored in the same way as generalised forces.

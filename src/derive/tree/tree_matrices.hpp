@@ -16,8 +16,8 @@
 // Variables x(q, t) are mapped to coordinates by J = dx/dq: M = J^T M_x J, and
 // C = J^T (C_x J + M_x dJ/dt).
 //
-// A column is a wrench on the subtree of one variable, such as I_k S_k. It is passed towards the
-// root; its products with the twists of the variables on that path are entries of the matrices.
+// A column is a wrench on the subtree of one variable, such as I_k S_k. Columns are passed towards
+// the root. Products of a column and the twists of variables on the path are entries of matrices.
 #pragma once
 
 #include <functional>
