@@ -111,7 +111,7 @@ PieceRole role_of(const Glyphs& part) {
   return base.text == "," ? PieceRole::comma : PieceRole::sign;
 }
 
-/// The position of the bracket that closes the bracket at `open`; the end of the row if none does.
+/// The position of the bracket that closes the bracket at `open`; parts.size() if there is none.
 std::size_t find_closing_bracket(const std::vector<Glyphs>& parts, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < parts.size(); ++i) {
@@ -177,7 +177,7 @@ bool is_number(const std::string& text) {
   return std::ranges::all_of(text, [](char c) { return is_digit(c); });
 }
 
-/// A quotient of two numbers on one line: "½", or "7/9" if there is no character for it.
+/// A quotient of two numbers on one line: "½"; "7/9" if no character shows the quotient.
 std::string numeric_fraction_text(const std::string& above, const std::string& below,
                                   bool is_unicode) {
   for (const VulgarFraction& vulgar : vulgar_fractions) {

@@ -36,7 +36,7 @@ void append_part(Formulas& row, Formula part) {
   }
 }
 
-/// x; for a negative number, the negative of a positive number, which a sum subtracts.
+/// x, except that a number -n becomes the negation of the number n, so that a sum subtracts n.
 Formula extract_sign(Formula x) {
   const bool is_below = x.kind == FormulaKind::number && cln::minusp(x.number);
   if (is_below) return negative_of(number_formula(-x.number));

@@ -59,8 +59,8 @@ TypesetRow typeset_fraction(Glyphs above, Glyphs below) {
   return {fraction_row(std::move(above), std::move(below)), Binding::power};
 }
 
-/// True if a number is written as 9.81: its fraction would be too long (unlike 1/2 and 2/5), and
-/// its denominator has the factor 5 of a decimal number.
+/// True if `value` is written as a decimal number, such as 9.81: the fraction is too long to read,
+/// unlike 1/2 and 2/5, and the denominator is divisible by 5.
 bool is_written_decimal(const cln::cl_RA& value) {
   constexpr int longest = 16;
   const cln::cl_I denominator = cln::denominator(value);

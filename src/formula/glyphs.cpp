@@ -35,8 +35,8 @@ double width_of_parts(const Glyphs& glyphs) {
 /// The pieces between two possible line breaks.
 struct Segment {
   Glyphs row = {};
-  int brackets = 0;  ///< number of open round brackets before it
-  int growing = 0;   ///< number of open growing brackets before it
+  int brackets = 0;  ///< number of open round brackets before the segment
+  int growing = 0;   ///< number of open growing brackets before the segment
   double width = 0;
 };
 

@@ -63,7 +63,7 @@ using GlyphRows = std::vector<Glyphs>;
 
 [[nodiscard]] Glyphs make_row(Glyphs piece);
 [[nodiscard]] Glyphs fraction_row(Glyphs above, Glyphs below);
-/// Encloses content in brackets. If the brackets grow, blanks separate the content from them.
+/// `content` in brackets. If `grows`, blanks separate the content from the growing brackets.
 [[nodiscard]] Glyphs enclose(Glyphs content, std::string_view open, std::string_view close,
                              bool grows);
 

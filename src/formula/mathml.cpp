@@ -58,7 +58,7 @@ std::string row_mathml(const Glyphs& glyphs) {
   return text;
 }
 
-/// Replaces blanks at both ends by no-break spaces, because browsers drop other blanks.
+/// Replaces blanks at both ends by no-break spaces, because browsers drop blanks at ends.
 std::string fix_outer_blanks(std::string text) {
   constexpr std::string_view blank = "&#xA0;";
   if (text.ends_with(' ')) text.replace(text.size() - 1, 1, blank);

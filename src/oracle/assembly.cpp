@@ -111,7 +111,7 @@ cl_R squared_error(const std::vector<cl_R>& left, const std::vector<cl_R>& lengt
   return sum;
 }
 
-/// The state after the first step s = 1, 1/2, ... that shrinks the errors; empty if no step does.
+/// The state after the first step s = 1, 1/2, ... that shrinks the errors; empty if all s fail.
 std::optional<State> damped_newton_step(const Model& model, const State& state,
                                         const LinearisedConstraints& shortage,
                                         const std::vector<bool>& fixed) {
@@ -128,8 +128,8 @@ std::optional<State> damped_newton_step(const Model& model, const State& state,
   return std::nullopt;
 }
 
-/// Corrects the rates until they satisfy the constraints. Sets `has_rates` to true if this
-/// succeeds.
+/// Corrects the rates by at most one Newton step, because r is affine in v. Sets `has_rates` to
+/// true if the rates then satisfy the constraints, else to false.
 void assemble_rates(const Model& model, Assembly& at, const std::vector<bool>& fixed) {
   const LinearisedConstraints shortage = linearise_rates(model, at.state);
   if (!is_satisfied(shortage, at.state.v)) {

@@ -11,7 +11,7 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// y as a displacement of positions (field 0: derivatives by q) or of velocities (field 1: by v).
+/// y as a displacement of positions for field 0 (d/dq), or of velocities for field 1 (d/dv).
 Displacement make_displacement(const Mechanics& at, std::size_t field, const Direction& y) {
   const Direction rest(at.size(), cl_R(0));
   return field == 0 ? Displacement{y, rest} : Displacement{rest, y};

@@ -147,8 +147,8 @@ class JetFunctions {
   /// f(x), or f(x, y).
   [[nodiscard]] Jet value(FunctionId function, const Jet& x, const Jet& y = {});
 
-  /// x ^ exponent. Integer exponents: any x, but x != 0 if exponent <= 0. Others: x > 0, and x = 0
-  /// if the value exists. Derivatives that do not exist are unknown.
+  /// x ^ exponent. Integer exponents: any x, but x != 0 if exponent <= 0. Other exponents: x > 0,
+  /// or x = 0 if the value exists. Derivatives that do not exist are unknown coefficients.
   [[nodiscard]] Jet power(const Jet& x, const cln::cl_RA& exponent);
 
  private:

@@ -11,8 +11,8 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// A copy of the model with given inertial parameters. Terms of T and V replace its bodies, masses
-/// and armatures.
+/// A copy of `model` at the inertial parameters `values`. In the copy, terms of T and V replace the
+/// masses, the inertias and the armatures.
 class ParametrisedModel {
  public:
   ParametrisedModel(const Model& model, const Values& values) : source_(model), model_(model) {

@@ -182,15 +182,15 @@ Values velocity_components(const Model& model, const Values& q, const Values& dq
 }
 
 /// Steps that start from the states `start` + size * `along`, and the derivative of the end states
-/// by size.
+/// with respect to size.
 class DirectionalStep {
  public:
   DirectionalStep(const Model& model, const OutputRequest& output, State start,
                   const Direction& along)
       : model_(model), output_(output), start_(std::move(start)), along_(along) {}
 
-  /// The derivative of x(t + h) by size at size = 0; empty unless central differences over
-  /// 10^-`digits` and over 10^-(`digits` + 3) agree to 80 digits.
+  /// d x(t + h)/d size at size = 0; empty unless central differences over 10^-`digits` and over
+  /// 10^-(`digits` + 3) agree to 80 digits.
   [[nodiscard]] std::optional<Values> slope(unsigned digits) const {
     const Values wide = central_difference(power_of_ten(-static_cast<long>(digits)));
     const Values narrow = central_difference(power_of_ten(-static_cast<long>(digits) - 3));

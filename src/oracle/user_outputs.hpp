@@ -28,7 +28,7 @@ struct OutputQuery {
 /// The values y of the output.
 [[nodiscard]] Values user_output_values(const OutputQuery& query);
 
-/// dy/dq along N; for a frame the derivative of its twist by v.
+/// dy/dq along N; for a frame, d(twist)/dv.
 [[nodiscard]] Values user_output_jacobian(const OutputQuery& query);
 
 /// d2y/dt2 at a = 0; for a frame d/dt of its twist at a = 0.

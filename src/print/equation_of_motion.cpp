@@ -40,7 +40,7 @@ constexpr TermTemplate drift_at_rest = "<drift>(<q>,<0>{})";
 constexpr TermTemplate dissipation_at_rest = "\\frac{{\\partial D}}{{\\partial <v>}}(<q>,<0>{})";
 constexpr TermTemplate force_at_rest = "<Q>(<q>,<0>{})";
 
-/// True unless the program has the output and all its entries are 0.
+/// False if `program` has the output `kind` and all entries of this output are 0; otherwise true.
 bool may_be_nonzero(const Program& program, OutputKind kind) {
   for (const Function& function : program.functions) {
     if (function.kind == kind) return !is_zero(program, function);
@@ -128,7 +128,7 @@ Lines velocity_names(const Model& model) {
   return names;
 }
 
-/// The unit of the i-th multiplier: "N"; "" if it is unknown.
+/// The unit of the i-th multiplier: "N"; "" if the unit is unknown.
 std::string multiplier_unit(const Model& model, std::size_t i) {
   return unit_text_of_entry(model, {OutputKind::forward_dynamics, "multipliers", i, 0});
 }
@@ -150,8 +150,6 @@ bool are_constraints_workless(const Model& model, const Program& program) {
   return function != nullptr && !contains_time(model, *function) &&
          std::ranges::all_of(model.constraints, &Constraint::is_position);
 }
-
-// Constraints.
 
 /// Prints expressions in the symbols of the model, with their names unexpanded.
 class ExpressionPrinter {

@@ -51,8 +51,7 @@ std::vector<PageVariable> function_variables(const Model& model, const Formulas&
   return list;
 }
 
-/// The expression `form` as typed, such as "pi/10", for a value that no short number equals;
-/// otherwise the exact value.
+/// "pi/10": the typed expression `form` of an irrational `value`; without `form`, the exact value.
 std::string value_text(const Model& model, const cln::cl_R& value,
                        const std::optional<ExpressionId>& form) {
   return form ? to_string(model, *form) : exact_text(value);

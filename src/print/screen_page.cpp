@@ -93,8 +93,8 @@ class Overview : public ScreenDrawing {
     return fmt::format("{} = ({})", name, text);
   }
 
-  /// A matrix that fits the screen. The widest entries are replaced by their widths, one after the
-  /// other, until the matrix fits. If the matrix never fits, only its size is shown.
+  /// A matrix that fits the screen. "…12" replaces an entry of 12 columns, the widest entry first,
+  /// until the matrix fits. If the matrix never fits, only its size is shown.
   [[nodiscard]] std::string fold_matrix(const TypesetEquation& equation) const {
     std::vector<TextBlock> cells;
     for (const Glyphs& entry : equation.entries) cells.push_back(draw(entry));

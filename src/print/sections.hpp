@@ -20,7 +20,7 @@ struct Heading {
 
 [[nodiscard]] Heading heading(const Model& model, const Function& function);
 
-/// A sentence from the output table. A user's output has its documentation in the model instead.
+/// The documentation of an output, from the output table; for a user's output, from the model.
 [[nodiscard]] std::string output_doc(const Model& model, const Function& function);
 
 /// The constraints on accelerations: A a = -gamma, with terms -2 zeta omega r - omega^2 f if the

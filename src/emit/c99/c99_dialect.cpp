@@ -1,6 +1,6 @@
-// c99_dialect: float functions of <math.h> end in f. sign, min and max are functions of the header:
-// they must compute the same values as the C++ code, and fmin drops a NaN. In-line sine and cosine
-// are functions of the header too.
+// c99_dialect: float functions of <math.h> end in f. The header defines sign, min and max: the C
+// code must compute the same values as the C++ code, and fmin drops a NaN. The header also defines
+// the in-line sine and cosine.
 #include "emit/c99/c99_dialect.hpp"
 
 #include <fmt/ranges.h>

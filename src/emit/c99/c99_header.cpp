@@ -43,7 +43,7 @@ std::string initialiser(const EmissionInput& input, const ParameterArray& array)
   return fmt::format("{}, /* {} */", array.is_array ? "{" + list + "}" : list, array.name);
 }
 
-/// Ends each line except the last with a backslash in one column, so that the lines form one macro.
+/// The lines of one macro: each line except the last ends with a backslash, all in one column.
 Texts macro_lines(Texts lines) {
   std::size_t width = 0;
   for (const std::string& line : lines) width = std::max(width, line.size());

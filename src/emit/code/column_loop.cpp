@@ -1,6 +1,6 @@
-// column_loop: compares each operand from before the loop in all columns. If all columns have the
-// same operand, the loop body uses the name or expression of the operand; otherwise the body loads
-// the operand from the array `given`.
+// column_loop: examines each operand that is computed before the loop. If all columns have the same
+// operand, the loop body uses the name or expression of the operand; otherwise the body loads the
+// operand of each column from the array `given`.
 #include "emit/code/column_loop.hpp"
 
 #include <fmt/format.h>

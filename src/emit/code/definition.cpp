@@ -22,8 +22,8 @@
 namespace elgen {
 namespace {
 
-/// True if a body of this many statements is cut into parts. A body with inner instructions is
-/// never cut, because it has values of two types, and a workspace has only one type.
+/// True if a body of `statements` statements is cut into parts. A body with inner instructions is
+/// never cut, because the body has values of two types, and a workspace has only one type.
 bool needs_parts(const CompiledDialect& dialect, std::size_t statements) {
   return statements > max_body_statements && dialect.inner_vocabulary() == nullptr;
 }
@@ -47,8 +47,8 @@ void add_used_array(const AssignStatement& /*assign*/, UsedNames& /*used*/) {}
 void add_used_array(const SineCosineStatement& /*pair*/, UsedNames& /*used*/) {}
 void add_used_array(const LoopStatement& /*loop*/, UsedNames& /*used*/) {}
 
-/// True if another part uses one of the instructions. `crosses`: BodyParts::crosses_parts; empty if
-/// the function has no parts.
+/// True if `crosses` marks one of `instructions`. `crosses`: BodyParts::crosses_parts; empty if the
+/// function has no parts.
 bool any_crosses_parts(const std::vector<std::uint32_t>& instructions,
                        const std::vector<bool>& crosses) {
   return std::ranges::any_of(instructions,
@@ -137,7 +137,7 @@ class DefinitionWriter {
             dialect_.body_prologue(function_, used, true) + lines};
   }
 
-  /// Writes a statement. A value that another part reads is in the workspace; others are declared.
+  /// The text of `statement`, which declares its values unless another part reads one of them.
   [[nodiscard]] std::string statement_text(const Statement& statement,
                                            const std::vector<bool>& crosses) const {
     const bool is_declared = !any_crosses_parts(assigned_values(statement), crosses);

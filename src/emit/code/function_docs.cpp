@@ -1,6 +1,6 @@
-// function_docs: a sentence, the equation, then the entries: as a matrix if the rows fit the width,
-// else one entry per line. If the entries need more than `longest_listing` lines, a note refers to
-// the sidecar.
+// function_docs: a sentence, the equation, then the entries. The entries form a matrix if its rows
+// fit the width; otherwise each line has one entry. If the entries need more than
+// `longest_listing` lines, a note refers to the sidecar.
 #include "emit/code/function_docs.hpp"
 
 #include <fmt/ranges.h>

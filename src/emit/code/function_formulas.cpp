@@ -38,7 +38,7 @@ class FunctionFormulas::Rules {
   [[nodiscard]] FormulaText square_root(std::uint32_t x) const {
     return vocabulary_.square_root(operand_text(x));
   }
-  /// All languages take the k of stumpff(x, k) as an integer literal.
+  /// The call of `function`. The k of stumpff(x, k) is an integer literal in all languages.
   [[nodiscard]] FormulaText call(FunctionId function, std::uint32_t x, std::uint32_t y) const {
     std::vector<FormulaText> arguments = {operand_text(x)};
     if (function == FunctionId::stumpff) {

@@ -24,7 +24,7 @@ class Vocabulary {
   [[nodiscard]] virtual FormulaText call(FunctionId function,
                                          const std::vector<FormulaText>& arguments) const = 0;
 
-  /// The vocabulary of instructions with `is_inner`; null if there is no other vocabulary.
+  /// The vocabulary of instructions with `is_inner`; null if all instructions use this vocabulary.
   [[nodiscard]] virtual const Vocabulary* inner_vocabulary() const { return nullptr; }
   /// `value` in the number type of this vocabulary. `value` is a formula of inner_vocabulary(), or
   /// of the vocabulary whose inner_vocabulary() is this vocabulary.

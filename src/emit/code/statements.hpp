@@ -20,7 +20,7 @@ namespace elgen {
 /// Instructions that a statement reads.
 struct StatementOperands {
   std::vector<std::uint32_t> uses = {};  ///< named instructions, ascending, without duplicates
-  std::vector<std::uint32_t> inlined_instructions = {};  ///< instructions that it writes out
+  std::vector<std::uint32_t> inlined_instructions = {};  ///< written out in the statement
 };
 
 /// Assigns a named value.

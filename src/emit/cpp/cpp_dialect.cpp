@@ -292,7 +292,7 @@ class WideDialect : public CppDialect {
   std::string_view function_macro() const override { return "inline "; }
 };
 
-/// Functions for the type `scalar` that use `detail` of the main header in `name_space`.
+/// Functions for the type `scalar`. Their bodies use `name_space`::detail of the main header.
 class TypedDialect : public WideDialect {
  public:
   TypedDialect(const Model& model, const Program& program, std::string_view scalar,

@@ -23,7 +23,7 @@ namespace elgen {
 /// "forward_dynamics" -> "ForwardDynamics": the C++ result struct of a function.
 [[nodiscard]] std::string camel_case(std::string_view name);
 
-/// The parameters and parameter arrays that a function of the program reads at least in part. A
+/// The parameters that the program reads. An array is included if the program reads an element. A
 /// parameter is excluded if the scene fixes it or if no requested output depends on it.
 [[nodiscard]] std::vector<ParameterArray> emitted_parameters(const Model& model,
                                                              const Program& program);
@@ -145,7 +145,7 @@ struct DeclaredArray {
 ///     2 x 3: a b c d e f   ->   3 x 2: a d b e c f
 [[nodiscard]] Function to_storage_order(const Function& function, Storage storage);
 
-/// An output with more entries is not returned by value, which would overflow the stack.
+/// An output with more entries is not returned by value: the value could overflow the stack.
 inline constexpr std::size_t max_returned_entries = 4096;
 [[nodiscard]] bool is_returned_by_value(const Function& function);
 

@@ -233,8 +233,8 @@ std::string sidecar_text(const EmissionInput& input) {
   if (!input.scene.paths.scene.empty()) json["scene"] = input.scene.paths.scene;
   json["format"] = 1;
   json["name"] = input.scene.base_name;
-  // Entries are row-major. The code has the default language and row-major order unless stated
-  // here.
+  // The sidecar lists entries row-major. The keys "language" and "storage" describe the code;
+  // without these keys, the code has the default language and row-major storage.
   const Emission& emission = input.scene.emission;
   if (emission.language != default_language) {
     json["language"] = language_row(emission.language).name;

@@ -29,7 +29,7 @@ class ExactNumbers {
   /// named_numbers() and dictionary_entries() are empty if `spelling` has no names for numbers.
   ExactNumbers(const Model& model, const Program& program, const SourceSpelling& spelling);
 
-  /// "_number_1": the name of a constant or of its negative; "" if it is written as a literal.
+  /// "_number_1": the name of a constant or of its negative; "" if the constant is a literal.
   [[nodiscard]] std::string name_of(const Constant& constant) const;
 
   /// The names with their doubles.
@@ -53,7 +53,7 @@ class ExactNumbers {
   void name_numbers(const SourceSpelling& spelling);
   void add_parameter(const std::string& name, const cln::cl_R& value);
 
-  /// The first number of a group keeps the literal.
+  /// double -> the numbers that round to this double. The first number keeps the literal.
   std::map<double, std::vector<Number>> numbers_ = {};
   std::vector<std::pair<std::string, double>> named_numbers_ = {};
   std::vector<std::string> entries_ = {};

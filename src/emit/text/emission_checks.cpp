@@ -32,8 +32,8 @@ void check_number_range(const CheckedNumber& candidate, const Scene& scene,
   }
 }
 
-/// The place of a number in the model, with either sign; an empty span if elgen computed the
-/// number.
+/// The span of the first number in the model that equals `value` or -`value`; an empty span if
+/// elgen computed `value`.
 Span span_of_number(const Model& model, const cln::cl_R& value) {
   for (const Expression& expression : model.expressions) {
     const bool is_written = expression.kind == ExpressionKind::number;

@@ -52,7 +52,7 @@ struct EmissionInput {
 /// The functions of source_module() for the script of a page, without exports and documentation.
 [[nodiscard]] std::string source_script(const EmissionInput& input);
 
-/// The equations as JSON for other programs: one order of keys, LF, exact numbers as strings.
+/// The equations as JSON for other programs: keys in a fixed order, LF, exact numbers as strings.
 [[nodiscard]] std::string sidecar_text(const EmissionInput& input);
 
 /// The equations as a Markdown page. It omits outputs of more than 64 entries; the sidecar has

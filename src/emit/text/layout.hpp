@@ -18,7 +18,7 @@ struct Wrapping {
   std::string_view line_end = {};
 };
 
-/// Breaks an expression in the outermost brackets possible: before an operator, which begins the
+/// Breaks an expression inside as few brackets as possible: before an operator, which begins the
 /// next line, or after a comma.
 ///
 ///     a*b + sin(c + d)*e   ->   a*b

@@ -97,7 +97,7 @@ InstructionNumbers dependent_entries(const Function& function, const Instruction
 }
 
 /// Longer functions are lowered without a search for shorter sums and products. The search would
-/// take as long as the first lowering, and a few removed zeros hardly give new ones.
+/// take as long as the first lowering, and removing a few zeros rarely shortens other sums.
 constexpr std::size_t largest_optimised_graph = 2'000;
 
 Network network_of(const Expressions& expressions, const Function& function) {

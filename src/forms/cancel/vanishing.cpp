@@ -61,8 +61,8 @@ bool has_small_noise(const Instruction& i, const Values& values, const Real& noi
   return is_below_share(noise, terms, hidden);
 }
 
-/// Replaces x, the value of the instruction, by exactly 0 if it vanishes. Marks x as lost if 64
-/// digits do not decide.
+/// x, the value of `i`, or exactly 0 if x vanishes. The result is marked as lost if 64 digits do
+/// not decide whether x vanishes.
 Number round_to_zero(const Instruction& i, const Values& values, Number x) {
   static const Real vanished(power_of_ten(-40));
   if (!x.value.is_defined() || operand_count(i) == 0) return x;

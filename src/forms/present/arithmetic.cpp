@@ -187,8 +187,8 @@ OptionalFraction Arithmetic::reduce_roots(Fraction x) {
   return cancel_factors(std::move(*result));
 }
 
-/// The index of the factor that equals `polynomial` up to a single term; adds a new factor if none
-/// does. `unit` becomes polynomial/factor.
+/// The index of the factor for which polynomial/factor is a single term; adds this factor if it is
+/// missing. `unit` becomes polynomial/factor.
 std::uint32_t Arithmetic::factor_index(const Polynomial& polynomial, Polynomial& unit) {
   const auto inverse = [](const Monomial& x) { return elgen::power(x, -1); };
   const Monomial powers = common_powers(polynomial);

@@ -31,7 +31,7 @@ std::optional<cl_RA> rational_number(const Fraction& x) {
   return x.denominator.empty() ? rational_value(x.numerator) : std::nullopt;
 }
 
-/// True if the real part of the leading coefficient (the imaginary part if that is 0) is negative.
+/// True if the leading coefficient a + i b has a < 0, or has a = 0 and b < 0.
 bool has_negative_lead(const Fraction& x) {
   if (x.numerator.empty()) return false;
   const GaussianRational& lead = x.numerator.rbegin()->second;

@@ -1,5 +1,5 @@
-// Sparse sums in an order of monomials that products preserve, which makes division and equality
-// simple.
+// Sparse sums of terms, sorted by monomial. Multiplication by a monomial preserves the order, so
+// division and equality are simple.
 #include "forms/present/polynomial.hpp"
 
 #include <algorithm>

@@ -43,7 +43,7 @@ void add_term(Sum& to, const typename Sum::key_type& monomial,
 /// Cancels all denominator factors that divide the numerator; `work` as in quotient().
 void cancel_common_factors(Fraction& x, const Algebra& algebra, std::size_t& work);
 
-/// x/y if it is a rational number; otherwise none. Neither may be the empty sum.
+/// x/y if x/y is a rational number; otherwise none. Neither x nor y may be the empty sum.
 [[nodiscard]] std::optional<cln::cl_RA> ratio_of(const Polynomial& x, const Polynomial& y);
 
 /// The value of x if it is a rational number; otherwise none.

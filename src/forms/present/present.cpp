@@ -17,9 +17,9 @@ namespace elgen {
 
 namespace {
 
-/// Long programs have closed forms that exceed any budget. Beyond `short_program` instructions the
-/// budget therefore falls with the square of the length. A failed attempt then costs less than
-/// lowering the program did.
+/// The most products of terms for `function`. Long functions have closed forms that exceed any
+/// budget. Beyond `short_program` instructions the budget therefore falls with the square of the
+/// length. A failed attempt then costs less than the lowering of `function`.
 std::size_t budget_of(const Function& function, const ClosedFormBudget& budget) {
   constexpr double short_program = 500;
   const double length = std::max(static_cast<double>(function.instructions.size()), short_program);

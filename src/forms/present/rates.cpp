@@ -49,8 +49,8 @@ ArithmeticValue called(FunctionId function, const ArithmeticValue& x, const Arit
           x.arithmetic->call(function, x.value, is_binary ? y.value : OptionalFraction())};
 }
 
-/// The derivatives of an opaque function by each argument; `call` is the atom itself. A derivative
-/// is none if the budget is used up or the function has kinks.
+/// The derivatives of `atom`, an opaque function, with respect to each argument. `call`: `atom` as
+/// a fraction. A derivative is none if the budget is used up or the function has kinks.
 ///
 ///     tanh(x) -> 1 - tanh(x)^2      atan2(x, y) -> y/(x^2 + y^2), -x/(x^2 + y^2)
 std::vector<OptionalFraction> call_derivatives(Arithmetic& arithmetic, const Atom& atom,

@@ -39,8 +39,8 @@ struct TypedForms {
   /// model, otherwise as declared, with gravity after the masses (m g l).
   std::vector<std::uint32_t> parameter_places = {};
   std::vector<bool> are_accelerations = {};  ///< by parameter: true for g and other accelerations
-  /// For each prescribed function: its value if this is a single term with a root or a function,
-  /// otherwise the empty sum. Angles with such a value are written with the function's name.
+  /// For each prescribed function: its value if the value is a single term with a root or a call;
+  /// otherwise the empty sum. In an angle, the name of the function replaces this value.
   std::vector<Polynomial> prescribed_values = {};
 };
 
@@ -61,7 +61,7 @@ inline constexpr std::size_t longest_textbook_entry = 5'000;
 /// The rank of sums that are not typed in the model.
 inline constexpr std::uint32_t untyped_rank = 10'000;
 
-/// Longer sums are not searched for common factors, which nobody would see there.
+/// Longer sums are not searched for common factors: readers would not notice these factors.
 inline constexpr std::size_t most_collected_terms = 40;
 
 class Arranger {

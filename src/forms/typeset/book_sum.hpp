@@ -78,7 +78,7 @@ void add_factor(TextbookProduct& product, TextbookFactor factor);
 
 void multiply(TextbookProduct& product, const TextbookProduct& by);
 
-/// Divides product by by^exponent.
+/// Divides `product` by `by`^`exponent`.
 void divide(TextbookProduct& product, const TextbookProduct& by, std::int32_t exponent = 1);
 
 void append_terms(TextbookSum& to, TextbookSum from);
@@ -90,7 +90,7 @@ void multiply(TextbookProduct& product, const Algebra& algebra, const CircularPo
 /// Returns this number.
 [[nodiscard]] cln::cl_RA extract_numeric_content(TextbookSum& sum);
 
-/// Divides by the sines and cosines common to all terms, and returns them.
+/// Divides `sum` by the sines and cosines common to all terms; returns these sines and cosines.
 [[nodiscard]] std::vector<TextbookFactor> take_sinusoids(TextbookSum& sum);
 
 /// Moves the first positive term to the front, as in 1 - v^2/c^2 under a root. The other terms keep

@@ -54,7 +54,7 @@ TextbookProduct Arranger::shared_powers(const RealTermSum& sum) const {
   return shared;
 }
 
-/// The common factors of all terms times the sum of the remaining factors.
+/// `sum` as one product: its common factors, times the sum of the terms divided by these factors.
 TextbookProduct Arranger::book_product(RealTermSum sum) {
   TextbookProduct result = shared_powers(sum);
   Monomial taken;
@@ -114,9 +114,9 @@ TextbookSum Arranger::group_by_coordinates(const RealTermSum& sum) {
   return result;
 }
 
-/// m (a + b) + c, if m is the parameter that most terms, but not all, contain.
+/// m (a + b) + c, with m the most frequent parameter that some term lacks; none if m occurs once.
 std::optional<TextbookSum> Arranger::collect_by_parameter(const RealTermSum& sum) {
-  std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // numbers share one place
+  std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // number atoms share a place
   for (const RealTerm& term : sum) {
     for (const AtomPower& power : term.powers) {
       const FactorPlace place = atom_factor(power).place;

@@ -15,7 +15,7 @@ bool contains_rate(const Algebra& algebra, const Fraction& form) {
       form.numerator, [&](const auto& term) { return elgen::contains_rate(algebra, term.first); });
 }
 
-/// The acceleration among the factors of a term, which has at most one; the end if it has none.
+/// The acceleration in `term`, which has at most one acceleration; term.end() if there is none.
 Monomial::const_iterator find_acceleration(const Algebra& algebra, const Monomial& term) {
   return std::ranges::find_if(term, [&](const AtomPower& power) {
     const Atom& atom = algebra.atoms[power.atom];
@@ -120,7 +120,7 @@ std::optional<EquationArranger::LinearRow> EquationArranger::split_accelerations
   return result;
 }
 
-/// The acceleration `own`, with each term divided by `inertia`, which must be a single product.
+/// The acceleration of velocity `own`: each other term of `row` over `inertia`, a single product.
 TextbookSum EquationArranger::divide_by_inertia(const EquationRow& row, const Fraction& inertia,
                                                 std::uint32_t own) {
   std::vector<Fraction> moving;

@@ -34,7 +34,7 @@ class EquationArranger {
   [[nodiscard]] TextbookSum arrange_summands(const std::vector<Fraction>& summands) {
     return arranger_.factor_out_each(nonzero_summands(summands));
   }
-  /// Arranges a row; `own` is its velocity. Dissipation comes after the terms with rates.
+  /// Arranges the row of velocity `own`. The terms of `dissipation` follow the terms with rates.
   [[nodiscard]] TextbookSum arrange_row(std::vector<Fraction> summands, std::uint32_t own,
                                         const std::vector<Fraction>& dissipation = {});
   /// d/dt dL/dv - dL/dq + dD/dv.
@@ -42,8 +42,8 @@ class EquationArranger {
     return arrange_row(row.inertia, own, row.dissipation);
   }
 
-  /// The acceleration `own` as a sum, if its row contains no other acceleration, or one other
-  /// acceleration whose row contains no third acceleration. Otherwise none.
+  /// The acceleration of velocity `own` as a sum. None if rows[own] contains two other
+  /// accelerations, or one other acceleration whose row contains a third acceleration.
   [[nodiscard]] std::optional<TextbookSum> solve_acceleration(
       const std::vector<std::optional<EquationRow>>& rows, std::uint32_t own);
 

@@ -69,13 +69,13 @@ void Arranger::multiply(TextbookProduct& product, TextbookSum sum, std::int32_t 
   add_factor(product, std::move(factor));
 }
 
-/// Multiplies by a sum; a single term needs no brackets.
+/// Multiplies `product` by `sum`. A sum of a single term gets no brackets.
 void Arranger::multiply_by_sum(TextbookProduct& product, TextbookSum sum) const {
   if (sum.terms.size() == 1) return elgen::multiply(product, sum.terms.front());
   multiply(product, std::move(sum), 1);
 }
 
-/// Extracts powers that have the same sign in all terms; exponentials are excluded.
+/// Moves powers whose exponent has one sign in all terms to `front`; exponentials stay in `sum`.
 void Arranger::take_monomial(Polynomial& sum, TextbookProduct& front) const {
   Monomial common;
   for (const ExponentRange& range : exponent_ranges(sum)) {
@@ -171,7 +171,7 @@ void Arranger::take_square(SplitSum& taken) {
 }
 
 /// Extracts (a + b) from (a + b) (c + d): the coefficient of the highest power of a parameter, if
-/// it divides the sum. An imaginary coefficient, as from the sine of a number, is skipped.
+/// the coefficient divides the sum. Imaginary coefficients, as from sines of numbers, are skipped.
 bool Arranger::take_coefficient(SplitSum& taken) {
   if (taken.rest.size() < 4 || taken.rest.size() > most_collected_terms) return false;
   for (const AtomId id : atoms_of(taken.rest)) {

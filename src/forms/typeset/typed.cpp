@@ -32,9 +32,8 @@ bool is_typed_by_author(const Model& model, const Root& root) {
   return true;
 }
 
-/// All expressions of energies, definitions, points, bodies, forces and constraints that the author
-/// wrote, in this order. If a sum occurs several times, its first occurrence decides how it is
-/// written.
+/// The author's expressions of energies, definitions, points, bodies, forces and constraints, in
+/// this order. The first occurrence of a sum decides how the sum is written.
 std::vector<ExpressionId> typed_roots(const Model& model) {
   const std::vector<Root> all = roots_of(model);
   std::vector<ExpressionId> written;
@@ -164,7 +163,7 @@ std::vector<std::vector<std::uint32_t>> parameters_by_factor(const Model& model,
 }
 
 /// Reorders parameters as in typed products. The first product that contains two parameters decides
-/// the order of these two.
+/// the order of these two parameters.
 class ParameterOrder {
  public:
   explicit ParameterOrder(std::vector<std::uint32_t> declared)

@@ -159,8 +159,8 @@ class Typesetter {
       const auto rows = equation_rows(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
-        // No solution after an expansion, because a quotient would need the dropped terms. No
-        // solution with constraints, because the multipliers are unknown.
+        // An expanded model has no solution, because a quotient would need the dropped terms. A
+        // model with constraints has no solution, because the multipliers are unknown.
         if (model_.approximation || !model_.constraints.empty()) continue;
         const std::optional<TextbookSum> solution = equations.solve_acceleration(rows, i);
         if (!solution || count_written_factors(*solution) > longest_solution) continue;

@@ -1,4 +1,4 @@
-// write: converts sums of products to instructions, which pages print in this order.
+// write: converts sums of products to instructions. Pages keep the order of terms and factors.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
-// build_closed_graph: see closed_graph.hpp. If sqrt(r) divides the numerator and r divides the
-// denominator (sqrt(r)/r^2), both are written as one power.
+// build_closed_graph: see closed_graph.hpp. If sqrt(r) divides the numerator and r^k divides the
+// denominator, sqrt(r)/r^k is written as 1/(sqrt(r) r^(k - 1)).
 #include "forms/write/closed_graph.hpp"
 
 #include <algorithm>
@@ -69,8 +69,8 @@ std::vector<RealTerm> terms_of(const Algebra& algebra, const Polynomial& polynom
   return all;
 }
 
-/// One term, its factors sorted by the levels of Grouping. Unlike a ScaledTerm it keeps the
-/// coefficient as a factor, in `rest`.
+/// The factors of one term, with a list for each level of Grouping. The coefficient of the term is
+/// a factor in `rest`.
 struct TermFactors {
   std::vector<Power> rates = {};
   std::vector<Power> coordinates = {};

@@ -23,7 +23,7 @@ struct Layout {
   Grouping grouping = Grouping::none;
 };
 
-/// True for a leaf that is not a parameter, a coordinate or t: velocities, accelerations, inputs.
+/// True for a leaf other than a parameter, a coordinate or t, such as a velocity or an input.
 [[nodiscard]] bool is_rate(const Atom& atom);
 /// True for parameters and pi.
 [[nodiscard]] bool is_parameter(const Atom& atom);

@@ -1,6 +1,6 @@
-// digit_rows: see digit_rows.hpp. The term of a row with the most calls is matched first. The calls
-// of this term determine letters, and its remaining factors are the common factor of the row. Each
-// other term is then known completely, or determines a further letter.
+// digit_rows: see digit_rows.hpp. In each row, the term with the most calls is matched first. The
+// calls of this term determine letters, and its remaining factors are the common factor of the row.
+// Each other term is then known completely, or determines a further letter.
 #include "forms/write/digit_rows.hpp"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class ReplacementBuilder : protected GraphTermBuilder {
                     substitute_letters(row.to, match.substitution, true));
   }
 
-  /// The value of a pattern term, times the common factor.
+  /// `pattern` with the letters of `match` substituted, times the common factor of `match`.
   ScaledTerm instantiate_term(const ScaledTerm& pattern, const Match& match) {
     std::vector<Power> powers{{product(match.common_factor)},
                               {graph_.rational(pattern.coefficient)}};
@@ -197,7 +197,7 @@ struct MatchedCall {
   ScaledTerm constant = {};  ///< the constant term that completes the row
 };
 
-/// Replaces terms of one sum by rows.
+/// Replaces, in one sum, the terms that match a row by the result `to` of the row.
 class SumRuleApplier : RuleMatcher {
  public:
   SumRuleApplier(Graph& graph, RewriteOptions keeping, std::vector<SignedNode>& terms)
@@ -215,8 +215,8 @@ class SumRuleApplier : RuleMatcher {
   }
 
  private:
-  /// Applies the first matching row of `size` terms with calls. Rows of one call and a constant are
-  /// excluded. False if no row matches.
+  /// Applies the first matching row that has `size` terms and at least one call. Rows of one call
+  /// and a constant are excluded. False if no row matches.
   bool apply_rules_of_size(std::size_t size) {
     return std::ranges::any_of(rule_patterns().rows, [&](const RulePattern& row) {
       const bool is_tried =
@@ -330,7 +330,7 @@ class SumRuleApplier : RuleMatcher {
 
   std::vector<SignedNode>& terms_;
   std::vector<ScaledTerm> split_terms_ = {};   ///< split into coefficient and factors
-  std::vector<std::uint64_t> functions_ = {};  ///< called by each term, as a bit set
+  std::vector<std::uint64_t> functions_ = {};  ///< per term: the called functions, as a bit set
 };
 
 }  // namespace

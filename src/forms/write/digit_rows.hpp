@@ -29,7 +29,7 @@ struct RewriteRule {
 /// A row as terms over a graph in which the letters are coordinates.
 struct RulePattern {
   std::vector<ScaledTerm> terms = {};  ///< the term with the most calls is first
-  std::uint64_t functions = 0;         ///< called by the first term, as a bit set
+  std::uint64_t functions = 0;         ///< the functions that the first term calls, as a bit set
   SignedNode to = {};
   RuleCondition condition = RuleCondition::always;
 
@@ -47,7 +47,7 @@ struct RulePatternTable {
 
 [[nodiscard]] const RulePatternTable& rule_patterns();
 
-/// The index of the letter in a pattern: a letter, or a call or root of a letter; none for numbers.
+/// The index of the letter a in the pattern a, f(a) or sqrt(a); none if `pattern` is a number.
 [[nodiscard]] std::optional<std::size_t> pattern_variable(NodeId pattern);
 
 /// The functions that a term calls, as a bit set.

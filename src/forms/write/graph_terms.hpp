@@ -46,8 +46,8 @@ class GraphTermBuilder {
   ///
   ///     (R + x)^2 - R^2   ->   2 R x + x^2
   SignedNode short_sum(const std::vector<SignedNode>& values);
-  /// The terms of the sum, with all sums and squares of sums in it expanded. None if there are more
-  /// than `most`.
+  /// The terms of the sum of `values`, with products and squares of sums expanded. None if there
+  /// are more than `most` terms.
   std::optional<std::vector<SignedNode>> expanded_terms(const std::vector<SignedNode>& values,
                                                         std::size_t most = most_expanded_terms);
   SignedNode quotient(SignedNode x, SignedNode y) { return graph_.product({{x, 1}, {y, -1}}); }
@@ -63,14 +63,14 @@ class GraphTermBuilder {
   [[nodiscard]] bool has_term_one(SignedNode value) const;
   /// The value as coefficient and factors, with nested products flattened.
   [[nodiscard]] ScaledTerm split_term(SignedNode value) const;
-  /// Removes the common factors from x and y, and returns them.
+  /// Removes the common factors from x and y; returns these factors.
   static std::vector<Operand> extract_common_factors(ScaledTerm& x, ScaledTerm& y);
   SignedNode product(const cln::cl_RA& coefficient, const std::vector<Operand>& factors);
   SignedNode product(const ScaledTerm& term) { return product(term.coefficient, term.factors); }
   /// x with x^degree = term, if the coefficient and all factors have such roots; otherwise none.
   std::optional<SignedNode> exact_root(ScaledTerm term, std::int32_t degree);
-  /// True if a term contains only parameters. The sum then does not vanish when all its other terms
-  /// vanish, so it may be a divisor.
+  /// True if a term of `value` contains only parameters. If all other terms vanish, `value` is then
+  /// not 0, so `value` may be a divisor.
   [[nodiscard]] bool has_parameter_term(SignedNode value) const;
   /// True if the value contains a function with branches, or a root of a value that is not
   /// constant. The value may then vanish on one side of a branch, as |x| - x does.

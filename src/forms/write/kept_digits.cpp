@@ -1,5 +1,5 @@
-// kept_digits: see kept_digits.hpp. Tries sums of powers, triangles, rows of digit_rows.def,
-// pairs and conjugates of roots, in this order. Logarithms are rewritten by log1p.
+// kept_digits: see kept_digits.hpp. Tries sums of powers, triangles, rows of digit_rows.def, pairs
+// of terms, and conjugates of roots, in this order. Logarithms are rewritten by log1p.
 #include "forms/write/kept_digits.hpp"
 
 #include <algorithm>

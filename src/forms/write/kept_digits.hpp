@@ -38,8 +38,8 @@ struct RewriteOptions {
 [[nodiscard]] std::optional<SignedNode> rewrite_sum(Graph& graph, RewriteOptions options,
                                                     SignedNode value);
 
-/// Replaces calls that other calls in the expressions give without cancellation; none if no call
-/// can be replaced:
+/// Replaces a call by other calls in the expressions if nothing cancels in the replacement; none if
+/// no call can be replaced:
 ///
 ///     expm1(a), exp(a)                 exp(a) = 1 + expm1(a)
 ///     sin(a/2), sin(a), cos(a)         sin(a) = 2 sin(a/2) cos(a/2), cos(a) = 1 - 2 sin(a/2)^2

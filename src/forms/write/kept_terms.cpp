@@ -69,8 +69,8 @@ class TriangleRewriter : GraphTermBuilder {
     return first.coefficient * second.coefficient * 4 == mixed.coefficient * mixed.coefficient;
   }
 
-  /// C a^2 + C b^2 + `mixed` cos(c) as one term; none if it is no triangle. `mixed`: -2 C a b, or
-  /// +2 C a b with the cosine of c/2 in place of the sine.
+  /// C a^2 + C b^2 + `mixed` cos(c) as one term; none unless `mixed` is -2 C a b or +2 C a b. For
+  /// +2 C a b, the sine and the cosine of c/2 are exchanged.
   std::optional<SignedNode> combine_triangle(ScaledTerm first, ScaledTerm second,
                                              const ScaledTerm& mixed, SignedNode angle) {
     const cl_RA common = first.coefficient;

@@ -33,9 +33,9 @@ namespace elgen {
                                                      const std::vector<ScaledTerm>& terms,
                                                      std::size_t first, std::size_t second);
 
-/// Factors a sum of 3 to 30 terms with a repeated factor, which divides both the sum and the
-/// derivative of the sum by one coordinate. Factors the whole sum, or only the terms in which no
-/// other coordinate occurs:
+/// Factors a sum of 3 to 30 terms that has a repeated factor: a common divisor of the sum and of
+/// its derivative with respect to a coordinate or an exponential. Factors the whole sum, or only
+/// the terms in which no other coordinate occurs:
 ///
 ///     before    x^4 - 2*a^2*x^2 + a^4      1/r^2 - 2/(p*r) + 1/p^2
 ///     after     (x^2 - a^2)^2              (r - p)^2/(p^2*r^2)

@@ -68,7 +68,7 @@ class CircularProducts {
     return at->second;
   }
 
-  /// The number of product * power, both given by their numbers.
+  /// The number of product * power; `product` and `power` are numbers too.
   std::size_t multiply(std::size_t product, std::size_t power) {
     std::vector<std::size_t>& longer = products_[product].longer;
     if (longer.size() <= power) longer.resize(power + 1, 0);

@@ -78,14 +78,14 @@ inline constexpr std::size_t multiple_length = 5;
                                                                   const Polynomial& sum,
                                                                   std::size_t most);
 
-/// The terms in a fixed order. None if there are more than `most`, or if their powers are too high.
+/// The terms in a fixed order. None if there are more than `most` terms, or if a power is too high.
 [[nodiscard]] std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra,
                                                               const Polynomial& sum,
                                                               Trigonometry trigonometry,
                                                               std::size_t most);
 
-/// The homogeneous form (homogeneous_terms.cpp). None if it has more than `most` terms, or high
-/// powers. In a sum over several angles, terms without an angle are unchanged.
+/// The homogeneous form (homogeneous_terms.cpp). None if the form has more than `most` terms or too
+/// high a degree. In a sum over several angles, terms without an angle are unchanged.
 [[nodiscard]] std::optional<std::vector<RealTerm>> homogeneous_terms(const Algebra& algebra,
                                                                      const Polynomial& sum,
                                                                      std::size_t most);

@@ -20,8 +20,8 @@
 
 namespace elgen {
 
-/// An entry with more terms is not written out, since nobody reads it. With 1000 the pages of
-/// models/ are the same; with 100, entries of the arms are missing.
+/// An entry with more terms is not written out, since nobody reads it. A limit of 1000 changes no
+/// page of models/; with 100, entries of the arms are missing.
 inline constexpr std::size_t most_terms = 400;
 
 /// One rewriting of a value, with common factors collected.
@@ -66,7 +66,7 @@ struct ReadableForm {
   Expressions readable = {};
   Expressions compact = {};   ///< shortest form that is as precise as `readable`
   std::size_t length = 0;     ///< length of the readable form
-  bool is_shortest = false;   ///< the readable form is also the compact one
+  bool is_shortest = false;   ///< the readable form is also the compact form
   bool is_rewritten = false;  ///< the code must use `compact`, because `readable` loses digits
   double loss = 0;            ///< loss of the compact form (text_errors.hpp)
   std::optional<Expressions> precise = {};  ///< a longer form with the digits that `compact` loses
@@ -85,7 +85,7 @@ using ReadableEntries = std::vector<std::optional<ReadableForm>>;  ///< entries 
 [[nodiscard]] Function lower_separately(const ReadableEntries& entries, const Function& shape,
                                         Program& program);
 
-/// One entry of a function as derived, over the leaves; none if it is long.
+/// One entry of a function as derived, over the leaves. derived_entry(): none for a long entry.
 struct DerivedEntry {
   Expressions unexpanded = {};
   CollectedForm collected = {};  ///< with nested products flattened

@@ -125,8 +125,8 @@ struct RepeatedFactor {
   std::int32_t exponent = 1;
 };
 
-/// The factors of x with their exponents; the content of x is one of them. None if no factor is
-/// repeated.
+/// The factors of x with their exponents. The first factor is the content of x in `atom`. None if
+/// no factor is repeated.
 std::optional<std::vector<RepeatedFactor>> repeated_factors(const Polynomial& x, AtomId atom) {
   PolynomialGcd divisors;
   const Polynomial simple = substitute_numbers(x, atom);

@@ -20,7 +20,7 @@ std::string count_word(std::size_t count) {
   return count < names.size() ? names[count] : std::to_string(count);
 }
 
-/// "in [0.5, 5]"; "= 0" if the two ends of the interval agree to six digits.
+/// "in [0.5, 5]"; "= 0.5" if the two ends of the interval agree to six digits.
 std::string interval_text(const Interval& sides) {
   static const cln::cl_R shown = power_of_ten(-6);
   const cln::cl_R middle = (sides.low + sides.high) / 2;
@@ -94,7 +94,7 @@ std::optional<Formula> sinusoid_condition(PageForms& known, const Fraction& sinu
   return relation(absolute_value_of(std::move(*above)), std::move(*bound), "<=");
 }
 
-/// The c of all rest angles acos(c) or asin(c), if they have the same c; otherwise none.
+/// The common c of all rest angles acos(c) or asin(c); none if two angles differ in c.
 std::optional<Fraction> common_sinusoid(ClosedForms& forms, const Equilibria& equilibria) {
   std::optional<Fraction> only;
   for (const RestPoint& point : equilibria.points) {

@@ -62,8 +62,6 @@ void add_chart_breaks(Formulas& lines, PageForms& known,
   lines.push_back(row_of({prose("the chart is singular at"), enumeration(std::move(places))}));
 }
 
-// Functions for a page without points.
-
 Formula residual_name(const Model& model) {
   if (!model.inputs.empty()) return latex_symbol("bias - B u", "\\mathrm{bias} - B u");
   const bool has_bias = model.may_drift || !model.forces.empty();
@@ -131,8 +129,6 @@ Formulas no_equilibrium_lines(const CheckedModel& checked, PageForms& known,
   add_cyclic_note(lines, checked, known);
   return lines;
 }
-
-// Functions for a page with points.
 
 Formula rest_energy(const Equilibria& equilibria) {
   Formula potential = latex_symbol("V0", "V_0");

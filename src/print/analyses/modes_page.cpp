@@ -104,8 +104,7 @@ PageSection equations_section(const PageForms& known, const RestMatrices& forms,
   return section;
 }
 
-// Poles and state matrices.
-
+/// "-0.5 +- 2 i": a pole and its conjugate; "-0.5" if `imaginary` is 0.
 Formula complex_number(double real, double imaginary) {
   if (imaginary == 0) return six_digit_formula(real);
   const Formula size = six_digit_formula(imaginary);
@@ -167,8 +166,7 @@ PageSection state_matrix_section(const Model& model, const LinearMotions& motion
   return section;
 }
 
-// Frequencies and modes.
-
+/// factor (middle -+ root)/divisor: both w^2 of a block; `middle` if `square` has no root.
 std::optional<Formula> frequency_formula(const PageForms& known, const SquaredFrequency& square) {
   std::optional<Formula> middle = known.to_formula(square.middle);
   if (!square.root) return middle;

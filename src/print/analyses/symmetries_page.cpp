@@ -42,8 +42,7 @@ Formula name_of(const PageForms& known, const Symmetry& symmetry) {
   return known.symbols.q[known.model.velocities[velocity].coordinate];
 }
 
-// Changes: "dx = -y, dy = x", "dt = 1"
-
+/// Appends "dx = -y" or "dt = 1" to `changes`, unless `along` is 0.
 void add_displacement(Formulas& changes, const PageForms& known, const Formula& symbol,
                       const Fraction& along) {
   if (along.numerator.empty()) return;
@@ -94,8 +93,6 @@ Formula change_formula(const PageForms& known, const Symmetry& symmetry) {
   add_displacement(changes, known, known.symbols.t, symmetry.generator.back());
   return list_of(std::move(changes));
 }
-
-// Integrals
 
 /// The symbol F of an integral such as p(x)*t - F. If the model has a value "F", the first unused
 /// name of "F_1", "F_2", ….
@@ -188,8 +185,6 @@ std::optional<PageEquation> rate_equation(const PageForms& known, const Symmetry
                        known.to_formula(symmetry.rate).value_or(otherwise));
 }
 
-// Rows
-
 /// A row of the table, or a block of lines.
 struct SymmetryRow {
   Formula name = {};
@@ -256,13 +251,12 @@ std::vector<PageSection> symmetry_sections(const PageForms& known, const Symmetr
   return sections;
 }
 
-// Claim
-
+/// "sampled at 8 states in 160 digits"
 std::string sampled_text(const Symmetries& symmetries) {
   return fmt::format("sampled at {} states in 160 digits", symmetries.states);
 }
 
-/// The verdict on the integrals, a prefix of claim_of(): "conserved: proved; ".
+/// The verdict on the integrals, which begins symmetries_claim(): "conserved: proved; ".
 std::string integrals_verdict(const Model& model, const Symmetries& symmetries) {
   if (symmetries.symmetries.empty()) return {};
   const bool are_proved = std::ranges::all_of(symmetries.symmetries, &Symmetry::is_proved);
