@@ -17,7 +17,7 @@ std::string list_line(std::string_view word, const std::vector<std::string>& nam
   return names.empty() ? "" : fmt::format("{} {}\n", word, fmt::join(names, " "));
 }
 
-/// One line with the parameters that have this assumption; "" if no parameter has it.
+/// The line "positive m l": `word`, then the parameters with the assumption `wanted`; "" if none.
 std::string assumption_line(std::string_view word, const LeafNames& leaves, Assumption wanted) {
   std::vector<std::string> names;
   for (std::uint32_t i = 0; i < leaves.parameters.size(); ++i) {

@@ -1,5 +1,5 @@
-// compiler: finds and runs the user's compiler. This is $CXX if it is set, otherwise the first of
-// c++, g++, clang++ that answers.
+// compiler: finds and runs the user's compiler. The compiler is $CXX, if this variable is set;
+// otherwise the first of c++, g++, clang++ that answers.
 #include <fmt/ranges.h>
 #include <gnu/libc-version.h>
 #include <sys/utsname.h>

@@ -37,7 +37,7 @@ struct Driver {
   std::string types = {};  ///< "Eigen", "batch", "wide"; "" for the language's own types
   std::string name = {};   ///< part of the symbols: "eigen"
   std::string text = {};
-  std::string needs = {};     ///< as SourceFile::required_header; if it is missing, no text
+  std::string needs = {};     ///< header without which `text` is skipped: "Eigen/Core"; or ""
   bool uses_packs = false;    ///< sines and cosines are polynomials (SineArithmetic::packs)
   bool is_wide = false;       ///< computes in the scalar Numerics::inner
   bool has_functions = true;  ///< false: wraps only the sine and cosine of packs
@@ -77,7 +77,7 @@ struct DriverUnit {
 [[nodiscard]] std::string driver_symbol(std::string_view driver, std::string_view scalar,
                                         std::size_t function);
 
-/// The text of a function that writes all declared numbers, and the values required of these.
+/// The text of a function that writes all declared numbers, and the required values of the numbers.
 struct DeclarationReader {
   std::string text = {};
   std::vector<DeclaredNumber> numbers = {};
@@ -106,7 +106,7 @@ inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
                                             std::string_view to, std::string_view data);
 
 /// The parameters of a driver function before its result: "const double* parameters, const double*
-/// q, …, double t, ". `attribute` precedes each of them.
+/// q, …, double t, ". `attribute` precedes each parameter.
 [[nodiscard]] std::string leaf_parameter_list(std::string_view scalar,
                                               std::string_view attribute = "");
 

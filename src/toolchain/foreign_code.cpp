@@ -104,8 +104,8 @@ struct LibraryMemory {
   }
 };
 
-/// Calls the library at all states, in the child process. Redirects its output, so that it does not
-/// mix with elgen's. The parent enforces the time limit, because the library may ignore signals.
+/// Calls the library at all states, in the child process. Text that the library prints goes into
+/// `memory.output`. The parent enforces the time limit, because the library may ignore signals.
 void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& memory) {
   const auto& [code, name, seconds] = calls.function;
   for (const int output : {STDOUT_FILENO, STDERR_FILENO}) {

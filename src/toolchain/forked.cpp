@@ -25,7 +25,7 @@ constexpr int poll_interval_ms = 200;
 constexpr int status_of_exception = 70;
 
 /// Restores the default handlers in a child, so that a signal ends the child; the parent reports
-/// it.
+/// the signal.
 void reset_handlers() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGALRM, SIGCHLD, SIGSEGV, SIGABRT,
                            SIGBUS, SIGFPE, SIGILL}) {

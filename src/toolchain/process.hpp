@@ -33,8 +33,8 @@ struct ProcessResult {
 };
 
 /// Runs `command`, looked up in $PATH, without input, for at most `seconds`. `output` has the first
-/// 16 KiB of stdout and stderr, in order. `temporary` is the program's $TMPDIR, so that its files
-/// are in a known folder if it is killed; if empty, the program has elgen's $TMPDIR.
+/// 16 KiB of stdout and stderr, in order. `temporary` is the program's $TMPDIR, so that files of a
+/// killed program are in a known folder; if `temporary` is empty, the program has elgen's $TMPDIR.
 [[nodiscard]] ProcessResult run_process(const std::vector<std::string>& command,
                                         std::uint64_t seconds, const std::string& temporary = {});
 

@@ -1,5 +1,5 @@
-// Applies options to a robot: holds ("welds") joints at a position, and orders the others. A robot
-// that should float gets a new root link and a joint of type floating from it to the old root.
+// Applies options to a robot: holds ("welds") joints at a position, and orders the moving joints. A
+// robot that should float gets a new root link, and a floating joint from the new to the old root.
 #include "urdf/choices.hpp"
 
 #include <fmt/format.h>

@@ -15,13 +15,14 @@ namespace elgen::urdf {
 /// Holds the joints that mimic a held joint.
 void weld_mimicking_joints(Robot& robot);
 
-/// Whether `--weld massless` is among the options.
+/// True if `--weld massless` is among the options.
 [[nodiscard]] bool welds_massless_joints(const ImportOptions& options);
 
-/// Holds at 0 joints that move no mass, and angles of planar joints that turn no inertia: E820.
+/// Holds each joint that moves no mass, and each angle of a planar joint that turns no inertia, at
+/// the position 0. Returns E820 for each held joint and angle.
 [[nodiscard]] Diagnostics weld_massless_joints(Robot& robot, const LinkTree& tree);
 
-/// Adds a new root link, and a joint `base` of type floating from it to `root`.
+/// Adds a new root link, and a joint `base` of type floating from the new link to `root`.
 void add_floating_joint(Robot& robot, std::size_t root);
 
 /// The floating joint by which the robot already floats: its parent is the root or is fixed to the

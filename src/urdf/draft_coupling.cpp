@@ -70,7 +70,7 @@ void draft_friction(ModelDraft& draft, std::size_t index, const Coupling& coupli
   draft.forces.push_back(table.text());
 }
 
-/// Adds the armature of a rotor to its coordinate: J N^2 times (d joint/d coordinate)^2.
+/// Adds J N^2 (d joint/d coordinate)^2 to the coordinate's armature; J rotor inertia, N gear ratio.
 void draft_rotor(ModelDraft& draft, std::size_t index, const Coupling& coupling) {
   const Joint& joint = draft.robot.joints[index];
   if (!has_rotor(joint)) return;

@@ -49,7 +49,7 @@ std::vector<std::string> add_inertia_parameters(Glossary& glossary, const std::s
 }
 
 /// The entries of an inertia as a TOML list. Six entries take two lines: the diagonal, then the
-/// rest.
+/// off-diagonal entries.
 std::string inertia_text(const std::vector<std::string>& inertia) {
   std::string text;
   for (std::size_t i = 0; i < inertia.size(); ++i) {

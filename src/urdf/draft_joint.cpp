@@ -147,8 +147,8 @@ class JointDrafter {
     draft_.inputs.push_back({branch_.joint, std::move(table)});
   }
 
-  /// Adds a coordinate NAME_end and returns its name. Its `symbol` in formulas is not numbered by
-  /// joint.
+  /// Adds a coordinate and returns its name: the joint's name with the suffix `end`. Formulas use
+  /// `symbol` without the number of the joint.
   std::string draft_extra_coordinate(const std::string& end, const std::string& unit,
                                      const std::string& symbol) {
     const std::string name = glossary_.claim(name_ + "_" + end, "joint");

@@ -47,7 +47,7 @@ const Extension* extension_of(const Element& element) {
   const std::string_view name(element.name);
   const auto row =
       std::ranges::find(extensions, name.substr(name.rfind(':') + 1), &Extension::name);
-  // A `<joint>` in `<ros2_control>` refers to a joint of the robot; it has no `type`.
+  // A `<joint>` without `type`, as in `<ros2_control>`, refers to a joint of the robot.
   const bool names_other =
       name == "joint" &&
       std::ranges::find(element.attributes, "type", &Attribute::name) == element.attributes.end();

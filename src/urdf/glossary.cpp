@@ -1,5 +1,5 @@
-// Coordinates get their names first, then frames. If a joint and its link have the same name, the
-// joint therefore keeps the name.
+// Glossary: names coordinates first, then frames. If a joint and its link have the same name in the
+// URDF, the joint therefore keeps the name.
 #include "urdf/glossary.hpp"
 
 #include <fmt/ranges.h>
@@ -129,7 +129,7 @@ std::string Glossary::add_parameter(const std::string& name, const FileNumber& n
                                     const std::string& unit, const std::string& more) {
   if (number.is_zero()) return "0";
   const std::string claimed = names_.claim(name, "parameter");
-  // a negative value violates the assumption in `more`
+  // a negative value contradicts `more`, which assumes a positive or nonnegative value
   const bool is_negative = number.text.front() == '-';
   std::vector<std::string> last;
   if (!more.empty() && !is_negative) last.push_back(more);

@@ -1,5 +1,5 @@
 // Glossary: the names of the new model, and the parameters for its numbers. URDF names may be any
-// text. Model names consist of letters, digits and underscores, are no words of C++ or of the
+// text. Model names consist of letters, digits and underscores, are no words of C++ or of the model
 // language, and are unique. If any coordinate has a long name, formulas call the coordinates q_1,
 // q_2, … in their order, and parameters get the number of their joint: m_1, I_{xx,1}.
 #pragma once

@@ -94,14 +94,14 @@ struct Joint {
   [[nodiscard]] bool moves() const { return type != JointType::fixed && !weld_position; }
 };
 
-/// Whether a rotor resists the acceleration of the joint.
+/// True if a rotor resists the acceleration of the joint.
 [[nodiscard]] inline bool has_rotor(const Joint& joint) {
   return joint.rotor && !joint.rotor->inertia.is_zero() && !joint.rotor->gear_ratio.is_zero();
 }
 
 struct Robot {
   std::string file = {};   ///< name of the file, without its folders
-  std::string name = {};   ///< the file's name if the robot has none
+  std::string name = {};   ///< the file's name if the robot has no name
   std::string model = {};  ///< the name of the model
   Span span = {};          ///< the word `robot` in the tag
   bool uses_xacro = false;

@@ -1,7 +1,7 @@
-// Constant rotations and axes. URDF files write a right angle as 1.57079632679. Its sine or cosine
-// is then a small number instead of 0, and the equations get terms that should vanish. Therefore
-// angles within 1e-5 rad of a multiple of a right angle are rounded to this multiple, and
-// directions within 1e-5 rad of an axis to this axis.
+// Constant rotations and axes. URDF files write a right angle as 1.57079632679. The cosine of this
+// number is small instead of 0, and the equations get terms that should vanish. Therefore angles
+// within 1e-5 rad of a multiple of a right angle are rounded to this multiple, and directions
+// within 1e-5 rad of an axis to this axis.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 
 namespace elgen::urdf {
 
-/// Whether angles and axes close to right angles are rounded.
+/// round: rounds angles and directions as above. exact: keeps all numbers of the file.
 enum class AngleRounding : unsigned char { round, exact };
 
 struct Angle {
   std::string text = "0";                ///< "-pi/2", or the digits of the file
-  std::optional<int> quarter_turns = 0;  ///< the angle in right angles; none if it is no multiple
+  std::optional<int> quarter_turns = 0;  ///< angle / (pi/2), if the angle is such a multiple
   bool is_rounded = false;               ///< the file may have other digits
   double change = 0.0;                   ///< by rounding, in rad
 

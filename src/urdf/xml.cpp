@@ -1,5 +1,6 @@
-// tinyxml2 parses in place: names and values are pointers into its copy of the text. Once the first
-// node is found in the source, the offset of any pointer is a difference of two pointers.
+// read_xml: parses by tinyxml2, and finds the spans of names and values. In tinyxml2, names and
+// values are pointers into a copy of the text. Once start_of_copy() has found the start of the
+// copy, the offset of a pointer is a difference of two pointers.
 #include "urdf/xml.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
-// Compares bit by bit. Both sides execute the same operations in the same order on one machine,
-// with one libm and without contraction. So all bits must agree, for any optimisation and any width
-// of packs. With contraction, the bits of a polynomial differ, but its error bound still holds.
+// Compares compiled code with the interpreter, bit by bit. Both execute the same operations in the
+// same order on one machine, with one libm and without contraction. So all bits must agree, for any
+// optimisation and any width of packs. With contraction, the bits of a polynomial differ, but its
+// error bound still holds.
 #include "verify/compiled_code.hpp"
 
 #include <fmt/format.h>
@@ -43,8 +44,8 @@ std::string code_kind_text(const CompiledHeader& compiled, std::string_view firs
 }
 
 /// The permitted error of compiled code, in u of the largest entry of the field. 0: all bits must
-/// agree. It is at least 4 if the function calls a library function that the interpreter of the
-/// language implements itself.
+/// agree. At least 4 if the function calls a library function that the language's interpreter
+/// (Python, for example) implements itself.
 double allowed_roundings(const CompiledHeader& compiled, const Function& function) {
   const bool calls_own = std::ranges::any_of(function.instructions, [&](const Instruction& i) {
     return i.opcode == Opcode::call &&

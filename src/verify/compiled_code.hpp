@@ -17,14 +17,14 @@ template <class Scalar>
     const std::vector<SampledState<Scalar>>& states);
 
 /// One row per scalar of a header with packs, for any BuildFlags; none for other headers. Compares
-/// sines and cosines with 64 digits, at equally distributed angles: half of them up to 4, half of
-/// them up to the end of the domain.
+/// sines and cosines with values of 64 digits, at equally distributed angles: half of the angles up
+/// to 4 rad, half up to the end of the domain.
 [[nodiscard]] std::vector<CertificateRow> check_pack_sines(const SystemUnderTest& subject,
                                                            const CompiledHeader& compiled);
 
 /// One row per scalar, per function that the code itself defines (stumpff), and per order that the
-/// program calls. Compares 256 values with 64 digits. A comparison of bits would show nothing,
-/// because code and interpreter share the algorithm.
+/// program calls. Compares 256 values with values of 64 digits. A comparison of bits would show
+/// nothing, because code and interpreter share the algorithm.
 [[nodiscard]] std::vector<CertificateRow> check_helper_functions(const SystemUnderTest& subject);
 
 /// The row of a header whose code does not exist: skipped, with the reason.

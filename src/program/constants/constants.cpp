@@ -1,4 +1,4 @@
-// Constants as forms: compares them, and finds their signs, values and formulas.
+// Constants as forms: compares forms, and finds the signs, values and formulas of constants.
 //
 // If digits cancel, or an angle is large, a form is evaluated again with more digits. The weight of
 // a part is a sign in sums and an exponent in products.
@@ -80,7 +80,7 @@ Formula sum_formula(const std::vector<ConstantOperand>& parts) {
   return sum_of(std::move(terms));
 }
 
-/// The base with its exponent. A sum of one negative term keeps its sign in brackets: (-x)^2.
+/// The formula of form^weight. Brackets keep the sign of a sum of one negative term: (-x)^2.
 Formula factor_formula(const ConstantOperand& factor) {
   const bool is_signed = factor.form.kind == ConstantKind::sum && factor.form.operands.size() == 1;
   Formula base = constant_formula(factor.form);
@@ -161,7 +161,7 @@ std::optional<EnclosedNumber> enclosed_value(const ConstantForm& form) {
     if (last->error <= share * cln::abs(last->value)) return last;
   }
   // The relative error is never small, because digits cancel. If the absolute error is at most
-  // `share`, the constant is 0. Otherwise no precision decides, and it has no value.
+  // `share`, the constant is 0. Otherwise no precision decides, and the constant has no value.
   const bool is_negligible = last && last->error <= share;
   return is_negligible ? last : std::nullopt;
 }

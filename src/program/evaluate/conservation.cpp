@@ -1,5 +1,5 @@
-// L = v.p - E, so L contains no t if E and p contain none. A momentum is constant if its rows of
-// dL/dq, of the forces and of B are 0, and its column of A is 0.
+// find_conservation: L = v.p - E, so L contains no t if E and p contain no t. A momentum p_i is
+// constant if row i of dL/dq, of each force and of B is 0, and column i of A is 0.
 #include "program/evaluate/conservation.hpp"
 
 #include <algorithm>

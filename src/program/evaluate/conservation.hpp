@@ -1,5 +1,5 @@
-// Conservation: constant momenta and causes of energy change. Both are found from the entries of
-// outputs that are the number 0.
+// Conservation: constant momenta and causes of energy change. find_conservation() finds both by the
+// zero entries of the outputs, and by the occurrence of t in E and p.
 #pragma once
 
 #include "elgen/model.hpp"

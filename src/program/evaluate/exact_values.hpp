@@ -35,7 +35,7 @@ class ExactValues {
                                                           const Arguments<Real>& direction,
                                                           std::uint32_t user = 0) const;
 
-  /// Second derivatives along a direction.
+  /// d2/ds2 of the program's entries at (arguments + s `direction`), for s = 0.
   [[nodiscard]] std::vector<Real> second_derivatives(OutputKind kind,
                                                      const Arguments<Real>& direction,
                                                      std::uint32_t user = 0) const;

@@ -1,5 +1,5 @@
-// The order of operations is the order in templates/cpp/trigonometry.hpp.mustache and
-// templates/c99/sine_cosine.h.mustache, so that every bit is equal.
+// SineEvaluator: the operations of templates/cpp/trigonometry.hpp.mustache and
+// templates/c99/sine_cosine.h.mustache in the same order, so that all bits of the results agree.
 #include "program/evaluate/sines.hpp"
 
 #include <fmt/format.h>
@@ -68,7 +68,7 @@ const std::vector<SinePolynomial>& cosine_polynomials() {
   return all;
 }
 
-/// The product of k and every part except the last is exact. Float: 14, 13 and 13 bits times a k of
+/// k (sines.hpp) times every part except the last is exact. Float: 14, 13 and 13 bits times a k of
 /// 10 bits fit 24 bits. Double: 35 and 33 bits times a k of 16 bits fit 53 bits. No float up to 1e3
 /// is nearer to a multiple of pi/2 than 2^-28, no double up to 1e5 is nearer than 2^-61. So the
 /// last part limits the error next to multiples of pi/2 to 0.5 ulp.

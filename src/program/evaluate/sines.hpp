@@ -1,15 +1,15 @@
 // Sines: sine and cosine as emitted code computes them, operation by operation.
 //
-// k is the integer nearest to 2/pi x, r - rest = x - k pi/2, |r| <= pi/4. s and c are polynomials
-// with the required accuracy in this range:
+// k is the integer nearest to 2/pi x. x - k pi/2 = r - rest, |r| <= pi/4: `rest` is the rounding
+// error of r. The polynomials s and c have the required accuracy for these r:
 //
-//     sin r = r - (rest - r^3 s(r^2))
-//     cos r = (1 - r^2/2) + (r^4 c(r^2) + r rest + the rounding error of 1 - r^2/2)
+//     sin(r - rest) = r - (rest - r^3 s(r^2))
+//     cos(r - rest) = (1 - r^2/2) + (r^4 c(r^2) + r rest + the rounding error of 1 - r^2/2)
 //
-// The last two bits of k select sin r or cos r as the sine of x, and its sign. pi/2 is a sum of
-// parts, so that the product of k and every part except the last is exact. In functions of single
-// numbers (not of packs), errors are at most 1.5 ulp (0.9 in float), and 0.5 ulp next to multiples
-// of pi/2.
+// The last two bits of k select one of these values as the sine of x, and its sign. pi/2 is a sum
+// of parts, so that the product of k and every part except the last is exact. In functions of
+// single numbers (not of packs), errors are at most 1.5 ulp (0.9 in float), and 0.5 ulp next to
+// multiples of pi/2.
 #pragma once
 
 #include <cln/rational.h>
@@ -47,7 +47,7 @@ struct AngleReduction {
 [[nodiscard]] const AngleReduction& angle_reduction(ScalarKind scalar);
 
 /// The polynomial of least degree whose error plus rounding error in `scalar` is at most
-/// `max_error`; the polynomial of the largest degree if none is.
+/// `max_error`; if no polynomial is as accurate, the polynomial of the largest degree.
 [[nodiscard]] const SinePolynomial& lowest_degree_polynomial(const std::vector<SinePolynomial>& all,
                                                              const cln::cl_RA& max_error,
                                                              ScalarKind scalar);

@@ -19,7 +19,7 @@ namespace {
 
 using cln::cl_R;
 
-/// Six digits; if `exactly`, the 17 digits that identify a double.
+/// `value` in six digits; if `exactly`, in the 17 digits that identify a double.
 std::string number_text(const cl_R& value, bool exactly) {
   if (!exactly) return short_number_text(value);
   return fmt::format("{:.17g}", to_double(value));

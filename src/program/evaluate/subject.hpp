@@ -1,5 +1,5 @@
-// SystemUnderTest: the model, scene and program of one system, which verification compares. Also
-// converts between states of the oracle and arguments of the program.
+// SystemUnderTest: the model, scene and program of one system under verification. Functions here
+// also convert between states of the oracle and arguments of the program.
 #pragma once
 
 #include <string>
@@ -41,8 +41,8 @@ template <class Scalar>
 [[nodiscard]] const Function* find_function(const Program& program, OutputKind kind,
                                             std::uint32_t user = 0);
 
-/// 2 zeta omega r + omega^2 f of each constraint, the f term only for position constraints.
-/// `residual` holds all f, then all r.
+/// 2 zeta omega r + omega^2 f for each position constraint f = 0, r = df/dt; 2 zeta omega r for
+/// each velocity constraint r = 0. `residual` holds all f, then all r.
 [[nodiscard]] std::vector<Real> stabilising_terms(const Model& model, const State& state,
                                                   const std::vector<Real>& residual);
 

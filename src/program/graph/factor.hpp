@@ -15,8 +15,8 @@
 //     after:               s = a + b - c          w = m*u*x
 //
 // A sum or product with two uses stays, because expanding it would compute it twice. `all_products`
-// expands every product, so that factors of sums meet; common-subexpression elimination restores
-// the shared products that pay.
+// expands every product, so that factor sees all factors of each term; common-subexpression
+// elimination restores the shared products that pay.
 #pragma once
 
 #include "program/graph/rebuild.hpp"

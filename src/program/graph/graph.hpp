@@ -55,7 +55,7 @@ struct Node {
   /// The number of nodes of a constant as a tree, at most most_constant_nodes. 0: the node contains
   /// leaves.
   std::uint32_t constant_size = 0;
-  std::string name = {};  ///< for readers; "" if it has none
+  std::string name = {};  ///< for readers; "" if the node has no name
   /// Cache: the product without its rational coefficient.
   std::optional<NodeId> unscaled = {};
 };
@@ -92,7 +92,7 @@ class Graph {
   SignedNode square_root(SignedNode radicand);
   SignedNode call(FunctionId function, std::vector<SignedNode> arguments);
 
-  /// A constant, node by node; nested sums and nested products are spliced.
+  /// The value of `form`, built node by node; sums in sums and products in products are spliced.
   SignedNode constant(const ConstantForm& form);
 
   /// Names the node, see merge_name. Leaves, constants and negated values are skipped.

@@ -13,8 +13,9 @@
 
 namespace elgen {
 
-/// The value of `text`; a bracket stays a separate node, names are coordinates. None for another
-/// name, a syntax error, a power or divisor of 0, and an exponent that is no integer up to 1e6.
+/// The value of `text`; a bracket stays a separate node, names are `coordinates` or pi. None if
+/// `text` has another name or a syntax error, divides by 0, raises 0 to a power, or has an exponent
+/// that is no integer up to 1e6.
 [[nodiscard]] std::optional<SignedNode> read_value(Graph& graph, const std::string& text,
                                                    const std::vector<std::string>& coordinates,
                                                    const Limits& limits = {});

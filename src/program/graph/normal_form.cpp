@@ -167,7 +167,7 @@ SignedNode Graph::build_sum(const std::vector<Term>& terms, const cln::cl_RA& co
   return is_common ? product({{rational(first)}, {result}}) : result;
 }
 
-/// The index of sin(x)^2 among the factors of a product; the operand count if it has none.
+/// The index of sin(x)^2 among the factors of a product; the operand count if there is none.
 std::size_t Graph::squared_sine_index(NodeId id) const {
   const std::vector<Operand>& factors = node(id).operands;
   if (node(id).kind != NodeKind::product) return factors.size();

@@ -1,5 +1,5 @@
 // rebuild: the loop of every pass from Graph to Graph; operands are renewed before their users.
-// expressions_from_program: one instruction after another.
+// expressions_from_program: builds the value of one instruction after another.
 #include "program/graph/rebuild.hpp"
 
 #include <algorithm>

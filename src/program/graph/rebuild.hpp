@@ -1,5 +1,5 @@
-// Expressions: a Graph with its outputs. It is built from the instructions of a Program, or by a
-// rule from each node of other Expressions.
+// Expressions: a Graph with its outputs, built from the instructions of a Program, or by a rule
+// from the nodes of other Expressions.
 #pragma once
 
 #include <functional>

@@ -66,7 +66,7 @@ struct ValueClassRules {
   }
 };
 
-/// Detects squares: x y x is x^2 y, whatever the order of its factors.
+/// Detects squares in products, whatever the order of the factors: x y x is x^2 y.
 class SignAnalysis {
  public:
   /// The refined class of the next instruction: a smooth product of even powers is nonnegative.

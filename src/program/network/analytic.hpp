@@ -4,17 +4,17 @@
 //     unknowns        .                  *                   .              0 for x > 0 only
 //
 // A real-analytic function on a connected domain that is zero near one point is zero. Roots, angles
-// and kinks break this rule: sqrt(x^2) is x on one side and -x on the other. Each value has one of
-// these classes:
+// and kinks break this rule: sqrt(x^2) is x for x > 0 and -x for x < 0. Each value has one of these
+// classes:
 //
 //     positive   analytic at every real state, and above 0
 //     smooth     analytic at every real state
 //     analytic   smooth values combined by operations that have poles: 1/x, tan(x), exp(1/x)
 //     unknown    anything else: sqrt, log, atan2 of values that may be <= 0, asin, abs, max, ...
 //
-// The poles of a meromorphic function do not disconnect its complex domain. Its root may have
-// another branch behind each pole (sqrt(1 + 1/x^2)*x at x = 0), so only roots of positive values
-// are smooth. An unknown counts as a new variable, which is smooth.
+// The poles of a meromorphic function do not disconnect its complex domain. A root of the function
+// may have another branch behind each pole (sqrt(1 + 1/x^2)*x at x = 0), so only roots of positive
+// values are smooth. An unknown counts as a new variable, which is smooth.
 #pragma once
 
 #include <vector>

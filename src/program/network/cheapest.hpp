@@ -15,8 +15,8 @@
 
 namespace elgen {
 
-/// `flat`, factored, flattened and factored again: factoring splits sums, whose terms can then meet
-/// in one sum.
+/// `flat`, factored, flattened and factored again: the first factoring splits sums, and flattening
+/// can then join terms of different sums in one sum.
 [[nodiscard]] Expressions factor_twice(const Expressions& flat);
 
 /// A form, and the cost() of its instructions.

@@ -11,7 +11,7 @@ namespace elgen {
 namespace {
 
 /// Operands are paired only if their positions differ by at most this, so that the time is linear
-/// in the length of an operation.
+/// in the number of operands.
 constexpr std::size_t pairing_distance = 24;
 
 struct OperandPair {

@@ -1,9 +1,10 @@
-// named_intermediates: passes change the instructions that derive produced. Intermediate values
-// that derive named are found again by their numeric values, to name instructions that have no
-// name.
+// named_intermediates: gives unnamed instructions the names of intermediate values. Passes change
+// the instructions that derive produced, so the values that derive named are found again by their
+// numbers at random leaves. The new names begin with intermediate_mark.
 //
-//     moment_link5_y = m*l*cos(a + b)       ~moment_link5_y of  l*(cos(a)*cos(b) - sin(a)*sin(b))*m
-//                                           ~minus_moment_link5_y of its opposite
+//     derived      moment_link5_y = m*l*cos(a + b)
+//     after passes l*(cos(a)*cos(b) - sin(a)*sin(b))*m   is named   ~moment_link5_y
+//                  -m*l*cos(a + b)                       is named   ~minus_moment_link5_y
 #pragma once
 
 #include <map>

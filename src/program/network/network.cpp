@@ -311,7 +311,7 @@ class NetworkConverter {
 
   const Graph& graph_;
   std::vector<std::optional<SignedNode>> converted_;
-  std::vector<std::uint32_t> uses_;            ///< only if numbers are joined
+  std::vector<std::uint32_t> uses_;            ///< empty unless numbers are joined
   std::vector<std::uint32_t> divisions_;       ///< number of products that divide by each node
   std::map<NodeId, FoldedOperands> operands_;  ///< of sums and products
   NetworkBuilder builder_;

@@ -6,8 +6,8 @@
 //
 // A power is a repeated factor. A divisor of two or more products becomes a reciprocal, computed
 // once. The constants of a sum or product are folded into one number, which keeps its form. The ids
-// of operations are dense and follow the canonical order of the graph, so that later passes may use
-// them to decide ties.
+// of operations are dense and follow the canonical order of the graph, so that later passes may
+// decide ties by ids.
 #pragma once
 
 #include "program/graph/rebuild.hpp"

@@ -72,7 +72,7 @@ class DerivativeComposer {
     return result;
   }
 
-  /// M^-1 times every column of the matrices.
+  /// The matrix M^-1 F for each matrix F in `forces`.
   std::vector<ValueMatrix> solve_responses(const MassFactorisation& mass,
                                            std::vector<ValueMatrix> forces) {
     const std::size_t n = parts_.elimination_order.size();

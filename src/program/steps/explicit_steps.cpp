@@ -1,6 +1,6 @@
 // The explicit methods. They call only accelerations, and coordinate rates if there are rotations.
-// All values have tangents; the tangents of accelerations come from a call of the derivatives of
-// accelerations.
+// If the step has directions (StepContext), all values have tangents. The tangents of accelerations
+// come from a call of the derivatives of accelerations:
 //
 //     da = (da/dq) dq + (da/dv) dv + (da/du) du
 #include <algorithm>
@@ -85,7 +85,7 @@ class ExplicitStepComposer {
     return to_next_state(end);
   }
 
-  /// Merges the kick that ends a part of the step with the kick that begins the next part.
+  /// The state after a step. A single kick ends a part of the step and begins the next part.
   NextState verlet() {
     CallPoint at = step_.start;
     DualState x = initial_dual_state();

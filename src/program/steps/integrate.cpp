@@ -86,8 +86,8 @@ std::vector<OutputKind> applicability_outputs(const OutputRequest& step) {
   return {OutputKind::mass_matrix, OutputKind::bias, OutputKind::momentum};
 }
 
-/// Outputs that the method calls if it applies. `dynamics` computes all outputs that are listed
-/// before it in one function.
+/// Outputs that the method calls if it applies. `dynamics` is one function, which computes all
+/// outputs listed before `dynamics`.
 std::vector<OutputKind> called_kinds(const OutputRequest& step) {
   switch (domain_of(step)) {
     case StepDomain::separable:

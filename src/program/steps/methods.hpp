@@ -41,14 +41,14 @@ struct NextState {
   InstructionIndices q = {};
   InstructionIndices v = {};
   InstructionIndices residual = {};  ///< of an implicit method; otherwise empty
-  /// D(q, v) along each direction of q, v, u; may be empty.
+  /// The tangents of (q, v) for each direction of q, v, u; empty if the method has no tangents.
   std::vector<InstructionIndices> columns = {};
 };
 
-/// The columns of A, then of B, of dx(t + h) = A dx + B du, dx = (dq, dv) with rotation vectors in
-/// dq: exact derivatives of the instructions of `step`, including iterations and scalings of
-/// quaternions. Appends to the function of `compose`, which must begin with these instructions.
-/// `calls` needs coordinate_rates if the model has rotations. Cost: about one step per column.
+/// The columns of A, then the columns of B: dx(t + h) = A dx + B du, dx = (dq, dv) with rotation
+/// vectors in dq. The derivatives of the instructions of `step` are exact, including iterations and
+/// scalings of quaternions. Appends to the function of `compose`, which must begin with these
+/// instructions. `calls` needs coordinate_rates for rotations. Cost: about one step per column.
 [[nodiscard]] std::vector<InstructionIndices> step_jacobian_columns(const Model& model,
                                                                     const Program& calls,
                                                                     const Function& step,

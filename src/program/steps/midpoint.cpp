@@ -7,10 +7,10 @@
 //
 // If no force acts on a cyclic coordinate, its momentum is exact after any number of substitutions.
 // Each substitution multiplies the error of w by about h/2 |M^-1 (dp/dq - d2L/dv dq)|. Newton's
-// method would need half as many substitutions, but each would also need a Coriolis matrix and the
-// elimination of an unsymmetric matrix. M is evaluated at each point to keep the bound on rounding
-// errors small: w -= M^-1 r(w) would multiply the bound by 1 + cond M each time; here the bound
-// shrinks with the error of w.
+// method would need half as many iterations, but each iteration would also need a Coriolis matrix
+// and the elimination of an unsymmetric matrix. M is evaluated at each point to keep the bound on
+// rounding errors small. Iterations w -= M^-1 r(w), r the residual of the equation, would multiply
+// the bound by 1 + cond M each time; here the bound shrinks with the error of w.
 //
 // Hairer, Lubich, Wanner, Geometric Numerical Integration, 2nd ed., sec. VIII.6.
 #include <algorithm>

@@ -42,8 +42,8 @@ Json velocities_json(const Model& model, const LeafNames& leaves) {
   return list;
 }
 
-/// [index, low, high] of each input with a law. Without limits, low and high are minus and plus the
-/// largest double; also for a law that is constant along a run, because this law is not clamped.
+/// [index, low, high] of each input with a law. Low and high are minus and plus the largest double
+/// if the input has no limits, or if the law is constant along a run and therefore not clamped.
 Json laws_json(const CheckedModel& checked) {
   const Model& model = checked.model;
   constexpr double most = std::numeric_limits<double>::max();

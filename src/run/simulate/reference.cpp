@@ -1,4 +1,4 @@
-// run_reference: integrates the same equations twice, in double and in long double, by
+// run_reference: integrates the equations of motion twice, in double and in long double, by
 // Boost.odeint's Fehlberg method with steps adapted to its error estimate. The uncertainty of the
 // reference is the distance of both final states. Hairer, Norsett, Wanner, Solving Ordinary
 // Differential Equations I, 2nd ed., sec. II.10.

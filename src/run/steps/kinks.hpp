@@ -1,6 +1,6 @@
-// KinkWatch: the side of the kink of each abs, sign, min and max in forces and laws on which a
-// state lies. The side is the sign of the argument; for min and max, the sign of the first argument
-// minus the second.
+// KinkWatch: finds on which side of each kink a state lies. Each abs, sign, min and max in forces
+// and laws has a kink. The side is the sign of the argument; for min and max, the sign of the first
+// argument minus the second.
 #pragma once
 
 #include <optional>

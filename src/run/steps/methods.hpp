@@ -98,7 +98,7 @@ struct MethodRow {
   std::string_view name;
   std::uint32_t order;  ///< of the method itself, without composition of steps
   StepKind step_kind;
-  std::optional<StepMethod> step_method;  ///< the `step` of the method; none if it integrates dv/dt
+  std::optional<StepMethod> step_method;  ///< the method of the output `step`; none: rk4, dopri5
   std::unique_ptr<Stepper> (*make_stepper)(SimulatedSystem& system, const StepRule& rule);
 };
 

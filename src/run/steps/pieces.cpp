@@ -13,7 +13,7 @@
 namespace elgen {
 namespace {
 
-/// Whether a rate is held at its kink, or lies above or below it.
+/// The position of a rate: held at its kink, above the kink, or below the kink.
 enum class RatePosition : std::uint8_t { held, above, below };
 
 /// The shares s: s = 0 for rates above their kinks, s = 1 for rates below, and a + W s = 0 in the
@@ -35,7 +35,7 @@ std::optional<Numbers> solve_shares(const Numbers& a, const Numbers& w,
   return echelon.solution();
 }
 
-/// `place`, or the next place if `share` or `acceleration` contradicts it.
+/// The place to try next if `share` or `acceleration` contradicts `place`; otherwise `place`.
 RatePosition next_position(RatePosition place, double share, double acceleration) {
   if (place == RatePosition::above) return acceleration < 0 ? RatePosition::held : place;
   if (place == RatePosition::below) return acceleration > 0 ? RatePosition::held : place;

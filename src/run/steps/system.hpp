@@ -4,7 +4,7 @@
 // dependence:
 //
 //     dq/dt = N v,   M dv/dt = B u - bias + A^T lambda,   dW/dt = v.F - dL/dt,
-//     F = B u + Q - dD/dv + A^T lambda
+//     F = B u + Q - dD/dv + A^T lambda,   dL/dt at constant q and v
 //
 // E - W is constant along the motion. W remains 0 if nothing does work; constraints do work only if
 // they depend on time (moving constraints).
@@ -113,7 +113,7 @@ class SimulatedSystem {
   }
 
   /// The result of the program's `step` of length h: q, v, and the residual of an implicit method.
-  /// The inputs have their values at `state`.
+  /// The inputs are constant during the step: the held inputs, or the laws at `state`.
   [[nodiscard]] const Numbers& step_result(const Numbers& state, double t, double h);
 
   void find_acceleration(const double* q, const double* v, double t, double* a);
@@ -170,7 +170,7 @@ class SimulatedSystem {
   }
 
  private:
-  /// `function` is null if the program lacks the output; `code` is null if it is not compiled.
+  /// `function` is null if the program lacks the output; `code` is null if no code is compiled.
   struct Callee {
     const Function* function = nullptr;
     DriverFunction<double> code = nullptr;

@@ -1,4 +1,5 @@
-// The error of a design at one state, and the scale to which it is relative.
+// The error of a design at one state, and the scale to which the error is relative. x is a value of
+// the design, x* the exact value.
 #pragma once
 
 #include <algorithm>

@@ -204,7 +204,7 @@ std::vector<PlannedDesign> combine_designs(const std::vector<PlannedDesign>& des
   return result;
 }
 
-/// Removes each dimension in which all designs have the same value, unless it is pinned.
+/// Removes each dimension that is not pinned and in which all designs have the same value.
 void remove_constant_dimensions(TradeoffPlan& plan, const std::vector<PinnedDimension>& pinned) {
   for (std::size_t i = plan.dimensions.size(); i-- > 0;) {
     const auto is_first = [&](const PlannedDesign& design) {

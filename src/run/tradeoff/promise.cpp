@@ -36,8 +36,8 @@ std::vector<ErrorLimitedCode> codes_to_check(const CompiledHeaders& compiled) {
   return codes;
 }
 
-/// Entry k at state i is at [k * states.size() + i]; NaN if the function throws an exception. Empty
-/// if `code` lacks the function, or if the function throws at all states.
+/// The entries of `function` at `states`: entry k at state i is at [k * states.size() + i], NaN if
+/// the call throws. Empty if every call throws, or if `code` lacks the function.
 template <class Scalar>
 std::vector<double> code_values(const CompiledModel& code, const Function& function,
                                 const std::vector<Arguments<double>>& states) {

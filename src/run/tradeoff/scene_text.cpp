@@ -204,8 +204,8 @@ class DesignSceneWriter {
     return toml_inline_table(values);
   }
 
-  /// The lines of `[approximate]`; none if the design is exact. The order is the design's,
-  /// otherwise the scene's. The expansion point is the scene's, otherwise the start.
+  /// The lines of `[approximate]`; none if the design is exact. The order of the design replaces
+  /// the scene's order; if the scene then has no expansion point, the point is the start.
   [[nodiscard]] Lines approximation_lines() const {
     if (design_.order == exact_design.order) return {};
     const bool is_expanded = !design_.order.empty();

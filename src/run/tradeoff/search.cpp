@@ -87,7 +87,7 @@ class ErrorSearch {
     return ends;
   }
 
-  /// The errors at some states, computed in 60 digits; 0 at states outside the domain.
+  /// The errors at `states`, computed in 60 digits; 0 at states outside the domain.
   [[nodiscard]] std::vector<double> exact_errors(
       const std::vector<Arguments<double>>& states) const {
     return errors(states, [this](const Arguments<double>& state) {

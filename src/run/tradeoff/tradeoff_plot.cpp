@@ -1,6 +1,6 @@
 // A table as SVG: worst error over cost, both logarithmic. Each design is a mark with its number.
 // The shape of the mark shows the value of the first dimension. Marks on the Pareto front are
-// filled and joined by a staircase line. The legend explains this below the list of designs.
+// filled and joined by a staircase line. The legend lists the designs and explains marks and line.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -33,8 +33,8 @@ constexpr std::array outlines{"M-5 0A5 5 0 1 0 5 0A5 5 0 1 0 -5 0Z",
                               "M0 5.5L5.5 -4.5H-5.5Z",
                               "M-2 -6H2V6H-2Z"};
 
-/// An axis of log10 between the powers of ten around all numbers, without ticks. Numbers without a
-/// logarithm (0, infinity) are drawn at its ends.
+/// A log10 axis without ticks, from the power of ten below the smallest number to the power of ten
+/// above the largest number. 0 and infinity are ignored here, and drawn at the ends of the axis.
 ChartAxis log_axis_around(const std::vector<double>& numbers) {
   double low = INFINITY;
   double high = -INFINITY;

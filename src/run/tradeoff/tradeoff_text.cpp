@@ -1,5 +1,5 @@
-// A table as text with a star at rows of the Pareto front, as JSON and as CSV. All of them mark the
-// picked row.
+// A table as text, with a star at rows of the Pareto front; as JSON; and as CSV. All three formats
+// mark the picked row.
 #include <fmt/ranges.h>
 
 #include <algorithm>

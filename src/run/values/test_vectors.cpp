@@ -34,8 +34,8 @@ State start_with_momenta(const SystemUnderTest& subject) {
   return state;
 }
 
-/// State 0 is the start. Every third state has other parameters: half to twice the model's values,
-/// or anywhere in their ranges.
+/// The state with the index `number`; 0 is the start. Every third state has other parameters: half
+/// to twice the model's values, or anywhere in their ranges.
 TestVectorState draw_vector_state(const SystemUnderTest& subject, std::size_t number,
                                   Sampler& draw) {
   if (number == 0) return {"start", start_with_momenta(subject)};
@@ -74,7 +74,7 @@ std::optional<State> evaluation_state(const SystemUnderTest& subject, OutputKind
   return exact_state(subject, arguments_at<double>(state));
 }
 
-/// The number of correct digits in double, relative to `size`, if the rounding error is u E.
+/// The correct digits of `value` in double, relative to `size`, for the error u value.error.
 int correct_digits(const RunningValue<Real>& value, const cl_R& size) {
   if (value.is_lost || !value.error.is_defined()) return 0;
   const cl_R error = value.error.value() * rounding_constants<double>().roundoff.value();

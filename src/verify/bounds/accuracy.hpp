@@ -27,10 +27,10 @@ using Findings = std::vector<std::optional<Finding>>;
 /// Receives the index of a state and its findings.
 using FindingsHandler = std::function<void(std::size_t at, const Findings& findings)>;
 
-/// Visits all states, in this process or in `jobs` processes, with the same findings in the same
-/// order. Each process takes the next state that no process has visited. If a process fails, this
-/// process visits all states by itself. If a process exceeds its processor time, this process
-/// raises SIGXCPU. Scalar: double or float.
+/// Visits all states, in this process or in `jobs` processes. The findings and their order do not
+/// depend on `jobs`. Each process takes the next state that no process has visited. If a process
+/// fails, this process visits all states by itself. If a process exceeds its processor time, this
+/// process raises SIGXCPU. Scalar: double or float.
 template <class Scalar>
 void check_states(const SystemUnderTest& subject, const std::vector<SampledState<Scalar>>& states,
                   const AccuracyOptions& options, const FindingsHandler& take);

@@ -17,11 +17,11 @@ struct ClosedForm {
 struct ComparedField {
   const Function* function = nullptr;
   std::size_t field_index = 0;  ///< index of the field in the function
-  std::size_t first_entry = 0;  ///< index of its first entry in the function
+  std::size_t first_entry = 0;  ///< index of the field's first entry in the function
   ClosedForm closed_form = {};
-  OutputRequest request = {};           ///< whose oracle values belong to this field
+  OutputRequest request = {};           ///< output whose oracle values belong to the field
   std::size_t request_field_index = 0;  ///< index of the field in the output table
-  std::size_t first_oracle_entry = 0;   ///< index of its first entry among the oracle's values
+  std::size_t first_oracle_entry = 0;   ///< index of the field's first value among the oracle's
 
   [[nodiscard]] const Field& field() const { return function->fields[field_index]; }
   [[nodiscard]] const FieldRow& row() const { return field_row(request.kind, field().name); }

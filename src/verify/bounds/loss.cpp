@@ -41,9 +41,9 @@ constexpr double negligible_loss = 2;
 /// linear in the length of the function.
 constexpr std::size_t most_sweeps = 16;
 
-/// Marks the constants of the program that may depend on parameters which the scene fixes: their
-/// rounding counts in K. Not marked: literals of the model, powers of two, and irrational constants
-/// if no fixed parameter has an irrational value.
+/// True for each constant of the program that may depend on parameters fixed by the scene: the
+/// rounding of such a constant counts in K. False for literals of the model, powers of two, and
+/// irrational constants if no fixed parameter has an irrational value.
 std::vector<bool> mark_fixed_constants(const Model& model, const Scene& scene,
                                        const Program& program) {
   const FixedParameters& fixed = scene.specialisation.fixed;

@@ -2,12 +2,13 @@
 //
 //     loss = max(0, |x - x*| - N eta) / (u R),     R = |x*| + K
 //
-// K = sum |z dx/dz| over all inputs z (accuracy/conditioning.hpp): u K is the error of x if every
-// input is rounded once. Example: a double near 1e15 rad is exact to 0.1 rad only, so errors of its
-// sine count as no loss. For solutions of M x = b, errors and R are measured in the norm |D^1/2 x|,
-// D the diagonal of M. K and the norm are computed only if |x - x*| > 2 u |x*|, for at most 16
-// entries of a field. Otherwise R = |x*|, which never gives a smaller loss. If R is exactly 0, no
-// loss is reported.
+// x is an entry, x* its exact value, u the unit roundoff, N the number of operations, eta the
+// smallest denormal. K = sum |z dx/dz| over all inputs z (accuracy/conditioning.hpp): u K is the
+// error of x if every input is rounded once. Example: a double near 1e15 rad is exact to 0.1 rad
+// only, so errors of its sine count as no loss. For solutions of M x = b, errors and R are measured
+// in the norm |D^1/2 x|, D the diagonal of M. K and the norm are computed only if
+// |x - x*| > 2 u |x*|, for at most 16 entries of a field. Otherwise R = |x*|, which never gives a
+// smaller loss. If R is exactly 0, no loss is reported.
 #pragma once
 
 #include <map>

@@ -25,8 +25,8 @@ class OracleCache {
   /// The diagonal of M; 0 for an undefined entry.
   [[nodiscard]] const std::vector<cln::cl_R>& diagonal_of_mass();
 
-  /// |E| plus the magnitudes of the terms of V; 0 if E is undefined. If the oracle's value is 0 in
-  /// exact arithmetic, its rounding error is usually smaller than 1e-60 of this sum.
+  /// |E| plus the magnitudes of the terms of V; 0 if E is undefined. If an entry is 0 in exact
+  /// arithmetic, the oracle's rounding error of this entry is usually below 1e-60 of this sum.
   [[nodiscard]] const cln::cl_R& energy_magnitude();
 
   /// The scale of the rounding errors of any value that is 0 in exact arithmetic:
@@ -50,7 +50,7 @@ class OracleCache {
 };
 
 /// True if |value - truth| <= 1e-50 (E + |truth|) + 1e-52 `scale`, E = number.error. `scale` is the
-/// scale of rounding errors of values that are exactly 0, because their E is too small. False if
+/// scale of rounding errors of values that are exactly 0; E of such a value is too small. False if
 /// the number is undefined.
 [[nodiscard]] bool agrees(const RunningValue<Real>& number, const Real& truth, const Real& scale);
 

@@ -1,7 +1,7 @@
 // Compares projections with oracle_contraction(). With up to four coordinates, relative pivots and
 // accelerations come from the oracle's own solution. With more coordinates, they come from the
-// program's mass matrix and accelerations, which have their own rows. With constraints the oracle
-// solves the equations, because few outputs return the multipliers.
+// program's mass matrix and accelerations, which other rows of the certificate compare. With
+// constraints the oracle solves the equations, because few outputs return the multipliers.
 #include "verify/bounds/projection.hpp"
 
 #include <fmt/format.h>
@@ -113,7 +113,7 @@ class ProjectionComparison {
     return make_mismatch((is_matrix ? "w.X y" : "w.x") + of_field, sum.value, *truth);
   }
 
-  /// An undefined entry is a mismatch if the oracle has a value, otherwise not.
+  /// The mismatch of an undefined entry, called `what`; no mismatch if the oracle has no value.
   Mismatch compare_undefined(const std::string& what) {
     const OracleValues& truth = oracle_.values(place_.request);
     return truth ? make_mismatch(what, Real::undefined(), truth->front()) : Mismatch();

@@ -28,8 +28,8 @@ namespace elgen {
 /// functions with errors up to 4 u.
 inline constexpr double max_user_code_error = 16;
 
-/// The bound for code that computes in a wider scalar, u' half its epsilon. The wider scalar has
-/// the roundings of E; at the end the result is rounded to the scalar:
+/// The bound for code that computes in a wider scalar; u' is half the epsilon of the wider scalar.
+/// Each rounding in E has the error u'; at the end, the result is rounded to the scalar, error u:
 ///
 ///     |x_wide - x*| <= u |x*| + 16 u' E + N eta
 ///
@@ -142,8 +142,8 @@ class StateCheck {
   std::vector<RunningValue<Real>> float_entries_ = {};
 };
 
-/// The cost of a state: the number of instructions, and the oracle's exact solution of constrained
-/// equations in the same unit.
+/// The cost of a state, in instructions: the instructions of the program, plus the oracle's exact
+/// solution of constrained equations.
 [[nodiscard]] std::size_t state_check_cost(const SystemUnderTest& subject);
 
 }  // namespace elgen

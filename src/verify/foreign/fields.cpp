@@ -1,4 +1,4 @@
-// A list of numbers has no names, so its size decides which fields it contains.
+// Finds the fields of an answer by the count of its numbers, because the numbers have no names.
 #include "verify/foreign/fields.hpp"
 
 #include <fmt/ranges.h>

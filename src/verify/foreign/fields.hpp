@@ -29,8 +29,8 @@ using ForeignFields = std::vector<ForeignField>;
 /// The number of entries of all fields.
 [[nodiscard]] std::size_t entry_count(const ForeignFields& fields);
 
-/// The fields of an answer of `count` numbers: the first of the following choices that has this
-/// size, empty if none has.
+/// The fields of an answer of `count` numbers: the first of the following choices with `count`
+/// entries; empty if no choice has `count` entries.
 ///     the first field
 ///     all fields without pivots and remainders
 ///     all fields

@@ -114,8 +114,8 @@ class ForeignComparison {
     return row_;
   }
 
-  /// The oracle's entries of the compared fields. If a field may be pure rounding error, they are
-  /// computed with more digits.
+  /// The oracle's entries of the compared fields. If a field may be pure rounding error, all
+  /// entries are computed with more digits.
   [[nodiscard]] OracleValues oracle_entries_at(const State& state) const {
     OracleValues truth = compared_entries(oracle_values(subject_.model, output_, state));
     if (!truth || !may_be_rounding_error(largest_by_field(*truth))) return truth;
@@ -350,7 +350,7 @@ LeafNames leaves_for(const Model& model, const std::vector<OutputRequest>& outpu
   return leaves;
 }
 
-/// E717. row.worst describes the largest error or, if no state was compared, the answers.
+/// E717 with `row.worst_value`: the largest error or, if no state was compared, the faulty answer.
 Diagnostic disagreement_error(const Model& model, const CertificateRow& row) {
   const std::string name = quote_text(row.subject);
   const std::string found = fmt::format("{}", fmt::join(row.findings, "; "));

@@ -38,8 +38,8 @@ struct ForeignStates {
 /// it takes neither.
 [[nodiscard]] std::string_view drive_text(const OutputRequest& output);
 
-/// For each parameter that the scene does not fix, appends a copy of the first state in which this
-/// parameter has another value. Returns the parameters.
+/// For each parameter that the scene does not fix, appends a copy of the first state; in the copy,
+/// this parameter has another value. Returns the parameters.
 [[nodiscard]] std::vector<std::uint32_t> add_parameter_variations(
     const SystemUnderTest& subject, std::vector<Arguments<double>>& states);
 

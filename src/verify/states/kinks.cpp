@@ -1,5 +1,5 @@
-// The side of a kink is the sign of the function's argument; for min and max, the sign of the first
-// argument minus the second.
+// KinkCoverage: finds the side of each kink on which a state lies: the sign of the function's
+// argument; for min and max, the sign of the first argument minus the second.
 #include "verify/states/kinks.hpp"
 
 #include <fmt/ranges.h>

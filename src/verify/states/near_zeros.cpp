@@ -71,8 +71,8 @@ class NearZeroSampler {
     Arguments<double> common = draw_in_ranges(subject_, ranges_, sampler_);
     std::set<std::uint32_t> held;
     for (const PositionSum& sum : sums) move_to_common_zero(sum, common, held);
-    // The number of distances is odd, so the second round puts at rest the distances that the first
-    // round put in motion.
+    // Every second state is at rest. The number of distances is odd, so that one round has a state
+    // at rest at a distance, the other round a moving state.
     for (int i = 0; i < 2 && !held.empty(); ++i) add_states_near(common, held);
     for (const PositionSum& sum : sums) {
       for (const std::uint32_t coordinate : sum.coordinates) {

@@ -139,11 +139,11 @@ bool satisfies_all_equations(const Model& model, const Expectation& equations, c
 }
 
 /// Searches another acceleration that satisfies all equations, such as the other root of a square.
-/// The search runs along lines on which all but one equation are constant to first order. On a
-/// line, left - right of the remaining equation is f(s), with f(0) = 0. The candidates are the
-/// other zero of a parabola, s = f'/(f' - f(1)), and for even functions the reflection of d(left -
-/// right)/da a. None if the motion itself does not satisfy the equations: equations with a wrong
-/// sign may determine another acceleration.
+/// The search runs along lines on which all equations except one are constant to first order. On a
+/// line, left - right of the remaining equation is f(s), with f(0) = 0. One candidate is the other
+/// zero of a parabola, s = f'/(f' - f(1)). The other candidate reverses the sign of
+/// d(left - right)/da . a, for an equation that is even in a. None if the motion itself does not
+/// satisfy the equations: equations with a wrong sign may determine another acceleration.
 std::optional<State> find_other_motion(const Model& model, const Expectation& equations,
                                        const State& motion, const std::vector<cl_R>& slopes) {
   if (!satisfies_all_equations(model, equations, motion, slopes)) return std::nullopt;
@@ -252,8 +252,8 @@ std::string difference_from_motion(const ExpectationProver& proofs, const Fracti
   return whole.empty() ? "" : fmt::format("left - right is {} along the motion", whole);
 }
 
-/// If the sum has the rate r, and its term t has the rate r_t, then the sum with t (1 - r/r_t) in
-/// place of t is conserved. Only rational r/r_t are reported.
+/// Replaces one term t of the sum by t (1 - r/r_t), which makes the sum constant; r is the rate of
+/// the sum, r_t the rate of t. Only rational r/r_t are reported.
 std::string difference_from_conserved(const ExpectationProver& proofs, const Fraction& written) {
   Algebra& algebra = *proofs.algebra();
   Arithmetic arithmetic(algebra);

@@ -22,7 +22,7 @@ namespace elgen {
 
 /// In which term the form differs from a quantity that is constant at u = 0: "compared with a
 /// conserved quantity: the term m*g*l*cos(theta) has the opposite sign". "" if no change of one
-/// term's factor makes the form constant, or if it contains momenta.
+/// term's factor makes the form constant, or if the form contains momenta.
 [[nodiscard]] std::string difference_from_conserved(const ExpectationProver& proofs,
                                                     const Fraction& written);
 

@@ -22,8 +22,8 @@ constexpr double identity_tolerance = 1e-40;
 constexpr const char* identity_reason =
     "1e-40 of the largest term: 64-digit arithmetic less 24 digits for cancellation";
 
-/// Smaller relative pivots mean that the chart is singular (a pole, gimbal lock); then their sign
-/// is not checked.
+/// A smaller relative pivot means that the chart is singular (a pole, gimbal lock). The sign of
+/// such a pivot is not checked.
 constexpr double singular_pivot = 1e-10;
 
 CertificateRow structure_row(const Function& function, std::string_view check,
