@@ -1,5 +1,5 @@
-// Enclosed numbers: exact if possible, otherwise with an error bound, rejected outside a function's
-// domain.
+// An enclosed number is exact if possible, otherwise it has an error bound. Arguments outside the
+// domain of a function are rejected with a reason.
 #include "numbers/enclosed_number.hpp"
 
 #include <cln/integer.h>

@@ -77,7 +77,7 @@ void check_derivative(double tolerance) {
       const Number f = interpreter::call(FunctionId::stumpff, Variable<Number>::at(x),
                                          ScalarTraits<Number>::from_real(cln::cl_I(k)));
       INFO("derivative " << order << " of c_" << k << " at " << text);
-      // For large |x| each derivative may lose a factor |x|.
+      // For |x| > 1 each differentiation may multiply the relative error by |x|.
       const double lost = std::pow(std::max(1.0, cln::double_approx(x)), order);
       const Real exact = derivative_of_series(order, k, x);
       CHECK(relative(exactly(Variable<Number>::slope(f)), exact) < tolerance * lost);

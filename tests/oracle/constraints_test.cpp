@@ -73,7 +73,7 @@ cl_R product(const Numbers& matrix, std::size_t row, const Numbers& x) {
   return sum;
 }
 
-/// `count` entries from `first` on.
+/// The `count` entries of `values` from index `first` on.
 Numbers part(const Numbers& values, std::size_t first, std::size_t count) {
   const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first);
   return {begin, begin + static_cast<std::ptrdiff_t>(count)};
@@ -90,7 +90,7 @@ Numbers rates_at(const Model& model, const State& state) {
               model.constraints.size());
 }
 
-/// Turns the quaternion by the small rotation vector `by` in body axes, correct to second order.
+/// Turns the quaternion of `rotation` by the small vector `by` in body axes, to second order.
 void turn(State& state, const Rotation& rotation, const Numbers& by) {
   const std::size_t first = rotation.first_coordinate;
   const Numbers e = part(state.q, first, quaternion_size);
@@ -129,7 +129,7 @@ State with_acceleration(const Model& model, State state) {
   return state;
 }
 
-/// The state with h added to entry j of q, v or u (`field` 0, 1, 2). A quaternion turns by h.
+/// `state` with h added to entry j of q, v or u (`field` 0, 1, 2). A rotation turns by the angle h.
 State displaced(const Model& model, State state, std::size_t field, std::size_t j, const cl_R& h) {
   Numbers& moved = field == 0 ? state.q : field == 1 ? state.v : state.u;
   const std::optional<std::uint32_t> rotation =
@@ -285,7 +285,7 @@ TEST_CASE("a projection keeps quaternion lengths and unconstrained coordinates")
   const State moved = projected_state(blades, state);
   CHECK(moved.q == state.q);
   CHECK(agree(rates_at(blades, moved)[0], 0, 70, 1));
-  // The change is along M^-1 A^T: across the blade, with no part in psi.
+  // The change of v is along M^-1 A^T, which is across the blade and 0 in psi.
   CHECK(agree(moved.v[2], state.v[2], 70, 1));
 }
 
@@ -318,7 +318,7 @@ TEST_CASE("the residual force acts neither on constraints nor on inputs") {
     const Numbers jacobian = entries(each, OutputKind::constraint_jacobian, state);
     for (std::size_t k = 0; k < m; ++k) CHECK(agree(product(jacobian, k, x), 0, 70, 1));
     CHECK(agree(x[0], 0, 70, 1));
-    // With two constraints the input balances every force; with one it cannot.
+    // Input and two constraint forces balance every force. Input and one constraint force do not.
     const bool is_balanced = cln::abs(rest[1]) + cln::abs(rest[2]) < small();
     CHECK(is_balanced == (m == 2));
   }

@@ -1,8 +1,8 @@
 // Builds Models from short texts, so that tests do not depend on the file format.
 //
-// Expressions: + - * / ^ ( ), the functions of functions.def, sqrt, ddt(e) for d/dt, x(P) y(P)
-// z(P), t, pi, and names. The rate of coordinate `x` is `x_d`, its acceleration `x_dd`. Exponents
-// are `^2`, `^-1`, `^(1/2)`.
+// Expressions: + - * / ^ ( ), the functions of functions.def, sqrt, ddt(e) for de/dt, components
+// x(P) y(P) z(P) of a point P, t, pi, and names. The coordinate `x` has the rate `x_d` and the
+// acceleration `x_dd`. Exponents are `^2`, `^-1`, `^(1/2)`.
 #pragma once
 
 #include <cln/rational_io.h>

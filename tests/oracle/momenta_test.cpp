@@ -1,4 +1,4 @@
-// Momenta: terms without rates, rotating bodies, and singular mass matrices.
+// Tests momenta: p = M v + b with b != 0, Euler's equations, and singular mass matrices.
 #include <catch2/catch.hpp>
 
 #include "oracle/samples.hpp"

@@ -77,7 +77,7 @@ void check(OutputKind kind, std::size_t first, const Contraction& by) {
   CAPTURE(static_cast<int>(kind), by.field);
   REQUIRE(values);
   REQUIRE(number);
-  // A few operations at the oracle's working precision.
+  // The oracle computes with 95 digits. A few operations lose at most 10 of these digits.
   CHECK(agree(*number, contracted(*values, first, by), 85, 1));
 }
 

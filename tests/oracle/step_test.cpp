@@ -79,7 +79,8 @@ TEST_CASE("a projected step ends on the constraints at its end time") {
 
 TEST_CASE("midpoint iterates as often as requested and returns the residual") {
   const ModelBuilder b = spring();
-  // The midpoint rates are w = 0, -1/4, -15/64 in turn. There x = 241/256, w + x/4 = 1/1024.
+  // The midpoint rates are w = 0, -1/4, -15/64 in turn. The last midpoint is x = 241/256 with the
+  // residual w + x/4 = 1/1024.
   const Values expected{exact("113/128"), exact("-241/512"), exact("1/1024")};
   CHECK(step_of(b, StepMethod::midpoint, at_one(b), 2) == expected);
 }

@@ -31,7 +31,7 @@ void classify(Fence& fence) {
   }
 }
 
-/// Splits the text at lines "…"; the first and the last part may be empty.
+/// The parts of `expected` between its lines "…"; the first and the last part may be empty.
 std::vector<std::string> chunks_of(const std::string& expected) {
   std::vector<std::string> chunks(1);
   for (const std::string& line : split_lines(expected)) {
@@ -44,7 +44,7 @@ std::vector<std::string> chunks_of(const std::string& expected) {
   return chunks;
 }
 
-/// The position of `chunk` in `text` at or after `at`, at the start of a line.
+/// The position of the first `chunk` in `text` that starts a line at or after position `at`.
 std::size_t find_lines(const std::string& text, const std::string& chunk, std::size_t at) {
   std::size_t found = text.find(chunk, at);
   while (found != std::string::npos && found > 0 && text[found - 1] != '\n') {

@@ -1,4 +1,4 @@
-// A documentation page for its tests: prose, and fences whose info string determines their kind.
+// Reads a documentation page: prose, and fences. The info string of a fence determines its kind.
 //
 //     ```sh                 commands, one per line; each must exit with code 0
 //     ```sh not-run: WHY    commands that no test runs, and the reason
@@ -42,7 +42,7 @@ inline const std::filesystem::path source = ELGEN_SOURCE_DIR;
 
 [[nodiscard]] Page read_page(const std::string& path, const std::string& text);
 
-/// A command and its output.
+/// A command of a console fence, without "$ ", and the output that the fence shows for the command.
 struct Exchange {
   std::string command = {};
   std::string output = {};
@@ -52,7 +52,7 @@ struct Exchange {
 /// True if `text` equals `expected`; a line "…" of `expected` matches any number of lines.
 [[nodiscard]] bool agrees(const std::string& expected, const std::string& text);
 
-/// The first group of every match, in order.
+/// The first group of every match of `pattern` in `text`, in order.
 [[nodiscard]] std::vector<std::string> all_matches(const std::string& text,
                                                    const std::regex& pattern);
 

@@ -63,7 +63,7 @@ void replay_page(const Page& page) {
   }
 }
 
-/// True if `anchor` is a heading of the page at `path`.
+/// True if a heading of the page at `path` has this anchor.
 bool has_anchor(const fs::path& path, const std::string& anchor) {
   const std::vector<std::string> known = anchors(read_page("", read_text(path)).prose);
   return std::find(known.begin(), known.end(), anchor) != known.end();

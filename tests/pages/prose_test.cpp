@@ -1,4 +1,4 @@
-// The prose of pages: columns of lines, lengths of cells and of sentences.
+// Limits of the prose of pages: columns of a line, columns of a cell, mean words of a sentence.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cctype>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_columns = 120;
 // Readers expect one line in a cell; GitHub wraps longer cells to paragraphs.
 constexpr std::size_t most_of_a_cell = 160;
-// Readability research counts longer sentences as difficult (Plain English Campaign: 15 to 20).
+// Sentences of more words on average are difficult to read (Plain English Campaign: 15 to 20).
 constexpr double most_words = 25;
 
 bool is_row(const std::string& line) { return starts_with(line, "|"); }
@@ -44,8 +44,8 @@ std::vector<std::string> paragraphs(const std::string& prose) {
   return all;
 }
 
-/// The sentences of the paragraphs. A sentence ends with a full stop or a mark before a blank, not
-/// at a colon. `a b.c` counts as one word, the target of a link as no word.
+/// The sentences of the paragraphs. A sentence ends at ".", "?" or "!" if a blank follows, never at
+/// a colon. A code span `a b.c` becomes the word "code"; the target of a link is removed.
 std::vector<std::string> sentences(const std::string& prose) {
   static const std::regex code("`[^`]*`");
   static const std::regex target(R"(\]\([^)]*\))");

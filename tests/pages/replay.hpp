@@ -1,5 +1,5 @@
-// Replays a fence of a page: writes its file, or runs its commands and compares their output and
-// files.
+// Replays a fence of a page: writes its file, runs its commands, compares the output of its
+// commands, or compares its excerpt with the file.
 #pragma once
 
 #include <filesystem>

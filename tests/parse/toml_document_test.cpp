@@ -132,7 +132,7 @@ TEST_CASE("a key may have 100 parts, which toml++ can still free, but no more", 
   CHECK(toml_message(repeated("a.", most - 1) + "a = 1").empty());
   CHECK(toml_message(repeated("a.", most) + "a = 1") == endless);
   CHECK(model_answer(repeated("a.", 400'000) + "a = 1") == "E101 1:200");
-  // Quotes and spaces do not hide a part.
+  // Parts in quotes and parts between spaces count too.
   CHECK(toml_message("[" + repeated("a . ", 200) + "a]") == endless);
   CHECK(toml_message("x = {" + repeated("\"=,\\\"\".", 200) + "a = 1}") == endless);
   CHECK(toml_message(repeated("'\"'.", 200) + "a = 1") == endless);

@@ -149,7 +149,7 @@ TEST_CASE("malformed rotations are reported with the expected shape", "[parse]")
 
 namespace {
 
-/// The wrong part of a symbol and its message; "" if the symbol is right.
+/// The wrong part of `symbol` and the message of E114, as "PART: MESSAGE"; "" if there is no E114.
 std::string symbol_mistake(const std::string& symbol) {
   const std::string text = coordinate_with("latex = '''" + symbol + "'''");
   if (!mentions(model_answer(text), "E114")) return "";

@@ -15,7 +15,7 @@ namespace {
 using cln::cl_R;
 using cln::cl_RA;
 
-/// The products of models/`model`.toml for `output`, with a scene unless `lines` is empty.
+/// The products of models/`model`.toml for `output`, in the scene `lines` unless `lines` is empty.
 Products near_products(const std::string& model, const std::string& output,
                        const std::string& lines) {
   return derived(inputs_of(model_file(model), lines), output, {Goal::self_check});

@@ -4,7 +4,7 @@
 //
 //     M q'' + v C1 q' + (g K0 + v^2 K2) q = 0,   q = (lean, steer)
 //
-// with the matrices and eigenvalues of its section 5.
+// with the matrices and eigenvalues of section 5 of the paper.
 #include <array>
 #include <catch2/catch.hpp>
 #include <complex>
@@ -40,7 +40,7 @@ Block solved(const Block& m, const Block& b) {
           (m[0] * b[2] - m[2] * b[0]) / determinant, (m[0] * b[3] - m[2] * b[1]) / determinant};
 }
 
-/// Derivatives of the accelerations of (lean, steer) by (lean, steer) and by their rates.
+/// Derivatives of q'' with respect to q and to q', for q = (lean, steer).
 struct Linear {
   Block by_position{};
   Block by_rate{};
@@ -108,7 +108,7 @@ void check_same(const Block& found, const Block& expected) {
   }
 }
 
-/// det(s^2 I - s C - K) and its derivative by s, with C = `by_rate` and K = `by_position`.
+/// D = det(s^2 I - s C - K) and dD/ds, with C = `by_rate` and K = `by_position`.
 std::pair<Complex, Complex> determinant(const Linear& linear, Complex s) {
   const auto& [k, c] = linear;
   const auto entry = [&](std::size_t i) { return (i % 3 == 0 ? s * s : 0.0) - s * c[i] - k[i]; };

@@ -68,7 +68,7 @@ class Constrained {
   Products products_;
 };
 
-/// A reproducible state of rational numbers of magnitude 1; quaternions have length 1.
+/// A reproducible state of rational numbers from 3/17 to 25/17; quaternions have length 1.
 inline State random_state(const Constrained& system) {
   State state = system.nominal();
   const auto fill = [](std::vector<cln::cl_R>& leaves, int first) {

@@ -176,7 +176,7 @@ name = "rolled"
 T = "1/2*(axle + mass*radius^2)*dot(rolled)^2 + 1/2*vertical*dot(heading)^2"
 )toml";
 
-/// A top as a free body that is fixed at a point of its axis.
+/// A top: a body with six velocities, and a constraint that holds a point of its axis.
 const std::string hung_top = R"toml(format = 1
 [model]
 name = "hung_top"

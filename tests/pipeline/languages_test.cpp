@@ -26,7 +26,7 @@ scalar = ["{2}"]
 {4}
 )toml";
 
-/// NAME, CAPITALS and SCALAR are replaced. The arrays are large enough for every model here.
+/// Calls the C code of a model. NAME, CAPITALS and SCALAR are replaced; `to` receives all results.
 constexpr std::string_view c_side = R"source(#include "NAME_c/NAME_c.h"
 void c_side(const SCALAR *q, const SCALAR *v, const SCALAR *a, const SCALAR *u, SCALAR *to);
 void c_side(const SCALAR *q, const SCALAR *v, const SCALAR *a, const SCALAR *u, SCALAR *to) {

@@ -23,7 +23,7 @@ std::vector<std::string> stages(const Products& products) {
 TEST_CASE("all stages run in order and give a checked program and its files") {
   const Products products = products_with(&Products::self_check, model("cart_pole"));
   CHECK(products.self_check->failure.empty());
-  CHECK(products.self_check->states >= 1);  // more if the machine is idle
+  CHECK(products.self_check->states >= 1);  // an idle machine checks more states
   CHECK(products.files->files.size() == 3);
   CHECK(find_invariant_violation(*products.program).empty());
   std::vector<std::string> expected;

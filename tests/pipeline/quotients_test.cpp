@@ -11,7 +11,7 @@ namespace {
 
 constexpr double nothing = 1e300;
 
-/// A potential and its value at q = 0, r = 1/2; `nothing` if it has no value.
+/// A potential and its value at q = 0, r = 1/2; `nothing` if there is no value at this point.
 struct QuotientRow {
   std::string potential;
   double at_zero;

@@ -1,7 +1,7 @@
-// Random energies of 2 to 12 nodes over 1 to 3 coordinates: all functions, parameters of value 1, 0
-// and others, irrational constants. Each gives code and a page, or an error with a place. None
-// crashes. $ELGEN_SEEDS sets the number of energies, $ELGEN_FIRST_SEED the first seed.
-// $ELGEN_ALL_OUTPUTS requests all outputs.
+// Random energies of 2 to 12 nodes over 1 to 3 coordinates, with functions of one argument,
+// irrational constants, and the parameter values 0, 0.7, 1 and 1.3. Each energy gives code and a
+// page, or an error with a place. $ELGEN_SEEDS sets the number of energies, $ELGEN_FIRST_SEED the
+// first seed. $ELGEN_ALL_OUTPUTS requests all outputs.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t usual_count = 1000;
 constexpr std::uint64_t largest = 12;
 
-/// The share of energies that must be accepted. Fewer would mean that the generator draws nonsense.
+/// The least share of accepted energies. A lower share means that the generator draws nonsense.
 constexpr double least_accepted = 0.6;
 
 std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {

@@ -120,7 +120,7 @@ TEST_CASE("derivatives of steps agree with differences of the oracle's steps") {
        {std::pair("double_pendulum", "\"midpoint\", iterations = 3"),
         std::pair("cart_pole", "\"rk4\""), std::pair("quadrotor", "\"rk4\""),
         std::pair("pendulum_in_lift", "\"rk4\""), std::pair("two_link_arm", "\"rk4\""),
-        // These steps contain negations.
+        // The programs of the next three steps contain negations.
         std::pair("simple_pendulum", "\"midpoint\""), std::pair("elastic_pendulum", "\"midpoint\""),
         std::pair("chain", "\"midpoint\", order = 4, iterations = 2")}) {
     INFO(name);

@@ -1,5 +1,5 @@
-// Inputs that are wrenches on frames or forces on points. The columns of a wrench in B are the
-// transposed Jacobian of the twist. Also names, units, axes, locks, and refused inputs.
+// Tests inputs that are wrenches on frames or forces on points: names, units, axes, locks, and
+// refused inputs. The columns of a wrench in B are the transposed Jacobian of the twist.
 #include <catch2/catch.hpp>
 
 #include "pipeline/constrained_testing.hpp"

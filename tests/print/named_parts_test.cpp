@@ -64,7 +64,7 @@ inertia_about = "origin"
   return all;
 }
 
-/// The text page of the program before closed forms are chosen, composed of named parts.
+/// The text page of the recursive forms of two_links(), which are composed of named parts.
 std::string recursive_page() {
   const ChosenForms& c = two_links();
   return text_page(c.checked.model, c.checked.scene, c.recursive);

@@ -171,7 +171,7 @@ TEST_CASE("calls have the values of the C library") {
 }
 
 TEST_CASE("200 correct digits despite cancellation") {
-  // The angle of sin(10^30) needs 30 digits; 1 - cos(1e-60) loses 120.
+  // The angle of sin(10^30) needs 30 more digits; 1 - cos(1e-60) loses 120 digits.
   for (const char* text : {"sin(1000000000000000000000000000000)",
                            "1-cos(1/1000000000000000000000000000000000000000000000000000000000000)",
                            "exp(1)*pi-tan(7/5)"}) {

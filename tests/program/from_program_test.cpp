@@ -19,7 +19,7 @@ const char* const text =
 
 Program program() { return read_program(text); }
 
-/// The program after conversion of the instructions `wanted` to a graph and lowering, as text.
+/// The text of the program after the instructions `wanted` became a graph and a function again.
 std::string lowered_again(const std::vector<std::uint32_t>& wanted,
                           const std::vector<bool>& zeros = {}) {
   Program result = program();

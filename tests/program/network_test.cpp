@@ -224,7 +224,7 @@ TEST_CASE("the cheapest form collects factors, and expands sums of angles whose 
   CHECK(cheapest_cost({"a*b*c + a*b*d"}) == 3);  // a*b*(c + d)
   CHECK(cheapest_cost({"cos(a + b)"}) == 1 + 20);
   CHECK(cheapest_cost({"cos(a + b)", "cos(a)", "cos(b)"}) == 3 + 2 * 20);
-  // A part may be a number: 2*cos(a + 7/10) = 2*cos(7/10)*cos(a) - 2*sin(7/10)*sin(a).
+  // A part of an angle may be a number: cos(a + 7/10) = cos(7/10)*cos(a) - sin(7/10)*sin(a).
   CHECK(cheapest_cost({"cos(a + 7/10)", "cos(a)"}) == 3 + 20);
   CHECK(cheapest_cost({"5*cos(a) + 2*cos(a + 7/10)"}) == 3 + 20);
 }

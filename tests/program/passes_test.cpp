@@ -89,7 +89,7 @@ TEST_CASE("factor: common factors are multiplied once") {
         {"sqrt(2)*(c + sqrt(2)*a*b)"}},
        {"a common factor keeps its power", {"a*b^2*c^2 + a*b^2*d^2"}, {"a*b^2*(c^2 + d^2)"}}},
       factor);
-  // The remaining sums are factored again, inside and outside: a*(e + b*(c + d)) + c*(d + e).
+  // Sums inside and outside a factored term are factored too: a*(e + b*(c + d)) + c*(d + e).
   CHECK(counts_of(factor(expressions_of({"a*b*c + a*b*d + a*e + c*d + c*e"}))) ==
         OperationCounts{.add = 4, .mul = 3});
 }
@@ -156,7 +156,7 @@ TEST_CASE("angle_sums: a chain of splits grows with its length, not with its num
   }
   const auto expanded = expand_angle_sums(l.expressions);
   REQUIRE(expanded);
-  // Each link has two sums of two products and four calls.
+  // For each k there are two sums of two products, and four calls.
   CHECK(expanded->graph.size() < 12 * length);
 }
 

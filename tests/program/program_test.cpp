@@ -37,8 +37,8 @@ TEST_CASE("operations are counted as the emitted function executes them") {
       "  13 = atan2 12 0\n"
       "  result 1 1 = 13\n");
   const OperationCounts counts = count_operations(program.functions[0]);
-  // sin x and cos x share one angle, cos y is another; tan and atan2 are other calls; negation is
-  // free.
+  // sin x and cos x share one angle, cos y has another angle; tan and atan2 are other calls;
+  // negation is free.
   CHECK(counts ==
         OperationCounts{.add = 2, .mul = 1, .div = 1, .sqrt = 1, .sincos = 2, .other = 2});
   CHECK(cost(counts) == 2 + 1 + 4 + 8 + 2 * 20 + 2 * 16);

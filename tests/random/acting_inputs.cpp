@@ -20,7 +20,7 @@ bool is_locked(const Scene& scene, const std::string& on) {
   });
 }
 
-/// The coordinates that a force acts on; "" if it acts at a point or frame, which several
+/// The coordinates on which `force` acts; "" if `force` acts on a point or frame, which several
 /// coordinates move.
 std::vector<std::string> acted_on(const Force& force) {
   if (force.repeat == 0 || force.on.empty()) return {force.on};

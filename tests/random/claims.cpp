@@ -60,7 +60,7 @@ Expression second_derivative(const Expression& T, const Expression& a, const Exp
   return derivative(derivative(T, a), b);
 }
 
-/// The expression with + and - swapped in one sum of constants: number `countdown` from the left.
+/// The expression with + and - swapped in one sum of constants: index `countdown` from the left.
 Expression with_flipped_sign(const Expression& expression, int& countdown) {
   const bool is_sum =
       expression->kind == NodeKind::addition || expression->kind == NodeKind::subtraction;
@@ -185,7 +185,7 @@ std::vector<Claim> falsified(std::vector<Claim> claims, Draw& draw) {
   const int places = flippable_sums(entry);
   int countdown = places > 0 ? draw.below(places) : 0;
   const Expression other = with_flipped_sign(entry, countdown);
-  // A flipped sign before a zero, or in a factor that cancels, changes nothing.
+  // A flipped sign before a zero, or in a factor that cancels, does not change the value.
   const bool turns = places > 0 && differ(entry, other, draw);
   entry = turns ? other : entry + call_of("cos", {number(1)}) / number(1000);
   return claims;

@@ -9,7 +9,7 @@
 
 namespace elgen::test::random {
 
-/// The symbolic derivative of `expression` by `by`, which is a coordinate x or a rate dot(x).
+/// The symbolic derivative of `expression` with respect to `by`, a coordinate x or a rate dot(x).
 [[nodiscard]] Expression derivative(const Expression& expression, const Expression& by);
 
 /// Mass matrix, gravity and potential energy of a model with only [energy] T and V. Empty for other

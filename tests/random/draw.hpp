@@ -27,11 +27,11 @@ class Draw {
 
   /// A non-zero constant: rational, or in half of the models also irrational.
   Expression constant();
-  /// A rational number between 1/10 and 10.
+  /// A constant between 1/10 and 10: rational, or in half of the models also irrational.
   Expression positive();
   Expression rational();
 
-  /// A bounded, smooth function of the arguments, finite if they are in [-1, 1].
+  /// A smooth function of the arguments, bounded if all arguments are in [-1, 1].
   Expression function_of(const std::vector<Expression>& arguments);
 
  private:

@@ -143,7 +143,7 @@ std::string cpp_function(const Trial& trial, const std::string& declared, bool i
   return text;
 }
 
-/// The call in C: numbers are returned, arrays and structs are written to the last argument.
+/// A call in C that prints the results. The last argument of the call receives arrays and structs.
 std::string c_call(const Declaration& function, const Trial& trial) {
   const std::string base = base_name(trial.system);
   const std::string output = function.name.substr(base.size() + 1);

@@ -78,7 +78,7 @@ struct Node {
 class Scope {
  public:
   virtual ~Scope() = default;
-  /// `element` is empty or a number; variables of `for` and `sum` have been replaced.
+  /// The value of `name`, or of `name[element]` if `element`, a number, is not empty.
   virtual Jet value_of(const std::string& name, const std::string& element) = 0;
   virtual Jet component_of(const std::string& point, const std::string& element, int axis) = 0;
   virtual int dimension_of(const std::string& point) = 0;

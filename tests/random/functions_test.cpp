@@ -19,7 +19,7 @@ constexpr double other = 2;
 struct KnownFunction {
   std::string name;
   std::size_t arity;
-  std::optional<double> value;  ///< at `place`, by <cmath> if it has the function
+  std::optional<double> value;  ///< at `place`; empty if <cmath> lacks the function
 };
 
 const std::vector<KnownFunction>& functions() {

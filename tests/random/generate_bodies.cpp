@@ -40,7 +40,7 @@ std::vector<Expression> Generator::offset(int dimension, bool moving) {
   return place;
 }
 
-/// A planar model: a chain of rods with masses, some masses on curves, sometimes a turning body.
+/// Makes a planar chain of rods with masses, some masses on curves, sometimes with a turning body.
 void Generator::make_planar() {
   add_coordinates(1 + draw_.below(3));
   Model& model = made_.model;
@@ -73,7 +73,7 @@ void Generator::make_planar() {
   for (Coordinate& coordinate : model.coordinates) coordinate.armature = positive_constant();
 }
 
-/// Repetition: n coordinates, parameters and points with indices, and sums over them.
+/// Makes a model with arrays of n coordinates, parameters and points, and sums over the index.
 void Generator::make_array() {
   const int n = 2 + draw_.below(2);
   Model& model = made_.model;
@@ -174,7 +174,7 @@ void Generator::add_frame(const std::string& called, const std::string& parent) 
   made_.model.frames.push_back(frame);
 }
 
-/// A body, or sometimes a point mass, on the frame.
+/// Adds a body, or sometimes a point mass, to the frame.
 void Generator::add_body(const std::string& called, const std::string& frame) {
   if (draw_.chance(25)) {
     made_.model.points.push_back({.name = "P" + called,
@@ -205,8 +205,8 @@ void Generator::add_body(const std::string& called, const std::string& frame) {
   made_.model.bodies.push_back(body);
 }
 
-/// Nested frames that rotate and translate, with bodies. With `turns` one of the first two frames
-/// floats.
+/// Makes a model of bodies on nested frames that rotate and translate. If `turns`, a rotation
+/// coordinate turns one of the first two frames.
 void Generator::make_spatial(bool turns) {
   add_coordinates(turns ? draw_.below(2) + 1 : 1 + draw_.below(3));
   Model& model = made_.model;

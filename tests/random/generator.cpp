@@ -34,7 +34,7 @@ Expression Generator::positive_constant() {
   return draw_.chance(50) ? parameter() : draw_.positive();
 }
 
-/// 1/2 c (v + f(q) v + ...)^2: positive for any f.
+/// 1/2 c (v_1 + f_2(q) v_2 + ...)^2 with c > 0, which is never negative.
 Expression Generator::squared_sum() {
   Expression sum = rates_[0];
   for (std::size_t i = 1; i < rates_.size(); ++i) {
@@ -43,7 +43,7 @@ Expression Generator::squared_sum() {
   return positive_constant() / number(2) * raised(sum, 2);
 }
 
-/// T, V and sometimes terms linear in the rates.
+/// Makes a model of T and V, sometimes with terms linear in the rates.
 void Generator::make_energies() {
   add_coordinates(1 + draw_.below(3));
   Model& model = made_.model;
@@ -79,7 +79,7 @@ void Generator::add_terms() {
   }
 }
 
-/// Only L; in half of the cases not quadratic in the rates.
+/// Makes a model of L. Each rate adds fourth powers and square roots to L in some cases.
 void Generator::make_lagrangian() {
   add_coordinates(1 + draw_.below(2));
   Expression L = squared_sum();
@@ -92,7 +92,7 @@ void Generator::make_lagrangian() {
   made_.model.L = L + any_constant() * draw_.function_of(positions_) * draw_.one_of(rates_);
 }
 
-/// A model with an equilibrium at q = 0 for all parameters, for approximations.
+/// Makes a model for approximations: q = 0 is an equilibrium for all values of the parameters.
 void Generator::make_quiet() {
   add_coordinates(1 + draw_.below(3));
   Model& model = made_.model;

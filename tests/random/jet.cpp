@@ -97,7 +97,7 @@ Jet sine(const Jet& x, bool of_complement) {
 
 Jet exponential(const Jet& x) { return composed(x, exponential(x.value(), terms_needed(x))); }
 
-/// Functions built from exp.
+/// sinh(x), cosh(x) or tanh(x), from e^x and e^-x.
 Jet hyperbolic(std::string_view function, const Jet& x) {
   const Jet up = exponential(x);
   const Jet down = exponential(-x);
@@ -221,7 +221,7 @@ Jet operator/(const Jet& a, const Jet& b) {
   return a * real_power(b, -1, 1 / b.value());
 }
 
-/// The series in the non-constant part, by Horner's rule.
+/// sum_j series_j (x - x0)^j by Horner's rule, with the constant part x0 of `x`.
 Jet composed(const Jet& x, const std::vector<Number>& series) {
   Jet rest = x;
   rest.terms_.erase(0U);

@@ -39,8 +39,8 @@ class Jet {
   Jet& operator+=(const Jet& other);
   Jet& operator-=(const Jet& other);
 
-  /// The highest power of s that is kept. One value for all jets, because only one computation runs
-  /// at a time.
+  /// The highest power of s that products keep. One value serves all jets, because only one
+  /// computation runs at a time.
   static int order;
 
  private:

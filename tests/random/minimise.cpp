@@ -1,5 +1,5 @@
-// Greedy reduction: every candidate is the system without one item. The first candidate that still
-// fails replaces the system.
+// Greedy reduction: every candidate is the system with one entry removed or one expression made
+// simpler. The first candidate that still fails replaces the system.
 #include "random/minimise.hpp"
 
 #include <algorithm>
@@ -166,7 +166,8 @@ std::string whole_text(const System& system) {
          (system.scene.is_present ? text_of(system.scene, system.model) : "");
 }
 
-/// Applies each change of this kind while it changes the text and the system still fails.
+/// Makes each `change` that alters the text of `system`, if the changed system still fails. Returns
+/// true if `system` changed.
 bool reduce_by(System& system, const Change& change, const Fails& fails) {
   bool reduced = false;
   for (std::size_t k = 0;;) {

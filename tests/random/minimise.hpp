@@ -7,7 +7,8 @@
 
 namespace elgen::test::random {
 
-/// Removes entries, keys and parts of expressions, one at a time, while `fails` is true.
+/// `system` after every removal of a single entry, key or part of an expression that keeps `fails`
+/// true.
 [[nodiscard]] System minimised(System system, const std::function<bool(const System&)>& fails);
 
 }  // namespace elgen::test::random

@@ -116,7 +116,7 @@ struct Scene {
   bool fixes_all = false;
   std::vector<Lock> locks = {};
   int order = 0;                  ///< of [approximate]; 0: exact
-  std::vector<Named> about = {};  ///< the expansion point; its coordinates are small
+  std::vector<Named> about = {};  ///< point of expansion, for the expanded coordinates
   bool is_c99 = false;
   bool has_eigen = false;
   bool is_float = false;

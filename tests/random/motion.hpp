@@ -62,8 +62,8 @@ class Motion : public Scope {
   /// The angular velocity of a frame in world axes.
   Vector spin_of(const std::string& frame);
   Energies energies();
-  /// The generalised force of all forces and inputs on a velocity to which infinitesimal
-  /// `direction` was added.
+  /// The generalised force of all forces and inputs on one velocity. The state must contain
+  /// infinitesimal `direction` as a term of this velocity.
   Jet force_along(unsigned direction);
   /// The velocities, with the rates of locked coordinates filled in.
   const Vector& rates() const { return v_; }

@@ -36,7 +36,7 @@ bool shows(const System& system, std::uint64_t seed, const std::string& kind) {
       if (finding.kind == kind) return true;
     }
   } catch (const std::exception&) {
-    // A system whose definition gives no values does not fail in the same way.
+    // A system without true values does not show the failure `kind`.
   }
   return false;
 }

@@ -1,5 +1,5 @@
-// Random models and scenes through elgen, compared with the definition of their equations. A wrong
-// number must be found.
+// Compares the output of elgen for random models and scenes with values from the definition of the
+// equations. A wrong number must be found.
 #include <catch2/catch.hpp>
 
 #include "random/generator.hpp"
@@ -69,8 +69,8 @@ TEST_CASE("random models: verify gives the right verdicts") {
 }
 
 TEST_CASE("states far outside the ranges raise no false error") {
-  // Ratios of parameters up to 1e12. At seed 8129 intermediate values round more than M and b do.
-  // At seed 8136 derivatives cancel in 64 digits.
+  // These states have ratios of parameters up to 1e12. At seed 8129 intermediate values have larger
+  // rounding errors than M and b. At seed 8136 derivatives cancel in 64 digits.
   for (const std::uint64_t seed : {8129U, 8136U}) {
     const elgen::test::Workspace folder;
     Trial trial = make_trial(Generator(seed).system(), seed);

@@ -19,7 +19,7 @@ struct Finding {
   std::string text;  ///< numbers, or the output of elgen
 };
 
-/// A system with the state and values for its comparison.
+/// A system with a state, and the true and the shown values at this state.
 struct Trial {
   System system;
   std::uint64_t seed = 0;
@@ -47,7 +47,7 @@ struct Trial {
 [[nodiscard]] std::vector<std::vector<Finding>> compare_compiled(
     const std::vector<Trial>& trials, const std::filesystem::path& folder);
 
-/// The findings of all comparisons for `system`. No other system is compiled into its programs.
+/// The findings of all comparisons for `system`. The compiled programs contain no other system.
 [[nodiscard]] std::vector<Finding> all_findings(const System& system, std::uint64_t seed);
 
 /// The file name that a trial passes to elgen.

@@ -101,7 +101,8 @@ Truth::Truth(const System& system, ParameterValues parameters, State state)
   }
 }
 
-/// `state` with s times the deviations and rates of small coordinates, and s u if all are small.
+/// `state` with the deviations and rates of expanded coordinates multiplied by s. If all
+/// coordinates are expanded, u is multiplied by s too.
 State Truth::small(const Layout& layout, State state) const {
   const Jet scale = Jet::scale();
   const bool all = system_.scene.about.size() == layout.places.size();
@@ -118,7 +119,7 @@ State Truth::small(const Layout& layout, State state) const {
   return state;
 }
 
-/// The result of `read`, truncated after power order + 1 of the scale; exact if order is 0.
+/// The result of `read`, truncated after s^(order + 1) if the scene has an order > 0.
 Jet Truth::read(const Layout& layout, const State& state, const Read& read) const {
   const int order = system_.scene.order;
   if (order == 0) {
@@ -280,7 +281,7 @@ Matrix Truth::coriolis_matrix(const Matrix& M) const {
   return C;
 }
 
-/// Adds C, C v, g and the drift, which is the rest of the inertial forces.
+/// Adds C, C v, g, and the drift d/dt dL/dv - dL/dq - C v - g at a = 0.
 void Truth::add_velocity_terms(const Matrix& M) {
   const Matrix C = coriolis_matrix(M);
   const Vector h = product(C, free_entries(state_.v));

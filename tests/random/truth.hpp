@@ -2,10 +2,10 @@
 //
 //     d/dt dL/dv - dL/dq = B u + Q - dD/dv
 //
-// For a rotation with angular velocity w, [w]x dL/dw is added to the left side, and dL/dq stands
-// for N^T dL/dq with dq/dt = N w. L is evaluated on jets along the motion. M, C, g, ... are terms
-// of this equation or their derivatives, as models/README.md defines them. Approximations truncate
-// L after power order + 1 of the scale of small quantities.
+// For a rotation with angular velocity w, [w]x dL/dw is added to the left side, and N^T dL/dq
+// replaces dL/dq, with dq/dt = N w. L is evaluated on jets along the motion. M, C, g, ... are terms
+// of this equation or derivatives of terms, as models/README.md defines them. Approximations
+// truncate L after s^(order + 1), with the scale s of small quantities.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,7 @@ class Truth {
   /// The state has numbers for all coordinates. Numbers of locked coordinates are ignored.
   Truth(const System& system, ParameterValues parameters, State state);
 
-  /// Every output of the system whose definition gives a value.
+  /// The values of every output for which the definition gives values at the state.
   [[nodiscard]] Values outputs();
   /// The places of coordinates with their locks, and the state.
   [[nodiscard]] const Layout& layout() const { return layout_; }
@@ -84,7 +84,7 @@ class Truth {
 /// Solves M x = b for every column. Throws std::domain_error if M is singular.
 [[nodiscard]] Matrix solved(Matrix M, Matrix columns);
 
-/// The parameter values of the model file, or of the scene if it fixes them.
+/// The parameter values of the model file. Values that the scene fixes replace values of the file.
 [[nodiscard]] ParameterValues given_parameters(const System& system);
 
 }  // namespace elgen::test::random

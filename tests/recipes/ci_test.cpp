@@ -26,7 +26,8 @@ class Machine : public Repository {
         "/tests/recipes/scripts' '" + source() + "/" + recipe + "' home/scripts");
   }
 
-  /// Runs a step in a shell of its own. Files pass the variables of earlier steps on.
+  /// Runs step `name` in a new shell, after the commands `variables` and with the variables that
+  /// earlier steps wrote to $GITHUB_ENV.
   [[nodiscard]] Outcome step(const std::string& name, const std::string& variables = "") const {
     return outcome(
         "export ELGEN_PACKAGE=\"$HOME/package.deb\" GITHUB_BASE_REF=main "
@@ -47,7 +48,7 @@ class Machine : public Repository {
   static std::string source() { return ELGEN_SOURCE_DIR; }
 };
 
-/// The checksum of different bytes.
+/// Shell assignment of a checksum that differs from the checksum of the package.
 const std::string wrong_sum = "ELGEN_SHA256=" + std::string(64, '0');
 
 constexpr const char* flip = "s/\"-g\"/\"g\"/";

@@ -1,4 +1,4 @@
-// Inputs of the pipeline from texts and files, and its products.
+// Makes inputs of the pipeline from texts and files, and runs the pipeline.
 #pragma once
 
 #include <catch2/catch.hpp>

@@ -19,7 +19,8 @@ inline std::string link(const std::string& name, const std::string& parent,
 
 }  // namespace limbs
 
-/// 1 + 2 n velocities, or 6 + 2 n if `floats`; one input, which acts in the torque on link left1.
+/// The text of a model with 1 + 2 n velocities, or 6 + 2 n if `floats`. The torque on link left1
+/// contains the only input, u.
 inline std::string limbs_text(int n, bool floats = false) {
   std::string coordinates;
   const auto coordinate = [&](const std::string& name, const std::string& more = "") {

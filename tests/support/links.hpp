@@ -5,9 +5,8 @@
 
 namespace elgen::test {
 
-/// n links q1 ... qn: each a translation, a quarter turn and a rotation, with a body of general
-/// inertia. With `last_carries` the coordinates are in reverse order, so that qn turns the first
-/// link.
+/// The text of a model of n links: each a translation, a quarter turn and a rotation, with a body
+/// of general inertia. Link i turns by the coordinate q_i, or by q_(n + 1 - i) if `last_carries`.
 inline std::string links_text(int n, bool last_carries = false) {
   std::string coordinates;
   std::string frames;

@@ -25,7 +25,7 @@ inline CheckedModel checked_model(const std::string& text, const SceneOptions& o
   return checked_model(text, nullptr, options);
 }
 
-/// The model in a scene; `rest` follows the scene's name.
+/// The model in a scene; `rest` is the text of the scene after its name.
 inline CheckedModel checked_scene(const std::string& text, const std::string& rest) {
   const SourcePointer source = make_source(
       "test.scene.toml", "format = 1\nmodel = \"test.toml\"\nname = \"scene\"\n" + rest);

@@ -23,7 +23,7 @@ namespace {
 
 using NamedNumbers = std::map<std::string, Real>;
 
-/// The rules of fold_expression.
+/// Rules of fold_expression that replace each name by its number in `names`.
 struct NumberRules : RealRules {
   const NamedNumbers& names;
 
@@ -166,7 +166,7 @@ class FormulaReader {
            point.mass[0] * acceleration + point.stiffness[0] * deviation);
   }
 
-  /// "(a -+ b)/c": each of the two values is the w^2 of a mode.
+  /// Checks that each of the two values of `text`, "(a -+ b)/c", is the w^2 of a mode.
   void read_frequency(const std::string& text, const NamedNumbers& names,
                       const LinearMotions& motions) {
     for (const char* const sign : {"-", "+"}) {

@@ -262,8 +262,8 @@ class SidecarReader {
     }
   }
 
-  /// Checks the names of rows or columns: `count` names, all different. Names that are in another
-  /// list of the file are absent.
+  /// Checks that `key` has `count` names of rows or columns, all different. The key is absent if
+  /// another list of the file contains the names.
   void line_names(Json& json, const std::string& key, std::size_t count) {
     if (!json.contains(key)) return;
     const Json names = take(json, key);

@@ -124,7 +124,8 @@ std::vector<ReferenceRow> defined_rows(const Model& model,
   return rows;
 }
 
-/// The value of each constraint at each state: f(q, t) of a position, phi(q, v, t) of a velocity.
+/// For each constraint the values at all states: f(q, t) of a position constraint, phi(q, v, t) of
+/// a velocity constraint.
 std::vector<ReferenceRow> defined_constraints(const Model& model,
                                               const std::vector<Arguments<Real>>& states) {
   std::vector<ReferenceRow> rows(model.constraints.size());
@@ -164,8 +165,8 @@ void expect_solved(const Model& model, const PrintedEquation& equation,
   CHECK(equation.left == "dot(dot(" + model.velocities[0].name + "))");
 }
 
-/// True if every velocity has a row in book form. The last two functions are not rows but the
-/// invariants and accelerations.
+/// True if every velocity has a row in book form. The rows come before the last two functions: the
+/// invariants and the accelerations.
 bool all_rows_readable(const ReadableDerivation& steps, std::size_t velocities) {
   const std::vector<Function>& read = steps.program.readable;
   const auto end = read.end() - 2;
@@ -173,8 +174,8 @@ bool all_rows_readable(const ReadableDerivation& steps, std::size_t velocities) 
                      [](const Function& row) { return !row.fields.empty(); });
 }
 
-/// Compares the equations of motion and of constraints, and for one velocity the solved equation.
-/// False if an equation of motion is not in book form or the first equation has no value.
+/// Compares the equations of motion and of constraints, and for a single velocity also the solved
+/// equation. False if an equation of motion is not in book form or the first equation has no value.
 bool expect_rows(const SourcePointer& source) {
   const Products products =
       products_with(&Products::steps, {source, nullptr}, {.goals = {Goal::steps}});
@@ -184,7 +185,7 @@ bool expect_rows(const SourcePointer& source) {
   const std::vector<PrintedEquation> equations = motion_equations(text);
   const std::size_t count = model.velocities.size();
   if (!all_rows_readable(*products.steps, count))
-    return false;  // other rows are not complete equations
+    return false;  // a row without book form is not printed as one equation
   REQUIRE(equations.size() >= count);
   WrittenEquations written({model, products.checked->scene, products.steps->program});
   std::vector<ReferenceRow> rows = defined_rows(model, written.states());

@@ -1,5 +1,5 @@
-// Equations in comments, JSON and text agree with the derived ones, for all committed models and 50
-// random ones. Every changed entry is detected.
+// Equations in comments, JSON and text agree with the derived equations, for all committed models
+// and 50 random models. Every changed entry is detected.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>

@@ -16,7 +16,7 @@ namespace elgen::test {
 namespace {
 
 constexpr std::size_t state_count = 2;
-/// The computation has 64 digits, but sums of many terms may lose some by cancellation.
+/// The computation has 64 digits. Cancellation in sums of many terms may lose some of these digits.
 constexpr long agreeing_digits = 40;
 
 std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
@@ -31,7 +31,7 @@ std::unordered_map<std::string, Real> leaves_at(const LeafNames& names,
   return leaves;
 }
 
-/// A few digits, for messages.
+/// The value in 12 digits for messages, or "undefined".
 std::string short_value(const Real& value) {
   constexpr int digits = 12;
   if (!value.is_defined()) return "undefined";

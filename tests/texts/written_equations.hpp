@@ -37,7 +37,7 @@ class WrittenEquations {
   void clear_parts();
 
   // These functions return the mistake in an equation, empty if there is none.
-  /// "force_link7_3 = m7*…", in leaves and earlier parts. All functions may use it.
+  /// "force_link7_3 = m7*…": a part in leaves and earlier parts, which all functions may use.
   [[nodiscard]] std::string part(const std::string& name, const std::string& text);
   /// "t_1 = m*l": a named instruction that later equations may use.
   [[nodiscard]] std::string definition(const std::string& name, const std::string& text);
@@ -62,7 +62,7 @@ class WrittenEquations {
   /// A function of the program, evaluated when its first equation is read.
   struct Known {
     bool is_evaluated = false;
-    std::vector<std::vector<Real>> instructions = {};  ///< by state
+    std::vector<std::vector<Real>> instructions = {};  ///< [state][instruction]
     std::vector<Real> largest = {};
     std::unordered_map<std::string, std::uint32_t> named = {};
     std::unordered_map<std::string, Evaluated> texts = {};
@@ -77,8 +77,8 @@ class WrittenEquations {
 
   Origin origin_;
   std::vector<Arguments<Real>> states_;
-  std::vector<std::unordered_map<std::string, Real>> leaves_ = {};  ///< by state
-  std::vector<std::unordered_map<std::string, Real>> parts_ = {};   ///< by state
+  std::vector<std::unordered_map<std::string, Real>> leaves_ = {};  ///< one map per state
+  std::vector<std::unordered_map<std::string, Real>> parts_ = {};   ///< one map per state
   std::vector<Known> known_;
   std::set<std::string> defined_ = {};
   std::size_t index_ = 0;

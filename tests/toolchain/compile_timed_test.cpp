@@ -40,7 +40,7 @@ std::string header_with_values() {
   return text;
 }
 
-/// The batch of the sample, timed for all states in packs and for one call per state.
+/// Two timed functions of the sample's batch: all states in packs, and one call per state.
 Result<TimedFunctions> compiled_batch() {
   TimingOptions options{.limits = {.seconds = 600}};
   options.variants = {{ScalarKind::double_precision, true, false},

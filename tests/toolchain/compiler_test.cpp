@@ -1,4 +1,4 @@
-// Which compiler is used, how strict its flags are, and how a machine is identified.
+// The choice of the compiler, the strictness of its flags, and the description of the machine.
 
 #include <catch2/catch.hpp>
 #include <fstream>

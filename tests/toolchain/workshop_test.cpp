@@ -1,5 +1,5 @@
-// A workshop builds drivers next to the headers that they include. Its directory is private and
-// unique, and is removed with its owner.
+// A compiler session builds drivers next to the headers that the drivers include. A temporary
+// directory is private and unique, and the destructor of its owner removes the directory.
 #include "toolchain/workshop.hpp"
 
 #include <sys/stat.h>

@@ -11,7 +11,7 @@ using Catch::Contains;
 
 namespace {
 
-/// An arm that slides by `a`, and a second joint of the given type that mimics it.
+/// An arm that slides by the joint `a`, and a joint `k` of this type whose `elements` mimic `a`.
 std::string mimicking(const std::string& type, const std::string& elements) {
   return with_arm(
       "<link name=\"b\"/>\n"

@@ -1,4 +1,4 @@
-// Glossary: the names of links, joints and parameters, and which numbers become parameters.
+// Glossary: the names of links, joints and parameters, and the numbers that become parameters.
 #include "urdf/glossary.hpp"
 
 #include <catch2/catch.hpp>

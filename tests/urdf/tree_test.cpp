@@ -1,4 +1,4 @@
-// The tree of links, mimic joints, and which joints move mass.
+// The tree of links, mimic joints, and joints that must move a mass.
 #include "urdf/tree.hpp"
 
 #include <catch2/catch.hpp>

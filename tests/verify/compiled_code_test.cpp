@@ -24,7 +24,7 @@ std::vector<CertificateRow> rows_of(const System& system, const Changed& compile
                              sample_states<Scalar>(system.subject(), {4, 1, true}));
 }
 
-/// Sines and cosines of the library, the cosine times a factor; only in double.
+/// Code with std::sin(t) and `factor` std::cos(t) as its sine and cosine, only in double.
 class LibrarySines final : public CompiledModel {
  public:
   explicit LibrarySines(double factor) : factor_(factor) {}

@@ -141,7 +141,7 @@ TEST_CASE("an angle with an uncertainty above 1/1000 rad gives no figure") {
 
 TEST_CASE("losses are relative to the effect of the inputs' rounding") {
   const System system = written_as(cosine);
-  // x = 9.81 (1 - cos 1). Each of m, l, g and th adds its share.
+  // R = |x| + K with x = 9.81 (1 - cos 1). K is x for each of m, l and g, and 9.81 sin 1 for th.
   const double x = 9.81 * (1 - std::cos(1.0));
   const double reference = 4 * x + 9.81 * std::sin(1.0);
   CHECK(loss_of(system, at(1), 100 * x).relative_to_entry.loss == Approx(100 * x / reference));
@@ -192,8 +192,8 @@ TEST_CASE("if R is exactly 0, the entry has no figure and is counted") {
 }
 
 TEST_CASE("the loss is at most the digits of a scalar") {
-  // Computes m by adding and subtracting numbers of about 1e20, which cancel exactly but not when
-  // rounded.
+  // Computes m by adding and subtracting numbers of about 1e20, which cancel exactly. The rounded
+  // numbers do not cancel.
   const auto lossy = [](const std::string& x, const std::string& y,
                         const std::pair<std::string, std::string>& sum) {
     ModelBuilder builder;

@@ -123,7 +123,7 @@ TEST_CASE("accelerations are one column, weighted by the square roots of M's dia
 }
 
 TEST_CASE("a small acceleration beside a large one has no digits of its own") {
-  // a = (-b, c b)/(1 - c^2): at c = 1e-17 all digits of the second are lost in (1 + c) - 1.
+  // a = (-b, c b)/(1 - c^2). At c = 2^-60 all digits of a_2 are lost in (1 + c) - 1.
   const std::string body =
       "  4 = add 0 1\n  5 = subtract 4 0\n  6 = negate 2\n  7 = multiply 5 2\n"
       "  8 = multiply 1 1\n  9 = subtract 0 8\n  10 = divide 6 9\n  11 = divide 7 9\n"

@@ -160,7 +160,7 @@ System framed_system(const std::string& outputs) {
   return {checked.model, checked.scene, *lower(*equations, checked.scene.outputs, {})};
 }
 
-/// The system with two functions: `function`, and the pose from which `function` is derived.
+/// `whole` with only two functions: `function`, and the pose from which `function` is derived.
 System alone(const System& whole, const Function& function) {
   System system = whole;
   system.program.functions = {*find_function(whole.program, OutputKind::user_value, function.user),

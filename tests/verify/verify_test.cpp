@@ -56,7 +56,7 @@ TEST_CASE("a wrong program fails, and a wrong expectation too") {
 
 TEST_CASE("for a long program few states are visited, ordinary and extreme ones") {
   System system = cart_pole_system();
-  // As long as the equations of a big robot. Unused instructions change no value.
+  // 20000 instructions, as for a big robot. The added instructions are unused and change no value.
   Function& mass = system.program.functions.front();
   mass.instructions.resize(20'000, mass.instructions.front());
   mass.names.resize(mass.instructions.size());

@@ -46,7 +46,7 @@ const ComparedField& place_of(const std::vector<ComparedField>& places, const st
   return places.front();
 }
 
-/// A system with one coordinate x and this V, and code for it.
+/// A system with the coordinate x and the potential V, which the program computes by `body`.
 System with_potential(const std::string& V, const std::string& body) {
   ModelBuilder builder;
   builder.coordinate("x").T("x_d^2/2").V(V);

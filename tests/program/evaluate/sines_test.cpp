@@ -74,7 +74,7 @@ double in_ulps(Scalar value, const Real& truth) {
   return std::abs(to_double(error.value())) / ulp;
 }
 
-/// The larger error of sine and cosine at an angle, for single numbers.
+/// The larger error of the sine and the cosine of `angle`, in ulps.
 template <class Scalar>
 double worst_ulps(const SineEvaluator<Scalar>& numbers, Scalar angle) {
   const Real exact{exact_value(static_cast<double>(angle))};
@@ -176,13 +176,15 @@ TEST_CASE("multiples of all but the last part of pi/2 are exact on the domain") 
     for (std::size_t i = 0; i + 1 < known.parts.size(); ++i) {
       const cl_RA part = exact_value(known.parts[i]);
       rest = rest - part;
-      // k times a part is exact if the bits of both, without trailing zeros, fit the significand.
+      // k times a part is exact if k and the part together have no more bits than the significand.
+      // Trailing zeros of the part do not count.
       cln::cl_I significand = cln::numerator(part);
       while (cln::evenp(significand)) significand = cln::exquo(significand, 2);
       CHECK(cln::integer_length(significand) + cln::integer_length(most) <=
             static_cast<std::uintptr_t>(bits));
     }
-    // No angle is closer than 2^-61 (float 2^-28) to a multiple k pi/2; the closest has k < 256.
+    // No double is closer than 2^-61 to a multiple k pi/2, no float closer than 2^-28. The closest
+    // number has k < 256.
     const double nearest = std::ldexp(1.0, (bits == 53 ? -61 : -28) - bits);
     CHECK(cln::abs(rest) * 256 < exact_value(nearest));
     const cl_R inverse = 2 / cln::pi(digits) - exact_value(known.inverse);

@@ -84,7 +84,7 @@ TEST_CASE("numbers beyond double are printed too") {
   CHECK(short_number_text(cln::cl_R("0")) == "0");
   CHECK(short_number_text(cln::cl_R("22/7")) == "3.14286");
   CHECK(mentions(short_number_text(cln::expt(cln::cl_RA(10), 400) * 3 / 2), "e400"));
-  // As a fraction this has 10^12 digits.
+  // As a fraction, this number has 10^12 digits.
   const cln::cl_R absurd = cln::scale_float(cln::cl_float(1, cln::float_format(60)), 1L << 42);
   CHECK(short_number_text(absurd) == "4.21e1323943922167");
 }
@@ -131,7 +131,7 @@ TEST_CASE("literals do not contribute, but constants from a fixed parameter do")
 }
 
 TEST_CASE("K is accurate if doubles cancel, underflow or overflow") {
-  // (1e20 x + x) - 1e20 x: the derivatives by 1e20 x cancel.
+  // (1e20 x + x) - 1e20 x has the derivative (1e20 + 1) - 1e20 = 1, which doubles compute as 0.
   const std::string cancelling = head +
                                  "  3 = constant 100000000000000000000\n  4 = multiply 3 1\n"
                                  "  5 = add 4 1\n  6 = subtract 5 4\n  result 1 1 = 6\n";

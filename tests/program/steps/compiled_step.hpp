@@ -1,4 +1,4 @@
-// Runs the emitted and compiled step repeatedly.
+// Compiles the emitted step of a model, and calls the step repeatedly.
 #pragma once
 
 #include <algorithm>

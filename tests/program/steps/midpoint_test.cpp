@@ -7,8 +7,8 @@
 namespace elgen::test {
 namespace {
 
-/// A cart on a ramp that is lifted by a law, with a damped pendulum of growing mass, in a field
-/// with p = M v + b.
+/// A cart on a spring carries a damped pendulum whose mass m grows with time. Terms linear in
+/// dot(theta) give p = M v + b.
 const std::string lifted = model_text("lifted", R"toml([[coordinate]]
 name = "x"
 start = { value = 0.3, rate = 1 }

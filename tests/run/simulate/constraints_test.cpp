@@ -38,7 +38,7 @@ name = "rod"
 equation = "x^2 + y^2 = 1.69"
 )toml");
 
-/// The same pendulum in its angle: x = 1.3 sin q, y = -1.3 cos q.
+/// The bob on the rod with the angle q as its only coordinate: x = 1.3 sin q, y = -1.3 cos q.
 const std::string bob_by_angle = model_text("bob", R"toml([[coordinate]]
 name = "q"
 start = { value = 0.39479111969976155, rate = 2 }

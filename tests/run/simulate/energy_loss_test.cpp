@@ -110,7 +110,7 @@ TEST_CASE("a changed entry of `conserved` is reported, but the run does not fail
   const auto run = by_rk4(text, 0.01, 5, start_options("", "u=1"));
   CHECK(mentions(loss_message(run), "`E` of `conserved` deviates by up to "));
   CHECK_FALSE(run->loses_energy);
-  // The terms cancel: y and its rate stay 0.
+  // Both terms of the conserved quantity are 0, because y and dot(y) stay 0.
   const std::string turn = orbit(kinetic + "V = \"-1/sqrt(x^2 + y^2)\"\n") +
                            "[[expect]]\nconserved = [\"x*dot(y) - y*dot(x)\"]\n";
   CHECK(loss_message(by_rk4(turn, 0.001, 0.5, start_options("dot(y)=0"))).empty());

@@ -248,7 +248,7 @@ T = "1/2*dot(x)^2"
 on = "x"
 value = "1000*max(0, -x)"
 )toml");
-  // Half a period of the spring.
+  // The wall acts as a spring: x returns to 0 after half of the period 2 pi/sqrt(1000).
   const double back = 1 + M_PI / std::sqrt(1000.0);
   CHECK(end_of(wall, {.duration = 3})[1] == Approx(3 - back).margin(1e-7));
   const std::string jump = model_text("jump", R"toml([[coordinate]]

@@ -32,7 +32,7 @@ name = "guide"
 equation = "sin(a) + sin(b) = 0"
 )toml");
 
-/// A mass moved by x and y together, plus `squares` times dot(y)^2.
+/// T = 1/2 m (dx/dt + dy/dt)^2 + 1/2 m `squares` (dy/dt)^2
 std::string two_rates(const std::string& squares) {
   return model_text("rates", R"toml([[coordinate]]
 name = "x"

@@ -36,8 +36,8 @@ TEST_CASE("reference runs of fourteen systems end at their known states") {
   const auto cases = nlohmann::json::parse(
       read_text(std::string(ELGEN_SOURCE_DIR) + "/tests/run/simulate/trajectories.json"));
   REQUIRE(cases.size() == 14);
-  // The error of a step is amplified by the largest sensitivity up to this time. At most 100 + t
-  // such errors add up.
+  // The largest sensitivity up to time t amplifies the error of each step. The errors of at most
+  // 100 + t steps add up.
   const double tolerance = 3e-15;
   for (const auto& one : cases) {
     const CompiledSystem compiled(one["model"], start_options(one["start"]));
@@ -70,7 +70,7 @@ TEST_CASE("rows are at their times, including the start and the end") {
   for (std::size_t i = 0; i < 4; ++i) CHECK(run.rows[i][0] == 2 + 0.3 * static_cast<double>(i));
   CHECK(run.rows.back()[0] == 3);
   CHECK(run.rows.back() == run.last);
-  // Eight steps in each third, three in the remainder.
+  // Eight steps between rows 0.3 apart, three steps in the last interval of 0.1.
   CHECK(run.steps == 3 * 8 + 3);
   CHECK(run.columns.size() == 4);
   CHECK(run.columns[2].name == "dot(q)");

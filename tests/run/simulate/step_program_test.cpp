@@ -46,9 +46,8 @@ TEST_CASE("the pendulum's energy oscillates without drift") {
         pendulum.trajectory(steps_of(method, pendulum_period / 100, 1000 * pendulum_period));
     CHECK(run.steps == 100000);
     CHECK(run.energy.worst == Approx(swing).epsilon(0.02));
-    // A tenth of the run is 100 periods, except for a phase of one step. The mean of a tenth is
-    // therefore accurate to 1e-2 of the oscillation. A single run of 1e6 periods gave a drift of
-    // 1.2e-10.
+    // A tenth of the run is 100 periods, up to one step. The mean of a tenth is therefore accurate
+    // to 1e-2 of the oscillation. A single run of 1e6 periods gave a drift of 1.2e-10.
     CHECK(std::abs(run.energy.secular) < drift);
   }
 }
@@ -112,7 +111,7 @@ TEST_CASE("during a step an input has its law's value at the start of the step")
         held.trajectory({.method = method, .duration = 0.5, .step = 0.25, .row_interval = 0.25});
     CHECK(run.last[1] == Approx(0.8759765625).epsilon(1e-14));
     CHECK(run.last[2] == Approx(-0.25 - 0.96875 / 4).epsilon(1e-14));
-    // A row contains the input of the step that starts there.
+    // A row contains the input of the step that starts at the time of the row.
     CHECK(run.rows[1][3] == Approx(-0.96875).epsilon(1e-14));
   }
 }

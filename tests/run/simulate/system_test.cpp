@@ -1,4 +1,5 @@
-// Queries of steps to a system, and values of expressions at a state, against hand calculations.
+// Compares the functions of a system that steps call, and values of expressions at a state, with
+// hand calculations.
 #include "run/steps/system.hpp"
 
 #include <catch2/catch.hpp>

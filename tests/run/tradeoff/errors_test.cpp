@@ -1,4 +1,4 @@
-// Errors of designs, and runs with constant steps: their plans, ends and errors.
+// Errors of designs. Plans, final states and final errors of runs with constant steps.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -17,8 +17,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// A row with quartiles 5 % around its cost. In packs a call for a single state costs five times as
-/// much. `noise` is the worst error divided by the least.
+/// A row with quartiles 5 % below and above `cost`. In packs, a call for a single state costs
+/// 5 `cost`. `noise` is the worst error divided by the least error.
 TradeoffRow row_of(std::vector<std::string> values, double cost, double error, double noise = 1) {
   const double call = values.back() == "packs" ? 5 * cost : cost;
   return {.values = std::move(values),
@@ -31,7 +31,7 @@ TradeoffRow failed_row(std::vector<std::string> values, std::string why) {
   return {.values = std::move(values), .failure = std::move(why)};
 }
 
-/// A table of two scalar types, singly and in packs, and of a failed row, in the order of a plan.
+/// A table in the order of a plan: two scalar types, each singly and in packs, and a failed row.
 TradeoffTable sample_table() {
   return {.model = "arm",
           .subject = "gravity",

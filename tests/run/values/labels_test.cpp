@@ -13,7 +13,7 @@ namespace elgen::test {
 
 namespace {
 
-/// Checks that count, list and single lines along an extent agree, and that all texts differ.
+/// Checks that extent_size(), extent_lines() and line_at() agree, and that the lines' texts differ.
 void check_lines(const Model& model, Extent extent, std::uint32_t user) {
   const std::vector<FieldLine> lines = extent_lines(model, extent, user);
   CHECK(lines.size() == extent_size(model, extent, user));

@@ -1,4 +1,4 @@
-// Values and vectors of models for their tests.
+// Computes values at a state, and test vectors, from the text of a model.
 #pragma once
 
 #include <catch2/catch.hpp>
