@@ -16,7 +16,7 @@ using Value = RunningValue<Real>;
 const RunningErrorRules<Real> rules{};
 const RunningErrorRules<double> rules_in_double{};
 
-// Operators that apply `rules`, so that tests can write formulas of values with errors.
+// The operators of Value apply `rules`, so that tests can write formulas.
 Value operator-(const Value& x) { return rules.negate(x); }
 Value operator+(const Value& x, const Value& y) { return rules.add(x, y); }
 Value operator-(const Value& x, const Value& y) { return rules.subtract(x, y); }

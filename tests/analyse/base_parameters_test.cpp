@@ -1,6 +1,6 @@
-// Base parameters. The expected number is the rank of the regressor by an independent program.
-// The base parameters alone reproduce all forces, and the factors of regrouped parameters equal
-// factors derived by hand.
+// Base parameters. An independent program computes the rank of the regressor, which is the expected
+// number of base parameters. The base parameters alone reproduce all forces. The factors of
+// regrouped parameters equal factors derived by hand.
 #include <catch2/catch.hpp>
 
 #include "analyse/residues.hpp"
@@ -113,7 +113,7 @@ TEST_CASE("point masses on a line, tilted by a multiple of a right angle or by a
     const BaseParameters found = base_of(pendulum(tilt));
     CHECK(found.is_exact == is_exact);
     REQUIRE(found.base.size() == 2);
-    // 3 = -3 * 1 + 3 * 2 and 9 = -3 * 1 + 3 * 4
+    // The column of a mass at r depends on (r, r^2), and (3, 9) = -3 (1, 1) + 3 (2, 4).
     REQUIRE(found.base[0].regrouped_terms.size() == 1);
     CHECK(double_of(found.base[0].regrouped_terms[0].factor) == Approx(-3).epsilon(1e-15));
     CHECK(double_of(found.base[1].regrouped_terms[0].factor) == Approx(3).epsilon(1e-15));

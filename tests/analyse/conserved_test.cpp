@@ -1,5 +1,5 @@
-// The [[expect]] lines at the end of a page of symmetries: they are proved if pasted into the
-// model, and refused if the sign of F is reversed. A run conserves the integrals.
+// A page of symmetries ends with [[expect]] lines. Pasted into the model, these lines are proved;
+// lines with the sign of the gauge function F reversed are refused. A run conserves the integrals.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -22,8 +22,8 @@ struct Dimension {
   std::vector<std::string> fixed = {};
 };
 
-/// Numbers of symmetries, counted by hand, and by an independent program as the dimension of the
-/// null space of the conditions.
+/// Each model with its number of symmetries, counted by hand, and by an independent program as the
+/// dimension of the null space of the conditions.
 std::vector<Dimension> dimensions() {
   return {
       {"line", 3},
@@ -106,7 +106,7 @@ std::string name_of_row(const Dimension& row) {
 }
 
 /// A line for each row with another number of symmetries than `count`, and a line for each row with
-/// an unproved symmetry. For panda7, which has no closed forms, a line if all are proved.
+/// an unproved symmetry. panda7 has no closed forms, and gets a line if all symmetries are proved.
 std::string differing_rows(const std::vector<Dimension>& rows) {
   std::string lines;
   for (const Dimension& row : rows) {
@@ -145,8 +145,8 @@ TEST_CASE("closed forms and samples find the same number of symmetries") {
     const FoundSymmetries of_model(symmetric_model(name));
     const Symmetries& found = of_model.found();
     exact += found.is_exact ? 1 : 0;
-    // At the values of their parameters these two models have an additional symmetry; in ur5 the
-    // wrist has equal inertias.
+    // ur5 and unequal_at_special_values have an additional symmetry at the values of their
+    // parameters; in ur5 the wrist has equal inertias.
     const std::size_t special = name == "ur5" || name == "unequal_at_special_values" ? 1 : 0;
     if (found.states > 0 && found.sampled == found.symmetries.size() + special) continue;
     lines += fmt::format("{}: {}, {} of {} states\n", name, found.symmetries.size(), found.sampled,

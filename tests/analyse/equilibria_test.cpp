@@ -264,9 +264,9 @@ TEST_CASE("an equilibrium is exact if the equations are 0 for all values of the 
   CHECK(mentions(text_of(equilibria_page(found.checked, found.equilibria)),
                  "exact for all values of the parameters; stability computed at the parameters' "
                  "values"));
-  // x = 0 is exact in both cases; at c > h there are also x = +-sqrt(c^2 - h^2).
+  // At c < h the only equilibrium is x = 0; at c > h there are also x = +-sqrt(c^2 - h^2).
   CHECK(analyse_model(spring, {.fixed = {"c=1.5"}}).equilibria.points.size() == 3);
-  // x = 0 is an equilibrium only if a = b.
+  // The equilibrium is x = b - a, which is 0 at the values of a and b.
   const Analysed special = analyse_model(potential_model(coordinate("x"), "1/2*x^2 + (a - b)*x") +
                                          "[parameters]\na = 1\nb = 1\n");
   REQUIRE(special.equilibria.points.size() == 1);

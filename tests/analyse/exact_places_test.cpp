@@ -41,7 +41,7 @@ TEST_CASE("exact equilibria stay equilibria at other values of the parameters") 
       for (int draw = 0; draw < 20; ++draw) {
         State state = point.state;
         for (cln::cl_R& parameter : state.parameters) {
-          // Values within 5 %, so that g/(R*Omega^2) of the hoop stays below 1.
+          // Within 5 % of the model's value, so that g/(R*Omega^2) of the hoop stays below 1.
           parameter = parameter * cln::cl_RA(95 + (++moved * 7) % 11) / 100;
         }
         for (std::size_t i = 0; i < state.q.size(); ++i) {
@@ -72,7 +72,7 @@ TEST_CASE("an angle is reduced to the first value not below a bound") {
     const Real turned = wrap_above(half * Real(quarters) / Real(2), half);
     CHECK(is_near(turned, half * Real(expected) / Real(2)));
   }
-  // The bound minus a rounding error counts as the bound.
+  // A value that is below the bound only by a rounding error is not raised by a turn.
   const Real rounding(power_of_ten(-30));
   CHECK(is_near(wrap_above(half - rounding, half), half - rounding));
 }

@@ -1,4 +1,4 @@
-// Helpers of the tests of analysis: find equilibria of models and print their pages.
+// Helpers of the tests of analysis: find equilibria of models and print pages.
 #pragma once
 
 #include <catch2/catch.hpp>

@@ -36,7 +36,7 @@ std::vector<double> squares(const LinearMotions& motions) {
   return result;
 }
 
-/// Compares w^2 l/g of a chain of equal links and masses with `expected`; l = 0.3, g = 9.81.
+/// Compares w^2 l/g of each mode with `expected`. Links and masses are equal; l = 0.3, g = 9.81.
 void check_chain(const std::string& size, const std::vector<double>& expected) {
   const Motions chain = motions(model_file("chain"), {}, {size});
   REQUIRE(chain.modes.motions.size() == 1);

@@ -17,7 +17,7 @@
 
 namespace elgen::test {
 
-/// The text of the model `name` in tests/analyse/symmetries/, or in models/ if it is not there.
+/// The text of the model `name` in tests/analyse/symmetries/ or, if no file is there, in models/.
 inline std::string symmetric_model(const std::string& name) {
   const std::filesystem::path own =
       std::filesystem::path(ELGEN_SOURCE_DIR) / "tests/analyse/symmetries" / (name + ".toml");

@@ -1,6 +1,6 @@
-// Times the functions of one emitted header in double, in nanoseconds. MODEL is its namespace,
-// HEADER its path. Prints a line "FUNCTION NANOSECONDS" for each function: the minimum of many
-// repetitions, which run in turn.
+// Times M, gravity, inverse and forward dynamics of one emitted header in double. MODEL is the
+// namespace and HEADER the path of the header. Prints a line "FUNCTION NANOSECONDS" for each of
+// these four functions: the minimum of many repetitions.
 #include HEADER
 
 #include <algorithm>

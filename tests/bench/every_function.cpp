@@ -1,5 +1,5 @@
-// Instantiates every function of one emitted header for double; compiled to measure compile time.
-// MODEL, HEADER and FUNCTIONS as in outputs.cpp.
+// Instantiates every function of one emitted header for double. The benchmark measures the time to
+// compile this file. MODEL, HEADER and FUNCTIONS as in outputs.cpp.
 #include HEADER
 
 #include "../support/emitted_calls.hpp"

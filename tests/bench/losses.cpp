@@ -15,7 +15,7 @@ namespace {
 constexpr double tolerated = 64;
 
 struct Losses {
-  std::size_t fields = 0;  ///< outputs with a loss above `tolerated`; two if in double and float
+  std::size_t fields = 0;  ///< losses above `tolerated`; an output has one loss per scalar
   std::size_t all = 0;
   double worst = 0;
   std::string where = {};

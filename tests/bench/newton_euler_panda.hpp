@@ -1,8 +1,8 @@
 // Inverse dynamics of the Panda-like arm by the recursive Newton-Euler algorithm, hand-written for
 // this arm. Rotations by right angles are permutations, zero terms are omitted, and unused
-// quantities are not computed. Accelerations and moments use the matrix U = S(w') + S(w) S(w) of
-// Balafoutis and Patel (1991). All numbers are parameters, as in models/panda7.toml. Inlining is
-// forced: without it, code compiled by g++ 12 takes 1.6 times as long.
+// quantities are not computed. Accelerations and moments use the matrix U = S(w') + S(w) S(w),
+// S(w) r = w x r, of Balafoutis and Patel (1991). All numbers are parameters, as in
+// models/panda7.toml. Inlining is forced: without it, code of g++ 12 takes 1.6 times as long.
 #pragma once
 
 #include <array>
@@ -142,7 +142,7 @@ struct Motion {
   Vector<Scalar> origin;
 };
 
-/// Force and moment at the origin of a link, for the link and all its descendants.
+/// A force, and a moment about the origin of a link.
 template <class Scalar>
 struct Load {
   Vector<Scalar> force, moment;
@@ -210,7 +210,7 @@ template <class Scalar>
   return {own.force + further.force, own.moment + further.moment};
 }
 
-/// The load that acts at (x, 0, 0), with its moment about the origin.
+/// `load` is a force f and a moment n about (x, 0, 0). The result has the moment n + (x, 0, 0) x f.
 template <class Scalar>
 [[gnu::always_inline]] inline Load<Scalar> at(const Scalar& x, const Load<Scalar>& load) {
   const auto& [f, n] = load;

@@ -1,5 +1,5 @@
 // The cost of operations relative to a multiplication, by latency (a chain of dependent operations)
-// and by throughput (eight independent operations). Source of elgen's cost table.
+// and by throughput (eight independent operations). Source of the cost table in program.hpp.
 #include <array>
 #include <cmath>
 #include <cstdio>

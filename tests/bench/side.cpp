@@ -1,5 +1,6 @@
-// One of the two headers of before.cpp. The namespace of the header is renamed to SIDE, so that the
-// linker keeps the functions of both. MODEL, HEADER and FUNCTIONS as in outputs.cpp.
+// One of the two headers that before.cpp compares. The namespace of the header is renamed to SIDE,
+// so that the linker keeps the functions of both headers. MODEL, HEADER and FUNCTIONS as in
+// outputs.cpp.
 #include "side.hpp"
 
 #include "repeated.hpp"

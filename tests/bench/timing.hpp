@@ -1,5 +1,5 @@
 // Times alternatives in turn within one run, so that changes of the machine's speed affect all
-// equally. Reports medians or minima of many short repetitions.
+// alternatives equally. Reports medians or minima of many short repetitions.
 #pragma once
 
 #include <algorithm>

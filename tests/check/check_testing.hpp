@@ -22,7 +22,7 @@ struct CheckOptions {
   Purpose purpose = purpose::generate;
 };
 
-/// A scene of the model `block`, named `fast`; the text `more` starts on line 4.
+/// A scene named `fast` of the model `block`; the text `more` starts on line 4.
 [[nodiscard]] std::string scene_of_block(const std::string& more);
 
 /// The result of check() on the text `model`; fails the test on syntax errors.

@@ -13,8 +13,8 @@ namespace {
 constexpr double m = 2;
 constexpr double J = 0.2;
 
-/// Frames `f` (translated by s, rotated by q about z) and `g` (rotated by 0.4 about x), on lines 16
-/// to 24.
+/// The model `with_frames` with two frames on lines 16 to 24, then `entries`. Frame `f` is at
+/// (0, s, l) and rotated by q about z. Frame `g` is in `f`, rotated by 0.4 rad about x.
 std::string with_two(const std::string& entries) {
   return with_frames(R"([[frame]]
 name = "f"

@@ -166,7 +166,7 @@ class ModelDump {
            (force.reaction_frame ? " from " + frame_name(force.reaction_frame) : "");
   }
 
-  /// Prints the changes of the scene to the model: locks and expansion.
+  /// Prints the changes that the scene makes to the model: locks and the expansion.
   void dump_scene() {
     for (const LockedCoordinate& lock : model_.reduction.locks) {
       line("lock " + lock_text(unreduced_model(model_), lock) +

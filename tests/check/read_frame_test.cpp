@@ -16,7 +16,7 @@ std::vector<double> pose_of(const std::string& keys) {
 }
 
 /// The rotation by `angle` about the unit vector n, by Rodrigues' formula: 1 + sin(angle) K + (1 -
-/// cos(angle)) K K with K = S(n).
+/// cos(angle)) K K with K r = n x r.
 Rotation3 rotation_about(const Triple& n, double angle) {
   const Rotation3 k{0, -n[2], n[1], n[2], 0, -n[0], -n[1], n[0], 0};
   const Rotation3 square = k * k;

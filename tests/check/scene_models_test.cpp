@@ -162,7 +162,7 @@ TEST_CASE("a locked coordinate is removed from coordinates and velocities", "[lo
 
 TEST_CASE("inputs and forces on a locked coordinate are removed with it", "[lock]") {
   const Model& model = locked_model().model;
-  REQUIRE(model.inputs.size() == 1);  // without the input on the locked coordinate
+  REQUIRE(model.inputs.size() == 1);  // the input on the locked coordinate is removed
   CHECK(model.inputs[0].velocity == 1U);
   REQUIRE(model.forces.size() == 1);
   CHECK(model.forces[0].velocity == 0U);

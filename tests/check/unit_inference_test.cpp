@@ -10,7 +10,7 @@ namespace elgen::test {
 
 namespace {
 
-/// The first diagnostic of the model `block` with this V.
+/// The first diagnostic of the model `block` with V = `potential`.
 Diagnostic unit_error(const std::string& potential) {
   const Result<CheckedModel> result = run_check(block("V = \"" + potential + "\"\n"));
   REQUIRE(!result.diagnostics.empty());

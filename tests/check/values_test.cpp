@@ -1,5 +1,5 @@
-// Values: roots, constants and references of an entry, and nodes built by check, in which zeros and
-// ones are folded.
+// Values: the roots, constants and references that an entry reads, and the nodes that check builds.
+// Zeros and ones are folded in these nodes.
 #include "check/expressions/values.hpp"
 
 #include <catch2/catch.hpp>
@@ -30,7 +30,7 @@ ValueSyntax vector_of(std::size_t count) {
   return vector;
 }
 
-/// A model with the coordinate x, and a builder of nodes over it.
+/// A model with the coordinate x, and a builder of nodes of this model.
 struct Fixture {
   Fixture() {
     Coordinate coordinate;

@@ -54,7 +54,7 @@ TEST_CASE("the preference speed chooses the cheaper form, on a tie the closed fo
       INFO(costs.function);
       const bool is_closed = costs.chosen_form == Form::closed;
       const bool is_cheaper = costs.closed && cost(*costs.closed) <= cost(costs.recursive);
-      // The choice compares costs without guards of pivots; guards may reverse the order.
+      // The choice ignores the costs of pivot guards; with guards the chosen form may cost more.
       const bool has_pivots = c.choice.program.functions[i].kind == OutputKind::forward_dynamics;
       CHECK((has_pivots || is_closed == is_cheaper));
       CHECK(c.choice.program.functions[i].form == costs.chosen_form);
@@ -91,7 +91,7 @@ TEST_CASE("balanced forms cost at most a quarter more, unless the cheaper form i
       const std::size_t price = cost(count_operations(own));
       const std::size_t least = cost(count_operations(cheapest));
       if (errors_of(c, i).first_inaccurate_entry(fast.choice.program, cheapest)) continue;
-      CHECK(4 * price <= 5 * least + 16);  // or one division (16) more
+      CHECK(4 * price <= 5 * least + 16);  // 16 is 4 times the cost of a division
     }
   }
 }
@@ -155,7 +155,7 @@ TEST_CASE("the form of an entry does not depend on the other outputs") {
 }
 
 TEST_CASE("an output without a closed form leaves `dynamics` without a closed form") {
-  // 330 terms in each of ten entries: a single entry is read, all ten exceed the limit.
+  // Each of the ten entries has 330 terms. All ten together exceed the limit of 3000 terms.
   std::string powers;
   for (int k = 1; k <= 10; ++k) {
     powers += (k > 1 ? ", " : "") + ("\"(q + a + b + c + " + std::to_string(k) + "*d)^7\"");

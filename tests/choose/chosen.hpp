@@ -37,7 +37,7 @@ inline ChosenForms chosen(const std::string& text, const SceneOptions& options =
   return result;
 }
 
-/// The entries of one function as text.
+/// The entries in the first field of the function `name`, as text.
 inline std::vector<std::string> readable(const ChosenForms& chosen, const std::string& name) {
   const Program& program = chosen.choice.program;
   for (std::size_t i = 0; i < program.functions.size(); ++i) {

@@ -16,7 +16,7 @@
 
 namespace elgen::test {
 
-/// One entry of the file; lists are split into items.
+/// One entry of energies.txt; lists are split into items.
 struct TypedEnergy {
   std::string name = {};
   std::vector<std::string> coordinates = {};  ///< items such as "th rad [-3, 3]"
@@ -113,7 +113,7 @@ inline std::string point_entry(const std::string& line) {
          "\"\nat = " + quoted_list(items_of(sides.at(1), ';')) + "\n";
 }
 
-/// The model, with the stable forms as outputs: first of gravity, then of V if known.
+/// The model text. Its outputs are the stable form of gravity and, if known, the stable form of V.
 inline std::string model_of(const TypedEnergy& energy) {
   std::string text;
   std::string T;

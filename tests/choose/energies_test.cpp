@@ -133,7 +133,7 @@ std::vector<cln::cl_R> exact_entries(const CheckedModel& checked, const State& s
   return entries;
 }
 
-/// The stable forms, in the order of the entries.
+/// The stable forms, in the order of the entries of gravity and V.
 std::vector<ExpressionId> stable_forms(const Model& model) {
   std::vector<ExpressionId> forms;
   for (const UserOutput& output : model.outputs) {
@@ -142,7 +142,7 @@ std::vector<ExpressionId> stable_forms(const Model& model) {
   return forms;
 }
 
-/// The errors of gravity and V. Also checks that stable forms equal these functions to 25 digits.
+/// The errors of gravity and V at `q`. Checks that stable forms equal gravity and V to 25 digits.
 std::vector<EntryErrors> errors_at(const ChosenForms& chosen, const std::vector<double>& q) {
   const Model& model = chosen.checked.model;
   const State state = state_in_double(chosen.checked, q);

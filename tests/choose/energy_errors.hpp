@@ -33,7 +33,8 @@ inline State state_in_double(const CheckedModel& checked, const std::vector<doub
 }
 
 /// Distinct states inside the ranges: the origin and zeros of typed sums; states near the origin,
-/// the zeros and the places of the file, at distances down to 1e-150; the domain; random states.
+/// the zeros and the places of `near`, at distances down to 1e-150; states of the domain; random
+/// states.
 class SampleStates {
  public:
   SampleStates(const TypedEnergy& energy, const ChosenForms& c)
@@ -68,7 +69,7 @@ class SampleStates {
     if (std::ranges::find(all, q) == all.end()) all.push_back(q);
   }
 
-  /// Adds states with one coordinate displaced, and a state with all coordinates displaced.
+  /// Adds `zero` with each coordinate displaced alone, and `zero` with all coordinates displaced.
   void add_displaced(const std::vector<double>& zero, double step) {
     std::vector<double> moved = zero;
     for (std::size_t i = 0; i < zero.size(); ++i) {

@@ -33,7 +33,7 @@ TEST_CASE("all entries of a function have a form") {
 TEST_CASE("a rewriting that keeps digits is chosen if the entry loses more than a limit") {
   Entries e({"1 - cos(a)", "b"});
   Arguments<double> point;
-  point.q = {1e-8, 1e-16, 1, 1, 1};  // entries of similar size
+  point.q = {1e-8, 1e-16, 1, 1, 1};  // both entries are about 1e-16
   FormErrors text(e.program, e.shape, {point});
   e.entries = read_entries(e.program, e.forms, 0, e.points, &text);
   CHECK(e.entries[0]->loss > 1e15);

@@ -14,7 +14,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// M = diag(m, m r^2, 2): all relative pivots are 1.
+/// Forward dynamics with M = diag(m, m r^2, 2); all relative pivots are 1.
 Program polar() {
   return read_program(
       "parameters m\ncoordinates r phi x\nvelocities r phi x\nfunction forward_dynamics\n"

@@ -15,7 +15,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// Unit masses on lines x, y and z, one for each range in the list.
+/// Unit masses on the lines x, y and z: one mass for each of `ranges`.
 ChosenForms masses_with(const std::string& potential, const std::vector<std::string>& ranges,
                         const std::string& parameters = {}) {
   std::string text;
@@ -62,7 +62,7 @@ TEST_CASE("with a rewritten V inverse and forward dynamics at rest equal gravity
     CHECK(values_at_rest(c, OutputKind::inverse_dynamics, q) == gravity);
     CHECK(values_at_rest(c, OutputKind::bias, q) == gravity);
     std::vector<double> accelerations = values_at_rest(
-        c, OutputKind::forward_dynamics, q);  // without the relative pivots, which follow
+        c, OutputKind::forward_dynamics, q);  // the relative pivots follow and are dropped
     accelerations.resize(gravity.size());
     for (double& a : accelerations) a = -a;
     CHECK(accelerations == gravity);
@@ -86,8 +86,7 @@ TEST_CASE("with a rewritten V every function has the values of its text") {
       CHECK(values[k] == Approx(text[k]).epsilon(1e-12).margin(1e-12));
     }
   }
-  CHECK(derivatives ==
-        2);  // derivatives of inverse dynamics have the same code without the rewriting
+  CHECK(derivatives == 2);  // the derivatives of inverse dynamics keep their code
 }
 
 TEST_CASE("a sum of squares stays whole for any anchor") {
@@ -152,6 +151,6 @@ T = "1/2*((cos(x) + cos(y))^2 + (sin(x) + sin(y))^2)*dot(x)^2 + 1/2*dot(y)^2"
 V = "3*sqrt((x - 1)^2 + (y - 3/4)^2)"
 )toml";
   const ChosenForms c = chosen(model_text("circles", text));
-  // The bound is the cost of 2 + 2 cos(x - y).
+  // 2 + 2 cos(x - y) costs 24; the form with sines of x and of y costs 45.
   CHECK(cost_of(c, OutputKind::mass_matrix) <= 26 + 4);
 }

@@ -91,7 +91,7 @@ std::vector<ex> forces_of_constraints(const EquationsOfMotion& derived, std::siz
   return result;
 }
 
-/// M a + bias - B u - A^T lambda at the derived acceleration; every row must be zero.
+/// M a + bias - B u - A^T lambda at the derived `acceleration`; `held` is A^T lambda. Must be 0.
 std::vector<ex> residuals(const Textbook& book, const std::vector<ex>& acceleration,
                           const std::vector<ex>& held) {
   std::vector<ex> result;

@@ -8,7 +8,7 @@
 namespace elgen::test {
 namespace {
 
-/// Sources .ci/checks.sh and runs these lines of bash.
+/// Sources .ci/checks.sh and runs `lines` of bash.
 Outcome run_sourced(const std::string& lines) {
   const Workspace workspace;
   workspace.write("script", ". " ELGEN_SOURCE_DIR "/.ci/checks.sh\n" + lines);

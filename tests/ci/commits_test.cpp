@@ -54,7 +54,7 @@ class Project : public Workspace {
     git("add . && git commit -q --allow-empty --cleanup=verbatim -F home/message");
   }
 
-  /// The errors and warnings about empty commits with these messages, without hashes.
+  /// The errors and warnings, without hashes, about empty commits with `messages`.
   [[nodiscard]] std::string findings_on(const std::vector<std::string>& messages) const {
     git("checkout -q --detach base");
     for (const std::string& message : messages) commit(message);

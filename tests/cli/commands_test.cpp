@@ -7,7 +7,7 @@
 namespace elgen::test {
 namespace {
 
-/// The completions of bash after these words, in one line.
+/// The completions of bash after `words`, in one line.
 std::string bash_completions(const std::string& words) {
   const std::string script =
       "eval \"$(elgen completions bash)\"; COMP_WORDS=(elgen " + words +

@@ -1,4 +1,4 @@
-// Foreign code for models/cart_pole.toml, in C and in Python, and a folder to compare it in.
+// Foreign code for models/cart_pole.toml, in C and in Python, and a folder in which it is compared.
 #pragma once
 
 #include <string>
@@ -43,19 +43,19 @@ for line in sys.stdin:
 /// A folder with models and foreign code.
 class Foreign : public Workspace {
  public:
-  /// Compiles `text`, C code for the cart, and compares it with the model.
+  /// Compiles `text`, C code for the cart, and compares the code with the model.
   [[nodiscard]] Outcome compare_c(const std::string& text, const std::string& options = "") const {
     write("mine.c", text);
     prepare("cc -std=c99 -D_DEFAULT_SOURCE -O1 -fPIC -shared mine.c -o mine.so -lm");
     return run("elgen verify --foreign ./mine.so --function forward_dynamics=my_fd " + options +
                " " + models + "/cart_pole.toml");
   }
-  /// Compares the C code of the cart, with `part` replaced by `other`, with the model.
+  /// Replaces `part` by `other` in the C code of the cart, and compares the code with the model.
   [[nodiscard]] Outcome compare_changed(const std::string& part, const std::string& other,
                                         const std::string& options = "") const {
     return compare_c(replaced(cart, part, other), options);
   }
-  /// Runs `text`, a Python program, as a command and compares it with `model`.
+  /// Runs `text`, a Python program, as a command and compares the program with `model`.
   [[nodiscard]] Outcome compare_command(const std::string& text, const std::string& functions,
                                         const std::string& model = models +
                                                                    "/cart_pole.toml") const {

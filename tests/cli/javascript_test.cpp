@@ -1,4 +1,5 @@
-// language = "javascript": a module for node, with valid names and texts, also inside a page.
+// language = "javascript": node runs the module, names and texts are valid, and no text ends the
+// script of a page.
 #include <catch2/catch.hpp>
 #include <string>
 
@@ -9,12 +10,12 @@ namespace {
 
 bool has_node() { return is_installed("node", "node --version"); }
 
-/// A folder with scenes in JavaScript.
+/// A folder with scenes that emit JavaScript.
 class JavaScript : public ModuleFolder {
  public:
   JavaScript() : ModuleFolder("javascript") {}
 
-  /// Runs statements in node, in the folder of a module.
+  /// Runs `statements` in node, in the folder of the module `name`.
   [[nodiscard]] Outcome node(const std::string& name, const std::string& statements) const {
     write("generated/" + name + "/asked.mjs", statements + "\n");
     return run("cd generated/" + name + " && node asked.mjs");
@@ -48,7 +49,7 @@ on = "let"
 value = "-eval*sign(dot(let)) - eval*max(sin(theta), 0.5)"
 )text";
 
-/// Outputs of model_of_words without accelerations, whose sums lose digits by cancellation.
+/// Outputs of model_of_words. Accelerations are omitted, because their sums cancel and lose digits.
 const std::string odd_outputs =
     "[outputs]\nmass_matrix = true\ngravity = true\napplied_force = true\n"
     "momentum = { rename = \"await\" }\n";

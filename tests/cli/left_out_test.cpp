@@ -1,5 +1,5 @@
-// Outputs that a model omits by default: every command and every file reports them, and a scene
-// that names them gets them.
+// Outputs that a model omits by default: every command and every file reports the omission. A scene
+// that names an omitted output gets this output.
 #include <catch2/catch.hpp>
 
 #include "support/shell.hpp"

@@ -9,12 +9,12 @@ namespace {
 
 bool has_octave() { return is_installed("octave", "octave-cli --version"); }
 
-/// A folder with scenes in MATLAB.
+/// A folder with scenes that emit MATLAB.
 class Matlab : public ModuleFolder {
  public:
   Matlab() : ModuleFolder("matlab") {}
 
-  /// Runs statements in Octave, in the folder of a module.
+  /// Runs `statements` in Octave, in the folder of the module `name`.
   [[nodiscard]] Outcome octave(const std::string& name, const std::string& statements) const {
     write("generated/" + name + "/asked.m", "1;\n" + statements + "\n");
     return run("cd generated/" + name + " && octave-cli --norc --quiet asked.m");
@@ -104,7 +104,7 @@ TEST_CASE("matlab: functions that a module or its driver calls may name values, 
   }
   if (!has_octave()) return;
   folder.write("values.toml", rotor("rotor", "size", "numel"));
-  // No model can have the name of the driver's file or of a driver's function, such as flat__.
+  // The driver's functions have names such as flat__, so `flat` may be the name of a model.
   folder.write("elgen_driver.toml", rotor("elgen_driver", "q", "J"));
   folder.write("flat.toml", rotor("flat", "q", "J"));
   folder.write("functions.toml", rotor("functions", "q", "J"));

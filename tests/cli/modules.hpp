@@ -15,7 +15,7 @@ class ModuleFolder : public Workspace {
  public:
   explicit ModuleFolder(std::string language) : language_(std::move(language)) {}
 
-  /// Writes a scene of a model file; the module of a model NAME is NAME_m.
+  /// Writes a scene `name` of the model file `model`; the module of a model NAME is NAME_m.
   void write_scene(const std::string& name, const std::string& model,
                    const std::string& more = "") const {
     write(name + ".scene.toml", "format = 1\nmodel = \"" + model + "\"\nname = \"m\"\n" + more +
@@ -48,7 +48,7 @@ inline std::string readme_code(const std::string& start) {
   return page.substr(first, page.find("```", first) - first);
 }
 
-/// Checks that templates/README.md states the first line of this output.
+/// Checks that templates/README.md states the first line of `outcome.output`.
 inline void check_readme_output(const Outcome& outcome) {
   INFO(outcome.errors);
   CHECK(mentions(outcome.output, "theta(1) = "));

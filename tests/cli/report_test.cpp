@@ -31,7 +31,7 @@ std::vector<nlohmann::json> messages_of(const std::string& errors) {
   return messages;
 }
 
-/// The bytes that a terminal receives.
+/// The bytes that a terminal receives from `command`.
 std::string run_on_terminal(const std::string& command) {
   const Workspace workspace;
   return workspace.run("script -q -e -c \"" + command + "\" /dev/null").output;

@@ -8,7 +8,7 @@
 namespace elgen::test {
 namespace {
 
-/// Verifies a model with these keys instead of its [[expect]] entries.
+/// Verifies `model` after one [[expect]] entry with `keys` has replaced its [[expect]] entries.
 Outcome verify_with(const std::string& model, const std::string& keys,
                     const std::string& options = "-q") {
   const Workspace workspace;

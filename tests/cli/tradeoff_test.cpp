@@ -1,5 +1,5 @@
-// elgen tradeoff: the output of a table, designs, runs by all methods, files and exit codes. No
-// test depends on measured times.
+// elgen tradeoff: the printed table, the designs in the table, runs by all methods, files and exit
+// codes. No test depends on measured times.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -22,14 +22,14 @@ class BareDebian : public Workspace {
         "cp /etc/resolv.conf root/etc && chroot root apt-get update -qq");
   }
 
-  /// Runs a command in a folder of the root.
+  /// Runs `command` in the folder /`folder` of the bare Debian.
   [[nodiscard]] Outcome run_inside(const std::string& command,
                                    const std::string& folder = "work") const {
     write("root/command", "cd /" + folder + "\n" + command + "\n");
     return run("env -i PATH=/usr/bin:/usr/sbin:/bin HOME=/root chroot root sh /command");
   }
 
-  /// Installs packages and prints the time and size. Throws on failure.
+  /// Installs `packages`; prints the time in s and the size in MB. Throws runtime_error on failure.
   void install(const std::string& packages) const {
     const auto start = std::chrono::steady_clock::now();
     const long before = megabytes();

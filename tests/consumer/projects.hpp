@@ -25,7 +25,7 @@ class Example : public Workspace {
   explicit Example(const std::string& name, const std::string& options = "-G Ninja");
 };
 
-/// True if examples/README.md shows this output of an example.
+/// True if examples/README.md shows `output`, the output of an example.
 [[nodiscard]] bool is_in_readme(const std::string& output);
 
 }  // namespace elgen::test

@@ -1,6 +1,6 @@
-// Derived equations with constraints, solved by elimination, compared on random systems with the
-// oracle, which solves the whole system with pivoting. Derivatives are compared with derivatives of
-// written-out accelerations.
+// Equations with constraints, derived and solved by elimination, are compared on random systems
+// with the oracle, which solves the whole system with pivoting. Derivatives of accelerations are
+// compared with derivatives of written-out accelerations.
 #include <catch2/catch.hpp>
 #include <random>
 
@@ -174,7 +174,8 @@ TEST_CASE("a mass on a rod moves as derived by hand") {
   const ex square = x * x + y * y;
   const ex f = square - s.parameters[1] * s.parameters[1];
   const ex rate = 2 * (x * s.v[0] + y * s.v[1]);
-  // A M^-1 A^T lambda = -gamma - 2 zeta omega df/dt - omega^2 f - A M^-1 F
+  // A M^-1 A^T lambda = -(dA/dt) v - 2 zeta omega df/dt - omega^2 f - A M^-1 F with A = (2 x, 2 y)
+  // and F = (u, -m g)
   const ex bias = 2 * (s.v[0] * s.v[0] + s.v[1] * s.v[1]) + GiNaC::numeric(42, 5) * rate + 49 * f;
   const ex free = 2 * x * s.u[0] / m - 2 * y * s.parameters[2];
   const ex lambda = -m * (bias + free) / (4 * square);
@@ -198,7 +199,7 @@ TEST_CASE("derivatives agree with derivatives of the written-out accelerations a
     }
     CHECK(motion.system.agree(derived.by_input[i], Textbook::derivative_by(a, s.u[0])));
   }
-  // The contribution of d(A^T lambda)/dq = 2 lambda to da_x/dx.
+  // Without d(A^T lambda)/dq = 2 lambda, da_x/dx would lack the term `forgotten`.
   const ex across = s.q[1] * s.q[1] / (s.q[0] * s.q[0] + s.q[1] * s.q[1]);
   const ex forgotten = 2 * motion.multipliers[0] * across / s.parameters[0];
   CHECK_FALSE(motion.system.agree(derived.by_position[0] - forgotten,

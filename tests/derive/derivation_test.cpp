@@ -1,5 +1,5 @@
-// Time derivatives and energies split by degree in the rates, which the outputs share, and
-// derivation steps compared with the textbook derivation.
+// The textbook derivation checks the time derivatives, the energies split by degree in the rates,
+// and the derivation steps.
 #include "derive/lagrangian/derivation.hpp"
 
 #include <catch2/catch.hpp>

@@ -27,8 +27,8 @@ const OutputRequest& request(const CheckedModel& checked, OutputKind kind) {
   throw std::runtime_error("not an output of this model");
 }
 
-/// The number of non-empty fields; outputs with pivots have the diagonal of M as an additional
-/// field.
+/// The number of non-empty fields of the output `kind`. The diagonal of M is an additional field of
+/// outputs with pivots.
 std::size_t fields_of(OutputKind kind, const Model& model) {
   const std::span<const FieldRow> fields = output_row(kind).fields;
   const auto is_there = [&](const FieldRow& field) {

@@ -14,7 +14,7 @@ namespace elgen::test {
 
 using Reals = std::vector<cln::cl_R>;
 
-/// A state without zeros.
+/// A state in which no coordinate, rate, acceleration or input is 0.
 inline State some_state(const CheckedModel& checked, int sample = 1) {
   const Model& model = checked.model;
   State state = nominal_state(model, checked.scene);
@@ -39,7 +39,7 @@ inline bool nearly_equal(const Reals& a, const Reals& b, int digits = 40) {
                     });
 }
 
-/// Values of definitions at a state, computed in order.
+/// Evaluates expressions and their definitions at a state, in 60 digits.
 class NumbersAt {
  public:
   NumbersAt(const Symbols& symbols, const Definitions& definitions, const State& state) {
@@ -90,7 +90,7 @@ class Framed {
     throw std::runtime_error(name + " is not an output of this model");
   }
 
-  /// The derived entries of all fields of an output.
+  /// The derived entries of all fields of the output `name`.
   [[nodiscard]] RealVector derived(const std::string& name) {
     equations_ = *derive(lagrangian, {request(name)}, {});
     RealVector entries;
@@ -145,7 +145,7 @@ class Framed {
     for (std::size_t i = 0; i < size(); ++i) values.push_back(mass[i * (size() + 1)]);
   }
 
-  /// The derivatives of `twist` by v, row by row: the value at v_j = 1 minus the value at v = 0.
+  /// d(`twist`)/dv, row by row: the value at v_j = 1 and other v = 0, minus the value at v = 0.
   [[nodiscard]] Reals twist_slopes(const std::vector<ExpressionId>& twist, State state) const {
     Reals result;
     for (const ExpressionId entry : twist) {

@@ -10,8 +10,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// Central differences (f(x + h) - f(x - h))/(2 h) of the derived inverse dynamics, along one entry
-/// of q or v.
+/// Central differences (f(x + h) - f(x - h))/(2 h): f is the derived inverse dynamics, x is the
+/// entry `j` of q or v.
 Reals slopes(Framed& system, State state, Reals State::*of, std::size_t j) {
   const cln::cl_RA h = cln::expt(cln::cl_RA(10), -15);
   cln::cl_R& x = (state.*of)[j];
@@ -23,7 +23,7 @@ Reals slopes(Framed& system, State state, Reals State::*of, std::size_t j) {
   return result;
 }
 
-/// The same model with frames, points, bodies and forces in reverse order.
+/// The model `text` with frames, points, bodies and forces in reverse order.
 std::string reversed_entries(const std::string& text) {
   std::string front;
   std::string back;

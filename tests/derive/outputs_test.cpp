@@ -11,7 +11,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// A vector output and its textbook entries; `of_quadratic`: only for L quadratic in v.
+/// A vector output and its textbook entries; `of_quadratic`: the output needs an L quadratic in v.
 struct VectorOutput {
   const char* name;
   RealVector (*derived)(Derivation& derivation);
@@ -228,7 +228,8 @@ TEST_CASE("the reaction of a locked cart is the force of the swinging bob") {
   const auto& [theta, omega, alpha] = std::tie(d.symbols.q[0], d.symbols.v[0], d.symbols.a[0]);
   const GiNaC::ex m = d.symbols.parameters[1];
   const GiNaC::ex l = d.symbols.parameters[2];
-  // m l (cos(theta) theta'' - sin(theta) theta'^2); the force on the cart is no input of the scene.
+  // The reaction is m l (cos(theta) theta'' - sin(theta) theta'^2). The model's input acts on the
+  // locked cart, and is no input of the scene.
   CHECK(d.symbols.u.empty());
   const GiNaC::ex expected = m * l * (cos(theta) * alpha - sin(theta) * omega * omega);
   const auto whole = [&](const GiNaC::ex& value) { return written_out(d.definitions, value); };

@@ -1,6 +1,5 @@
-// Regrouped numeric inertias: the same functions of the state with fewer numbers. The functions
-// stay the same for quaternions of any length if masses are moved across the rotation of a
-// quaternion.
+// Regrouping makes some numeric inertias 0, and leaves the outputs the same functions of the state.
+// T, momentum, forces and M stay consistent for quaternions of any length.
 #include <catch2/catch.hpp>
 
 #include "derive/tree/tree.hpp"
@@ -130,7 +129,7 @@ TEST_CASE("inertia that acts equally on the parent of a rotation moves to the pa
   Framed system(model_text("two_links", two_links));
   Derivation derivation(system.lagrangian);
   std::vector<RigidBody> bodies = tree_of(derivation).bodies();
-  // bodies[0] is the world: it does not move, so its mass 3 + 5 has only a weight.
+  // bodies[0] is the world, which does not move; the mass 3 + 5 of the world has only a weight.
   REQUIRE(bodies.size() == 3);
   CHECK_FALSE(bodies[0].transform.has_value());
   CHECK(bodies[0].mass.is_equal(8));
@@ -142,7 +141,7 @@ TEST_CASE("inertia that acts equally on the parent of a rotation moves to the pa
   CHECK((*second.moment)[0].is_zero());
   CHECK((*second.moment)[1].is_equal(10));
   CHECK((*second.moment)[2].is_equal(15));
-  // The axis is x: Izz = 70 becomes 0, and Iyy is reduced by the same amount.
+  // The axis is x: regrouping subtracts 70 from Izz = 70 and from Iyy = 80.
   CHECK(second.inertia[0].is_equal(90));
   CHECK(second.inertia[1].is_equal(10));
   CHECK(second.inertia[2].is_zero());
@@ -181,7 +180,7 @@ mass = "3*m"
 com = ["0", "c", "0"]
 inertia = ["J", "J", "J"]
 )toml")) < 1e-40);
-  // With a joint after the rotation.
+  // A joint follows the rotation.
   CHECK(error_off_sphere(flying("[[coordinate]]\nname = \"y\"\n" + hull + R"toml([[frame]]
 name = "arm"
 parent = "hull"

@@ -1,4 +1,5 @@
-// The variables that move a tree, pairs of variables on a path to the root, and their columns.
+// The columns of the variables that move a tree. Two variables form a pair if one path to the root
+// contains both.
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -68,7 +69,8 @@ TEST_CASE("moving angles and components of offsets are variables", "[frames]") {
   Derivation derivation(system.lagrangian);
   const TreeVariables variables = tree_variables(tree_of(derivation));
   CHECK(variables.is_complete);
-  // x and x/3 of the cabin, q of the arm, s and s^2/3 of the bead, 2 s and s q of the nozzle.
+  // The variables are x and x/3 of the cabin, q of the arm, s and s^2/3 of the bead, and 2 s and
+  // s q of the nozzle.
   REQUIRE(variables.list.size() == 7);
   CHECK(variables.list[0].velocity[0].is_equal(1));
   CHECK(variables.list[1].velocity[1].is_equal(1));

@@ -44,7 +44,7 @@ constexpr std::array different_somewhere{
     Forms{"max(x, 1e5)", "1e5"},
 };
 
-/// Equal everywhere, for any number above 1 in place of {}.
+/// Pairs that are equal everywhere, for any number above 1 in place of {}.
 constexpr std::array equal_everywhere{
     Forms{"(x - {})^2", "x^2 - 2*{}*x + {}^2"},
     Forms{"exp(x + {})", "exp(x)*exp({})"},
@@ -57,7 +57,7 @@ constexpr std::array equal_everywhere{
     Forms{"sqrt({}*exp(2*x))", "exp(x)*sqrt({})"},
 };
 
-/// Pairs that agree at all sampled points, but of a shape for which equality is not proved.
+/// Pairs that agree at all sampled points and are not proved equal.
 constexpr std::array not_told_apart{
     Forms{"abs(x)^2", "x^2"},
     Forms{"abs(x)", "sqrt(x^2)"},

@@ -21,7 +21,7 @@ name = "y"
 [energy]
 T = "dot(x)^2 + dot(x)*dot(y) + 2*dot(y)^2"
 )toml");
-/// The same model with x and y exchanged.
+/// The model `given` with x and y exchanged.
 std::string exchanged(const std::string& given = plane) {
   std::string text = replaced(given, "name = \"x\"", "name = \"z\"");
   text = replaced(text, "name = \"y\"", "name = \"x\"");
@@ -35,7 +35,7 @@ std::vector<MatchedEntry> matched(const LoweredVersion& old, const LoweredVersio
                        renames);
 }
 
-/// A model with `constraints`. If `is_reversed`, its entries are declared in reverse order.
+/// A model with `constraints`. If `is_reversed`, the entries of each kind are in reverse order.
 std::string plate(const std::vector<std::string>& constraints, bool is_reversed) {
   const auto listed = [is_reversed](std::vector<std::string> entries) {
     if (is_reversed) std::ranges::reverse(entries);

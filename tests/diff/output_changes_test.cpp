@@ -1,4 +1,4 @@
-// The change of every entry, and a state that demonstrates it.
+// The change of every entry, and a state that demonstrates the change.
 #include <catch2/catch.hpp>
 
 #include "diff/versions.hpp"

@@ -78,7 +78,7 @@ struct RandomSystem {
   }
 };
 
-/// All outputs; for large systems only the basic outputs, since all would take seconds.
+/// The model `text` with all outputs or, above four coordinates, with four quickly derived outputs.
 LoweredVersion lowered_system(const RandomSystem& system, const std::string& text) {
   return lowered(text, system.size <= 4 ? "" : R"toml([outputs]
 mass_matrix = true

@@ -1,5 +1,5 @@
 // Systems in two hand-written forms: bodies on frames and in the world, chains of three to seven
-// links, other definitions. Each pair is equal, and different with one error inserted.
+// links, different definitions. The two forms are equal; one inserted error makes them different.
 #include <catch2/catch.hpp>
 #include <sstream>
 

@@ -147,7 +147,7 @@ inertia_about = "origin")toml");
 
 namespace {
 
-/// An edit of a scene or of its model.
+/// An edit of a scene or of its model (`other` replaces `part`), and the expected impact.
 struct SceneEdit {
   const char* model;
   const char* scene;

@@ -52,7 +52,7 @@ inline SystemChange compared(const std::string& before, const std::string& after
 
 inline const std::string cart = model_file("cart_pole");
 
-/// The entries of an output that are not identical.
+/// The entries of `output` that are not identical in the two versions.
 inline std::vector<EntryChange> entries_of(const SystemChange& system, const std::string& output) {
   for (const OutputChange& change : system.outputs) {
     if (change.name == output) return change.entries;
@@ -60,7 +60,7 @@ inline std::vector<EntryChange> entries_of(const SystemChange& system, const std
   return {};
 }
 
-/// The number of entries of all outputs with this verdict.
+/// The number of entries with `verdict`, summed over all outputs.
 inline std::ptrdiff_t count_of(const SystemChange& system, EntryVerdict verdict) {
   std::ptrdiff_t all = 0;
   for (const OutputChange& output : system.outputs) {
@@ -75,7 +75,7 @@ inline bool breaks_silently(const SystemChange& system) {
          std::ranges::count(system.interface, true, &InterfaceChange::is_silent) > 0;
 }
 
-/// Three coordinates with these [[constraint]] entries.
+/// A model with three coordinates and the [[constraint]] entries `constraints`.
 inline std::string held_plane(const std::string& constraints) {
   return model_text("held_plane", R"toml([[coordinate]]
 name = "x"

@@ -46,7 +46,7 @@ TEST_CASE("outputs") {
   CHECK(outputs["forward_dynamics"]["fields"]["acceleration"]["shape"] == Json{2, 1});
   CHECK(outputs["forward_dynamics"]["arguments"] == Json{"p", "q", "v", "u"});
   CHECK(outputs["dynamics"].size() == 3);
-  CHECK(outputs["dynamics"]["fields"].begin().value().size() == 1);  // a reference without entries
+  CHECK(outputs["dynamics"]["fields"].begin().value().size() == 1);  // the shape, without entries
   CHECK(outputs["dynamics"]["arguments"] == Json{"p", "q", "v"});
   CHECK(outputs["dynamics"].contains("operations"));
 }

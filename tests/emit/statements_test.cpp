@@ -68,7 +68,7 @@ TEST_CASE(
   CHECK(assigned_values(joint[1]) == Numbers{3, 4});
   CHECK(std::holds_alternative<SineCosineStatement>(joint[1]));
   CHECK(operands_of(joint[1]).uses == Numbers{2});
-  CHECK(operands_of(joint[1]).inlined_instructions.empty());  // the calls are not written out
+  CHECK(operands_of(joint[1]).inlined_instructions.empty());  // no call is written in place
   CHECK(std::holds_alternative<AssignStatement>(joint[2]));
   const std::vector<Statement> separate =
       make_statements(program.functions.front(), names, SineCosinePairing::separate);
@@ -86,9 +86,9 @@ TEST_CASE("an entry follows the last statement that it uses") {
     const EntryStatement* const found = std::get_if<EntryStatement>(&cut.parts[part][item]);
     return found != nullptr && found->index == index;
   };
-  CHECK(is_entry(0, 0, 2));  // uses nothing
-  CHECK(is_entry(0, 2, 1));  // after the first statement
-  CHECK(is_entry(1, 1, 0));  // after the last statement
+  CHECK(is_entry(0, 0, 2));  // entry 2 uses no value
+  CHECK(is_entry(0, 2, 1));  // entry 1 uses value 0
+  CHECK(is_entry(1, 1, 0));  // entry 0 uses value 2
   CHECK(cut.crosses_parts == std::vector<bool>{false, true, false});
 }
 

@@ -299,7 +299,7 @@ int main() {
     CHECK(failure_of(workspace.run("./program")) == "");
   }
   CHECK(workspace.run("elgen verify --samples 64 mixed.scene.toml").status == 0);
-  // simulate uses its own outputs.
+  // simulate derives the outputs of a run instead of the outputs of the scene.
   CHECK(workspace.run("elgen simulate -q --time 1 mixed.scene.toml").status == 0);
 }
 

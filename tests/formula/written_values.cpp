@@ -13,7 +13,7 @@
 namespace elgen::test {
 namespace {
 
-/// Complex numbers, so that different short expressions have different values.
+/// The complex value of a, b or c; different short expressions in a, b, c have different values.
 Value value_of_symbol(std::string_view name) {
   if (name == "a") return {1.3, 0.2};
   if (name == "b") return {0.7, -0.4};

@@ -12,7 +12,8 @@ namespace elgen::test {
 
 using Value = std::complex<double>;
 
-/// The value of numbers, symbols, signs, sums, products, quotients, powers, roots and sines.
+/// The value of `formula`, composed of numbers, symbols, signs, sums, products, quotients, powers,
+/// roots and sines.
 [[nodiscard]] Value value_of_tree(const Formula& formula);
 
 /// The value of `text` by the parser of models. All three functions throw if there is no value.

@@ -21,7 +21,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// 1 for stages of closed forms, which have n^2 terms; 0 above 30 links, which exceed the budget.
+/// 1 for stages of closed forms, which have n^2 terms, up to 30 links; otherwise 0. Above 30 links
+/// the closed forms exceed their budget.
 double extra_exponent(const std::string& stage, int links) {
   const bool is_closed = stage == "present" || stage == "choose" || stage == "typeset";
   return is_closed && links <= 30 ? 1 : 0;

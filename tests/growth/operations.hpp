@@ -4,8 +4,7 @@
 // Allocated bytes are always counted. A stage builds everything (nodes, terms, numbers, texts,
 // tables) in memory, including temporary results. So bytes count work that leaves no trace in the
 // product. Blocks (instructions without a branch) also count work that only reads memory, such as a
-// search in a list. They are counted if the preset `counted` compiled the code, and are 0
-// otherwise.
+// search in a list. The number of blocks is 0 unless the preset `counted` compiled the code.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@ namespace elgen::test {
 void check_agreement(const Oracle& oracle, const Oracle& reference,
                      const std::vector<State>& states, double tolerance);
 
-/// Compares torques, gravity and the first row of M with 12 digits, to 1e-11 of the largest entry.
+/// Compares torque, gravity and the first row of M with `reference`, to 1e-11 of the largest entry.
 void check_reference_values(const Oracle& oracle, const ReferenceValues& reference);
 
 }  // namespace elgen::test

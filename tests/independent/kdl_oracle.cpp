@@ -1,4 +1,4 @@
-// Chains use KDL's solvers for chains; branched robots use its solver for trees.
+// Chains use KDL's solvers for chains; branched robots use KDL's solver for trees.
 #include <kdl/chaindynparam.hpp>
 #include <kdl/chainidsolver_recursive_newton_euler.hpp>
 #include <kdl/treeidsolver_recursive_newton_euler.hpp>

@@ -22,7 +22,7 @@ std::string quaternion(int quarter_turns) {
   return quarter_turns == 0 ? "1 0 0 0" : fmt::format("1 {} 0 0", quarter_turns);
 }
 
-/// <inertial> of `link`, diagonalised here, because MuJoCo diagonalises to 8 digits only.
+/// <inertial> of `link`, diagonalised here, because MuJoCo diagonalises inertias to few digits.
 std::string inertial(const Link& link) {
   const auto& [xx, yy, zz, xy, xz, yz] = link.inertia;
   const Eigen::Matrix3d inertia{{xx, xy, xz}, {xy, yy, yz}, {xz, yz, zz}};

@@ -7,8 +7,8 @@ namespace elgen::test {
 
 struct Robot;
 
-/// Contains only bodies, joints and inertias: no geometry, so nothing is drawn and there are no
-/// contacts.
+/// `robot` as MJCF text, which contains only bodies, joints and inertias. There is no geometry, so
+/// nothing is drawn and there are no contacts.
 [[nodiscard]] std::string mjcf(const Robot& robot);
 
 }  // namespace elgen::test

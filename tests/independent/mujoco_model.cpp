@@ -16,7 +16,7 @@ struct DeleteFiles {
 };
 }  // namespace
 
-/// MuJoCo reads only files, so the text becomes a file of its virtual file system.
+/// Loads `text` from a file of MuJoCo's virtual file system, because MuJoCo reads only files.
 MujocoModel load_mujoco(const std::string& text) {
   const std::unique_ptr<mjVFS, DeleteFiles> files(new mjVFS);
   mj_defaultVFS(files.get());

@@ -7,8 +7,8 @@
 
 namespace elgen::test {
 
-/// A free base comes first. In q: its position x y z and quaternion w x y z. In v and a: the
-/// velocity of its origin in world axes, then the angular velocity in body axes.
+/// A free base comes first: in q its position x y z and quaternion w x y z; in v the velocity of
+/// its origin in world axes, then its angular velocity in body axes; in a the derivative of v.
 struct State {
   std::vector<double> q, v, a;
 };

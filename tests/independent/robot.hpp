@@ -1,5 +1,5 @@
 // The description that the independent programs read: a tree of rigid links with revolute joints,
-// from JSON. tests/reference/panda7.json explains its numbers.
+// from JSON. tests/reference/panda7.json explains the numbers.
 #pragma once
 
 #include <array>

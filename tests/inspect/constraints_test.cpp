@@ -11,8 +11,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// A point with coordinates x and y that starts at (1, 2). Each equation is a constraint `= 0`,
-/// named a, b, c, ...
+/// A point with coordinates x and y that starts at (1, 2). Each of `equations` is an expression
+/// that a constraint sets to 0; the constraints are named a, b, c, ...
 ModelBuilder constrained(const std::vector<std::string>& equations) {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").parameter("l", "1").T("x_d^2 + y_d^2");

@@ -19,7 +19,7 @@ std::string equilibrium_findings(const std::string& model, const std::string& li
   return text_of(diagnostics(model, lines));
 }
 
-/// Findings for the model with an equilibrium entry `rest` that has these keys.
+/// The findings on `model` with an [[equilibrium]] entry that is named `rest` and has `keys`.
 std::string entry_findings(const std::string& model, const std::string& keys) {
   const CheckedModel checked =
       checked_model(model + "[[equilibrium]]\nname = \"rest\"\n" + keys + "\n");

@@ -30,7 +30,7 @@ TEST_CASE("nothing is reported for sound models of frames", "[frames]") {
   for (const auto& [name, text] : frame_systems()) {
     const CheckedModel checked = checked_model(text);
     Diagnostics found = inspect(checked.model, checked.scene);
-    // The models share one list of parameters, so some are unused (E522).
+    // The models share one list of parameters, so models have unused parameters (E522).
     std::erase_if(found, [](const Diagnostic& d) { return d.code == Code::E522; });
     CHECK(name + ": " + text_of(found) == name + ": ");
   }

@@ -41,7 +41,7 @@ using Includes = std::map<std::string, std::vector<std::string>>;
 /// Code of src/ and include/elgen/, which layers.txt describes.
 [[nodiscard]] std::vector<std::string> governed(const SourceTree& tree);
 
-/// Each returns one sentence per broken rule, starting with the file; empty if no rule is broken.
+/// Each function returns one sentence per breach of a rule; each sentence starts with the file.
 [[nodiscard]] std::vector<std::string> later_includes(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> include_cycles(const SourceTree& tree);
 [[nodiscard]] std::vector<std::string> misplaced_ginac(const SourceTree& tree);

@@ -168,7 +168,7 @@ Places function_objects(const SourceTree& tree) {
   });
 }
 
-/// Comparisons with a list of goals: a mode that belongs in a table.
+/// Comparisons of goals with a list of goals. A property of a goal belongs in a table instead.
 Places goal_lists(const SourceTree& tree) {
   return matching_lines(tree, "Goal",
                         R"((==|!=) (std::vector(<Goal>)?|Goals)? ?[({]+ ?(\w+::)?Goal::)");
@@ -294,7 +294,7 @@ struct Count {
   Places places = {};
 };
 
-/// The number of lines. Its tolerance avoids an edit of the row with every change.
+/// The number of lines. A tolerance of 0.25 % avoids an edit of the row with every change.
 Count line_count(const SourceTree& tree) {
   std::size_t lines = 0;
   for (const std::string& path : governed(tree)) lines += count(tree.at(path), "\n");

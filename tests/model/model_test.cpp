@@ -85,7 +85,7 @@ TEST_CASE("leaf kinds of few functions have names only if a function takes them"
       CHECK(has_names(leaves, row.id) == has_names(unused, row.id));
       continue;
     }
-    // Kinds with one leaf per velocity get the names of the velocities.
+    // A kind of optional leaves has one leaf for each velocity, or one leaf for the system.
     CHECK((row.owner == LeafOwner::velocities || row.owner == LeafOwner::system));
     CHECK_FALSE(has_names(unused, row.id));
     CHECK(has_names(leaves, row.id));

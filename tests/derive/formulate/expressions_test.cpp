@@ -234,7 +234,7 @@ TEST_CASE("derivatives of open functions up to order two are leaves") {
   const auto by = [](const ex& value, const ex& symbol) {
     return value.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
   };
-  const ex open = elgen_open(3, 2, 0, x, y, 0, 0);  // leaves 3 to 8: the value and five derivatives
+  const ex open = elgen_open(3, 2, 0, x, y, 0, 0);  // leaf 3 is the value, 4 to 8 are derivatives
   CHECK(open_value_number(open) == 3U);
   CHECK(open_value_number(by(open, x)) == 4U);
   CHECK(open_value_number(by(open, y)) == 5U);

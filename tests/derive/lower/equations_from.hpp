@@ -9,7 +9,7 @@
 namespace elgen::test {
 
 /// Equations without outputs, with leaves m, l (parameters), x, y (coordinates), u (input), t.
-/// `rotation` changes the order in which symbols are created, and with it GiNaC's order of terms.
+/// `rotation` changes the order in which symbols are created, and thereby GiNaC's order of terms.
 inline EquationsOfMotion leaves(std::size_t rotation = 0) {
   const std::vector<std::string> names = {"m", "l", "x", "y", "vx", "vy", "ax", "ay", "u", "t"};
   std::vector<GiNaC::ex> symbols(names.size());
@@ -32,7 +32,7 @@ inline EquationsOfMotion leaves(std::size_t rotation = 0) {
   return equations;
 }
 
-/// Appends a definition and returns its symbol; `used_definitions` follow from `value`.
+/// Appends the definition `name` = `value` and returns the symbol of the definition.
 inline GiNaC::ex define_as(EquationsOfMotion& equations, const std::string& name,
                            const GiNaC::ex& value) {
   Definition definition;

@@ -162,7 +162,7 @@ TEST_CASE("a leaf is replaced through definitions, and equal values share a defi
   UnreducedLagrangian lagrangian = *formulate(checked_model(read_model("cart_pole")).model);
   const std::vector<Definition> old = lagrangian.definitions.list;
   substitute_leaves(lagrangian, {{lagrangian.symbols.q[1], 0}});
-  // With theta = 0 the bob is above the cart, so its x is the cart's.
+  // With theta = 0 the bob is above the cart, so the bob and the cart have the same x.
   CHECK(lagrangian.masses[1].position[0].is_equal(lagrangian.masses[0].position[0]));
   // The old definitions remain, although nothing refers to them.
   REQUIRE(lagrangian.definitions.list.size() >= old.size());

@@ -75,8 +75,8 @@ double worst_error(Scalar angle) {
 }
 
 /// 1 if an error exceeds `most_anywhere` ulp, or 0.502 ulp near a multiple of pi/2; otherwise 0.
-/// The references are long double, which has 64 bits on x86 and 113 on aarch64: errors of at most
-/// 2^-11 ulp of double.
+/// The references are long double, with 64 bits on x86 and 113 bits on aarch64. The references have
+/// errors of at most 2^-11 ulp of double.
 template <class Scalar>
 int errors(const char* type, double least_exponent, double most_anywhere) {
   std::mt19937 random(2);  // NOLINT: the same angles in every run

@@ -27,8 +27,8 @@ std::array<Exact, 7> state(const std::vector<T>& numbers, std::size_t count, std
   return result;
 }
 
-/// The largest error of the torques relative to the largest torque; 1 if a batch writes beyond its
-/// array.
+/// The largest error of the torques relative to the largest torque; 1 if the batch writes beyond
+/// `torques`.
 template <class T>
 double worst_error(std::size_t count) {
   const std::vector<T> q = numbers<T>(7 * count, 0);

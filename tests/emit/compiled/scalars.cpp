@@ -127,7 +127,7 @@ struct Dual {
   }
 };
 
-/// Like Dual, but converted from a number only explicitly, and not assignable from it.
+/// Like Dual, but only an explicit conversion makes a Strict from a number.
 struct Strict {
   using Scalar = double;
   Dual dual;

@@ -1,4 +1,5 @@
-// A pack without an element type, unless VALUE_TYPE is defined. Constants could have a wrong type.
+// A pack that names its element type only if VALUE_TYPE is defined. Without an element type,
+// constants could have a wrong type.
 #include "lanes.hpp"
 #include "two_link_arm/two_link_arm.hpp"
 

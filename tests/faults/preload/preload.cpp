@@ -1,4 +1,4 @@
-// A library for LD_PRELOAD: one system call fails, or a signal arrives before it.
+// A library for LD_PRELOAD: one system call fails, or a signal arrives before one system call.
 //
 //     ELGEN_FAULT="KIND NUMBER ACTION"    write 3 28: the third write fails with errno 28
 //                                         any 7 -9: signal 9 arrives before the seventh call

@@ -17,13 +17,13 @@ Program gravity_program(const std::string& instructions) {
   return read_program(text);
 }
 
-/// Instructions that vanish at the first point.
+/// The indices of the instructions whose values vanish at the first random point.
 Places vanishing_places(const std::string& instructions) {
   const Program program = gravity_program(instructions);
   return find_vanishing_values(program, program.functions[0]);
 }
 
-/// True for each entry that vanishes at all other points.
+/// For each entry: true if the entry vanishes at all other random points.
 std::vector<bool> vanishes_elsewhere(const std::string& instructions) {
   const Program program = gravity_program(instructions);
   return find_vanishing_entries(program, program.functions[0]);

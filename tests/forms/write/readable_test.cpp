@@ -84,7 +84,7 @@ TEST_CASE("the shortest form is written") {
 TEST_CASE("a shorter derived form is written only if it loses no digits") {
   CHECK(written_text("(x + a)^3 - x^3") == "a*(3*x*(a + x) + a^2)");
   CHECK(written_text("(a - sqrt(x^2 + y^2))^2") == "(a - sqrt(x^2 + y^2))^2");
-  // Both forms are only as precise as the angle.
+  // The rounding of x limits the precision of both forms, cos(x + pi/6) and the derived form.
   CHECK(written_text("cos(x + pi/6)") == "cos(1/6*pi + x)");
 }
 
@@ -148,8 +148,8 @@ TEST_CASE("the code of a closed form is as precise as the reference form") {
     INFO(name);
     CHECK(imprecise(text) == std::vector<std::string>());
   }
-  // In the derived form, which is the shortest form of the second velocity force, c cos(y) x' y'
-  // with c = cos(1 + sqrt(2)) cancels. Other forms add the constant angle 1 + sqrt(2) to y.
+  // The derived form of the second velocity force is the shortest form. In this form the terms
+  // c cos(y) x' y', c = cos(1 + sqrt(2)), cancel. Other forms add the angle 1 + sqrt(2) to y.
   CHECK(imprecise(model_text("phase", R"toml(
 [[coordinate]]
 name = "x"

@@ -179,8 +179,8 @@ void rename(std::string& text, Draw& draw) {
   replace(text, any_token(text, draw, {Token::Kind::name}), word);
 }
 
-/// Replaces a name or number of an expression by a name or number of another expression, or a sign
-/// by another sign.
+/// Replaces a name or number in an expression by a name or number from any expression, or replaces
+/// a sign by a random sign.
 void change_expression(std::string& text, Draw& draw) {
   static const std::string signs = "+-*/^";
   const Token at = part_of_expression(text, draw);

@@ -84,7 +84,8 @@ ProcessResult run(const std::vector<std::string>& words, const std::filesystem::
 
 namespace fs = std::filesystem;
 
-/// Well above the limits in the command: a process reaches them only if elgen ignores its options.
+/// Well above seconds_limit and memory_limit, so that only a process that ignores these two options
+/// reaches process_limits.
 constexpr ProcessLimits process_limits{.seconds = 40, .memory_mib = 3000};
 constexpr const char* seconds_limit = "seconds=10";
 constexpr const char* memory_limit = "memory_mib=1000";
