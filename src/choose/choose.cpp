@@ -58,13 +58,13 @@ bool is_worth_lowering(const ReadableEntries& entries, const Function& recursive
 }
 
 /// The cost of a form without the guards of its pivots, because both forms get guards.
-std::size_t cost_without_diagonal(const Function& form) {
+std::size_t cost_without_guards(const Function& form) {
   return cost(count_operations(without_diagonal(form)));
 }
 
 void choose_by_cost(const Function& closed, const Function& recursive, FormCosts& costs) {
   const bool is_closed =
-      !costs.inaccurate_entry && cost_without_diagonal(closed) <= cost_without_diagonal(recursive);
+      !costs.inaccurate_entry && cost_without_guards(closed) <= cost_without_guards(recursive);
   costs.chosen_form = is_closed ? Form::closed : Form::recursive;
 }
 
@@ -78,12 +78,12 @@ struct FormCandidate {
 /// affordable.
 bool is_worthwhile(const LoweringRequirements& aim, const Function& recursive,
                    const FormCandidate& closed, const FormCandidate& rewriting) {
-  const std::size_t cost = cost_without_diagonal(rewriting.function);
+  const std::size_t cost = cost_without_guards(rewriting.function);
   const double loss = *rewriting.costs.closed_loss;
   const double known = *closed.costs.closed_loss;
   const std::size_t cheapest =
-      std::min(cost_without_diagonal(closed.function), cost_without_diagonal(recursive));
-  const bool is_free = cost <= cost_without_diagonal(closed.function) && loss <= known;
+      std::min(cost_without_guards(closed.function), cost_without_guards(recursive));
+  const bool is_free = cost <= cost_without_guards(closed.function) && loss <= known;
   const bool is_better = closed.costs.inaccurate_entry || loses_more(known, loss, aim.max_loss);
   return is_free || (is_better && is_affordable(cost, cheapest, aim.most_quarters));
 }
@@ -286,7 +286,7 @@ class FormChooser {
     const Function& dearer = is_closed ? recursive : closed;
     const Function& cheaper = is_closed ? closed : recursive;
     if (!loses_more(own, other, aim_.max_loss)) return;
-    if (!is_affordable(cost_without_diagonal(dearer), cost_without_diagonal(cheaper),
+    if (!is_affordable(cost_without_guards(dearer), cost_without_guards(cheaper),
                        aim_.most_quarters))
       return;
     costs.chosen_form = is_closed ? Form::recursive : Form::closed;

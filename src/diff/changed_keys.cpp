@@ -73,7 +73,7 @@ bool is_same(const ValueSyntax& x, const ValueSyntax& y) {
   return false;
 }
 
-bool is_repeated(const EntrySyntax& entry) {
+bool may_repeat(const EntrySyntax& entry) {
   const auto row = std::ranges::find(entry_table(), entry.name, &EntryRow::entry);
   return row != entry_table().end() && row->repeated;
 }
@@ -101,7 +101,7 @@ const KeySyntax* identifying_key(const EntrySyntax& entry) {
 /// "[[point]] bob", "[[force]] on x #2", "[gravity]"; "" for keys outside of all tables.
 std::string text_of(const IdentifiedEntry& one) {
   const auto& table = one.entry->name;
-  if (!is_repeated(*one.entry)) return table.empty() ? "" : fmt::format("[{}]", table);
+  if (!may_repeat(*one.entry)) return table.empty() ? "" : fmt::format("[{}]", table);
   std::string text = fmt::format("[[{}]]", table);
   if (one.key != nullptr) {
     if (one.key->key != "name") text += " " + one.key->key;
@@ -123,7 +123,7 @@ using IdentifiedEntries = std::vector<IdentifiedEntry>;
 IdentifiedEntries identify_entries(const FileSyntax& file) {
   IdentifiedEntries all;
   for (const EntrySyntax& entry : file.entries) {
-    IdentifiedEntry one{&entry, is_repeated(entry) ? identifying_key(entry) : nullptr};
+    IdentifiedEntry one{&entry, may_repeat(entry) ? identifying_key(entry) : nullptr};
     for (const IdentifiedEntry& other : all) {
       if (has_same_key(other, one)) ++one.number;
     }

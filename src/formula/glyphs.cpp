@@ -144,7 +144,7 @@ int bracket_depth_change(const Glyphs& piece) {
   return base.text == "(" || base.text == "[" ? 1 : -1;
 }
 
-bool is_sum(const Glyphs& row) {
+bool is_sum_or_signed(const Glyphs& row) {
   int depth = 0;
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     const bool is_first_minus = i == 0 && row.parts[i].text == "-";

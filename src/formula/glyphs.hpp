@@ -85,7 +85,7 @@ void append_sign(Glyphs& row, std::string_view sign, bool is_apart);
 /// 1 for an opening bracket, -1 for a closing bracket, otherwise 0.
 [[nodiscard]] int bracket_depth_change(const Glyphs& piece);
 /// True if the row begins with a minus, or if a sign separates terms outside brackets.
-[[nodiscard]] bool is_sum(const Glyphs& row);
+[[nodiscard]] bool is_sum_or_signed(const Glyphs& row);
 
 /// A formula, or prose between formulas.
 struct GlyphPiece {

@@ -40,8 +40,8 @@ void displace(std::vector<Jet>& quantity, const std::vector<Number>& direction,
 template <class Number>
 void displace_position(const Model& model, Motion& motion, const std::vector<Number>& direction,
                        Generators generators) {
-  const std::vector<Jet> moving(direction.begin(), direction.end());
-  displace(motion.q, coordinate_rates(model, motion.q, moving), generators);
+  const std::vector<Jet> direction_jets(direction.begin(), direction.end());
+  displace(motion.q, coordinate_rates(model, motion.q, direction_jets), generators);
 }
 
 /// q += N v along, v += a along, t += along.

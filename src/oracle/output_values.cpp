@@ -311,7 +311,7 @@ constexpr OracleRow user_value{user_output_values};
 constexpr OracleRow user_jacobian{user_output_jacobian};
 constexpr OracleRow user_bias{user_output_bias};
 constexpr OracleRow user_derivatives{user_output_derivatives, contract_user_derivatives};
-constexpr OracleRow user_operational{user_operational_dynamics, contract_user_operational};
+constexpr OracleRow user_operational{user_operational_dynamics, contract_operational_dynamics};
 
 constexpr OracleRow step{step_entries, contract_field<step_entries>};
 constexpr OracleRow step_derivatives{

@@ -184,7 +184,7 @@ Values user_operational_dynamics(const OutputQuery& of) {
   return concatenate_fields(operational_fields(of));
 }
 
-cl_R contract_user_operational(const OutputQuery& of, const Contraction& by) {
+cl_R contract_operational_dynamics(const OutputQuery& of, const Contraction& by) {
   return contract_entries(operational_fields(of).at(by.field), by);
 }
 

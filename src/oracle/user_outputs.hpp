@@ -41,6 +41,7 @@ struct OutputQuery {
 /// Operational-space dynamics: Lambda = (J M^-1 J^T)^-1, M^-1 J^T Lambda, Lambda (J M^-1 bias -
 /// bias of y), and the relative pivots of J M^-1 J^T.
 [[nodiscard]] Values user_operational_dynamics(const OutputQuery& query);
-[[nodiscard]] cln::cl_R contract_user_operational(const OutputQuery& query, const Contraction& by);
+[[nodiscard]] cln::cl_R contract_operational_dynamics(const OutputQuery& query,
+                                                      const Contraction& by);
 
 }  // namespace elgen::oracle

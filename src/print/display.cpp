@@ -64,8 +64,8 @@ std::optional<std::size_t> find_wide_fraction(const Glyphs& row, double widest,
     const Glyphs& fraction = row.parts[i];
     if (fraction.kind != GlyphKind::fraction) continue;
     const Glyphs* const square = radicand(fraction.parts[1]);
-    const bool has_terms =
-        !is_one(fraction.parts[0]) || is_sum(square != nullptr ? *square : fraction.parts[1]);
+    const bool has_terms = !is_one(fraction.parts[0]) ||
+                           is_sum_or_signed(square != nullptr ? *square : fraction.parts[1]);
     Glyphs with_sign;
     if (i > 0) append_sign(with_sign, "-", false);
     append(with_sign, fraction, false);
@@ -106,10 +106,12 @@ Glyphs split_fraction(const Glyphs& fraction) {
     add_script(row, 2, read_latex(square != nullptr ? "-1/2" : "-1"));
     return row;
   }
-  const std::size_t bracket = is_sum(above) ? 0 : last_bracket_start(above);
+  const std::size_t bracket = is_sum_or_signed(above) ? 0 : last_bracket_start(above);
   Glyphs row = fraction_row(bracket == 0 ? read_latex("1") : row_slice(above, 0, bracket), below);
-  append(row, is_sum(above) ? add_brackets(above) : row_slice(above, bracket, above.parts.size()),
-         true);
+  append(
+      row,
+      is_sum_or_signed(above) ? add_brackets(above) : row_slice(above, bracket, above.parts.size()),
+      true);
   return row;
 }
 

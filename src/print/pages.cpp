@@ -228,14 +228,16 @@ std::string mathml_element(const Glyphs& glyphs) {
   return fmt::format("<math>{}</math>", html_formula(glyphs));
 }
 
-std::string html_cell(const std::string& content) { return fmt::format("<mtd>{}</mtd>", content); }
+std::string mathml_cell(const std::string& content) {
+  return fmt::format("<mtd>{}</mtd>", content);
+}
 
 /// A matrix of `columns` columns in tall brackets.
 std::string html_matrix(const DisplayedEquation& display) {
   std::string rows;
   for (std::size_t i = 0; i < display.rows.size(); ++i) {
     if (i % display.columns == 0) rows += "<mtr>";
-    rows += html_cell(html_formula(display.rows[i]));
+    rows += mathml_cell(html_formula(display.rows[i]));
     if ((i + 1) % display.columns == 0) rows += "</mtr>\n";
   }
   return fmt::format("<mo>(</mo><mtable>\n{}</mtable><mo>)</mo>", rows);
@@ -256,8 +258,8 @@ std::string html_equations(const DisplayBlock& block) {
     std::string left = has_left ? html_formula(display.left) + "<mo>=</mo>" : "";
     for (const std::string& right : html_right_sides(display)) {
       if (line_count(block) == 1) return fmt::format("<mrow>{}{}</mrow>", left, right);
-      rows += fmt::format("<mtr>{}{}</mtr>\n", html_cell(fmt::format("<mrow>{}</mrow>", left)),
-                          html_cell(fmt::format("<mrow>{}</mrow>", right)));
+      rows += fmt::format("<mtr>{}{}</mtr>\n", mathml_cell(fmt::format("<mrow>{}</mrow>", left)),
+                          mathml_cell(fmt::format("<mrow>{}</mrow>", right)));
       left.clear();
     }
   }

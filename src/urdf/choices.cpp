@@ -52,7 +52,7 @@ class JointChooser {
       for (const Span& name : split_words(list)) keep_joint(name, ++rank);
     }
     if (!options.joints.empty()) weld_other_joints();
-    weld_mimicking_joints(robot_);
+    weld_mimics_of_welded(robot_);
     return found_;
   }
 
@@ -161,7 +161,7 @@ Diagnostics apply_joint_options(Robot& robot, const ImportOptions& options, cons
   return JointChooser(robot, limits).choose(options);
 }
 
-void weld_mimicking_joints(Robot& robot) {
+void weld_mimics_of_welded(Robot& robot) {
   constexpr int longest_chain = 100;
   bool has_changed = true;
   for (int round = 0; has_changed && round < longest_chain; ++round) {

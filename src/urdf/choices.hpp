@@ -13,7 +13,7 @@ namespace elgen::urdf {
                                               const Limits& limits);
 
 /// Holds the joints that mimic a held joint.
-void weld_mimicking_joints(Robot& robot);
+void weld_mimics_of_welded(Robot& robot);
 
 /// True if `--weld massless` is among the options.
 [[nodiscard]] bool welds_massless_joints(const ImportOptions& options);

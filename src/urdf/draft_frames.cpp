@@ -12,7 +12,7 @@ namespace elgen::urdf {
 namespace {
 
 std::string description(const Joint& joint, AngleRounding digits) {
-  const Axis axis = round_axis(joint.axis, digits);
+  const Axis axis = snap_axis(joint.axis, digits);
   const std::string_view type = type_word(joint.type);
   if (joint.type == JointType::fixed || joint.type == JointType::floating) {
     const std::string_view weld = joint.weld_position ? ", welded" : "";

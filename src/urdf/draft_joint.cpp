@@ -35,7 +35,7 @@ std::string length_text(const Vector& axis) {
 std::vector<std::string> turn_about_axis(const std::string& angle, const Vector& xyz,
                                          AngleRounding digits) {
   if (angle == "0") return {};
-  const Axis axis = round_axis(xyz, digits);
+  const Axis axis = snap_axis(xyz, digits);
   if (!axis.index) {
     return {turn_text(vector_text({xyz[0].text, xyz[1].text, xyz[2].text}), angle)};
   }
@@ -45,7 +45,7 @@ std::vector<std::string> turn_about_axis(const std::string& angle, const Vector&
 
 Components slide_along_axis(const std::string& way, const Vector& xyz, AngleRounding digits) {
   Components result{"0", "0", "0"};
-  const Axis axis = round_axis(xyz, digits);
+  const Axis axis = snap_axis(xyz, digits);
   if (axis.index) {
     result[*axis.index] = axis.is_reversed ? negated_text(way) : way;
     return result;
@@ -167,7 +167,7 @@ class JointDrafter {
   }
 
   JointMotion draft_planar() {
-    const std::size_t normal = *round_axis(joint_.axis, AngleRounding::round).index;
+    const std::size_t normal = *snap_axis(joint_.axis, AngleRounding::round).index;
     JointMotion motion;
     if (joint_.weld_position) return motion;
     for (const std::size_t i : {(normal + 1) % 3, (normal + 2) % 3}) {

@@ -123,7 +123,7 @@ class AxisInertia {
 /// inertia has a rotor, because other joints without mass are already held.
 bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& planar) {
   const std::size_t normal =
-      *round_axis(robot.joints[planar.joint].axis, AngleRounding::round).index;
+      *snap_axis(robot.joints[planar.joint].axis, AngleRounding::round).index;
   const AxisInertia about(robot, tree, normal);
   const bool is_rotor_alone = !about.carries_mass_or_inertia(planar.child);
   return is_rotor_alone || about.has_inertia(planar.child);
@@ -225,7 +225,7 @@ Diagnostics weld_massless_joints(Robot& robot, const LinkTree& tree) {
                      fmt::format("the angle of {} is held at 0", quote_text(joint.name.text)),
                      "it moves no inertia"});
   }
-  weld_mimicking_joints(robot);
+  weld_mimics_of_welded(robot);
   return found;
 }
 

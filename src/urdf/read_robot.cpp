@@ -177,7 +177,7 @@ void read_axis(ElementReader& reader, Joint& joint, RobotReadState& reading) {
   if (is_zero)
     reading.diagnostics.push_back({Code::E813, joint.axis_span, "the axis has no direction"});
   if (joint.type == JointType::planar && !is_zero &&
-      !round_axis(joint.axis, AngleRounding::round).index) {
+      !snap_axis(joint.axis, AngleRounding::round).index) {
     reading.diagnostics.push_back({Code::E108, joint.axis_span,
                                    "a planar joint is imported only with an axis along x, y or z"});
   }

@@ -52,7 +52,7 @@ class PoseChangeBounds {
     change.position += change.angle * length(joint.origin.xyz);
     change.angle += rotation_change(joint.origin.rpy);
     if (has_one_coordinate(joint.type)) {
-      const Axis axis = round_axis(joint.axis, robot_.digits);
+      const Axis axis = snap_axis(joint.axis, robot_.digits);
       count_ += axis.is_rounded ? 1 : 0;
       change.angle += axis.change;
       if (joint.type == JointType::prismatic)

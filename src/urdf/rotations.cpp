@@ -92,7 +92,7 @@ std::optional<std::array<FileNumber, 6>> rotate_inertia(const RollPitchYaw& rota
   return result;
 }
 
-Axis round_axis(const Vector& direction, AngleRounding digits) {
+Axis snap_axis(const Vector& direction, AngleRounding digits) {
   const auto shorter = [](const FileNumber& left, const FileNumber& right) {
     return cln::abs(left.value) < cln::abs(right.value);
   };

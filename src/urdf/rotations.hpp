@@ -47,6 +47,6 @@ struct Axis {
   double change = 0.0;  ///< by rounding, in rad
 };
 
-[[nodiscard]] Axis round_axis(const Vector& direction, AngleRounding digits);
+[[nodiscard]] Axis snap_axis(const Vector& direction, AngleRounding digits);
 
 }  // namespace elgen::urdf

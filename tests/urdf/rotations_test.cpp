@@ -29,7 +29,7 @@ urdf::RollPitchYaw rotation(const urdf::Vector& rpy) {
 
 /// The direction of an axis: "x", "-z", "y rounded" or "oblique".
 std::string axis(const std::string& x, const std::string& y, const std::string& z) {
-  const urdf::Axis result = urdf::round_axis(vector(x, y, z), urdf::AngleRounding::round);
+  const urdf::Axis result = urdf::snap_axis(vector(x, y, z), urdf::AngleRounding::round);
   if (!result.index) return "oblique";
   return (result.is_reversed ? "-" : "") + std::string(1, "xyz"[*result.index]) +
          (result.is_rounded ? " rounded" : "");
@@ -108,7 +108,7 @@ TEST_CASE("the change of an angle is known more precisely than the rounding of d
   CHECK(change("1.5707963267948966") == Approx(1.9231e-17).epsilon(1e-4));
   CHECK(change("-3.14159") == Approx(2.65359e-6).epsilon(1e-5));
   CHECK(change("0") == 0.0);
-  CHECK(urdf::round_axis(vector("0", "1", "1e-6"), urdf::AngleRounding::round).change ==
+  CHECK(urdf::snap_axis(vector("0", "1", "1e-6"), urdf::AngleRounding::round).change ==
         Approx(1e-6));
 }
 
@@ -117,8 +117,8 @@ TEST_CASE("exact angles and axes keep their digits") {
   CHECK(urdf::round_angle(decimal("1.57079632679"), kept).text == "1.57079632679");
   CHECK_FALSE(urdf::round_angle(decimal("1e-9"), kept).is_rounded);
   CHECK(urdf::round_angle(decimal("0"), kept).quarter_turns == 0);
-  CHECK_FALSE(urdf::round_axis(vector("0", "1", "6.1e-17"), kept).index);
-  CHECK(urdf::round_axis(vector("0", "-2", "0"), kept).index == 1U);
+  CHECK_FALSE(urdf::snap_axis(vector("0", "1", "6.1e-17"), kept).index);
+  CHECK(urdf::snap_axis(vector("0", "-2", "0"), kept).index == 1U);
 }
 
 TEST_CASE("one note states the number of angles and the largest change of a pose") {

@@ -16,7 +16,7 @@ namespace elgen {
 
 namespace {
 
-LanguageId find_language(std::string_view name) {
+LanguageId language_or_default(std::string_view name) {
   const auto* const row = std::ranges::find(language_table, name, &LanguageRow::name);
   return row == language_table.end() ? default_language : row->id;
 }
@@ -161,7 +161,7 @@ Emission read_emission(Context& context, const FileSyntax* syntax, const SceneOp
     (void)check_name(key->value.text, key->value.span, context.report);
   }
   if (const KeySyntax* key = find_key(syntax, "emit", "language")) {
-    emission.language = find_language(key->value.text);
+    emission.language = language_or_default(key->value.text);
   }
   emission.language = options.language.value_or(emission.language);
   if (const KeySyntax* key = find_key(syntax, "emit", "storage")) {

@@ -24,7 +24,7 @@ bool is_below_share(const Real& x, const Real& y, const Real& share) {
   return abs(x).value() <= (abs(y) * share).value();
 }
 
-Number random_value(const cln::cl_RA& value) {
+Number round_leaf(const cln::cl_RA& value) {
   return running_leaf(value, rounding_constants<double>());
 }
 
@@ -77,14 +77,14 @@ Number round_to_zero(const Instruction& i, const Values& values, Number x) {
 Values evaluate_at_random_point(const Program& program, const Function& function,
                                 const std::vector<bool>& needed, const std::vector<bool>& variables,
                                 Sampler& draw) {
-  const LeafValues<Number> point = map_leaves(random_value, draw.point(program.leaves));
+  const LeafValues<Number> point = map_leaves(round_leaf, draw.point(program.leaves));
   const RunningErrorRules<Real> rules{point};
   Values values(function.instructions.size(), Number{});
   for (std::size_t at = 0; at < values.size(); ++at) {
     if (!needed[at]) continue;
     const Instruction& i = function.instructions[at];
     values[at] = variables[at]
-                     ? random_value(cln::abs(draw.number()))
+                     ? round_leaf(cln::abs(draw.number()))
                      : round_to_zero(i, values, fold_instruction(rules, program, i, values));
   }
   return values;

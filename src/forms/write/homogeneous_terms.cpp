@@ -21,8 +21,8 @@ namespace {
 /// Sums of a higher degree are too long to read, and gain nothing.
 constexpr std::int32_t highest_degree = 8;
 
-/// k -> coefficient of e^(i k x), for one direction x (direction() in real_terms.hpp). Only k >= 0
-/// is stored, because the coefficient of -k is the complex conjugate.
+/// k -> coefficient of e^(i k x), for one direction x (primitive_angle() in real_terms.hpp). Only k
+/// >= 0 is stored, because the coefficient of -k is the complex conjugate.
 using Harmonics = std::map<std::int32_t, GaussianRational>;
 
 /// The coefficient of one product of atoms that are not exponentials: a constant plus,
@@ -42,7 +42,7 @@ CoefficientsByProduct coefficients_by_product(const Algebra& algebra, const Poly
     if (angle.empty()) {
       factor.constant = coefficient.real;
     } else if (angle.front().exponent > 0) {
-      factor.directions[direction(angle)][common_divisor(angle)] = coefficient;
+      factor.directions[primitive_angle(angle)][common_divisor(angle)] = coefficient;
     }
   }
   // If there is only one direction, half the constant is stored at k = 0 of this direction.

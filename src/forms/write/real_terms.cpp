@@ -116,7 +116,8 @@ class RealTermsBuilder {
   [[nodiscard]] std::int32_t highest_power(const Monomial& monomial) const {
     const Monomial angle = split_monomial(algebra_, monomial).angle;
     if (angle.empty() || trigonometry_ == Trigonometry::multiple_angles) return 0;
-    if (!expands_units()) return common_divisor(angle) / base_of_direction_.at(direction(angle));
+    if (!expands_units())
+      return common_divisor(angle) / base_of_direction_.at(primitive_angle(angle));
     std::int32_t highest = 0;
     for (const AtomPower& part : angle) {
       highest = std::max(highest, std::abs(part.exponent) / base_of_unit_.at(part.atom));
@@ -192,7 +193,7 @@ class RealTermsBuilder {
     }
     const std::int32_t multiple = common_divisor(angle);
     std::int32_t& base =
-        base_of_direction_.try_emplace(direction(angle), whole_angle_units).first->second;
+        base_of_direction_.try_emplace(primitive_angle(angle), whole_angle_units).first->second;
     base = std::gcd(base, multiple);
   }
 
@@ -200,7 +201,7 @@ class RealTermsBuilder {
     const NumberedSum one{{0, GaussianRational{1, 0}}};
     if (trigonometry_ == Trigonometry::multiple_angles) return times_exponential(one, angle, 1);
     if (!expands_units()) {
-      const Monomial along = direction(angle);
+      const Monomial along = primitive_angle(angle);
       const std::int32_t base = base_of_direction_.at(along);
       return times_exponential(one, power(along, base), common_divisor(angle) / base);
     }
@@ -249,7 +250,7 @@ std::int32_t common_divisor(const Monomial& angle) {
   return result;
 }
 
-Monomial direction(const Monomial& angle) {
+Monomial primitive_angle(const Monomial& angle) {
   const std::int32_t divisor = common_divisor(angle);
   Monomial result = angle;
   for (AtomPower& part : result) part.exponent /= angle.front().exponent < 0 ? -divisor : divisor;

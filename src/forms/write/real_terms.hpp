@@ -97,7 +97,7 @@ inline constexpr std::int32_t whole_angle_units = 12;
 [[nodiscard]] std::int32_t common_divisor(const Monomial& angle);
 
 /// The angle without its common divisor, and with a positive first exponent.
-[[nodiscard]] Monomial direction(const Monomial& angle);
+[[nodiscard]] Monomial primitive_angle(const Monomial& angle);
 
 /// Exponents of the cosine and the sine of one angle -> coefficient.
 using CircularPolynomial = std::map<std::pair<std::int32_t, std::int32_t>, GaussianRational>;

@@ -187,7 +187,7 @@ ResidualSums bias_balance(ExactValues& at) {
                      {at.entries(K::applied_force)}});
 }
 
-ResidualSums inverse_parts_balance(ExactValues& at) {
+ResidualSums dynamics_parts_balance(ExactValues& at) {
   return balance_of({{at.entries(K::inverse_dynamics)},
                      matrix_vector_terms(at.entries(K::mass_matrix), at.arguments().a, -1),
                      {at.entries(K::bias), -1}});
@@ -288,7 +288,7 @@ std::vector<Identity> identities_of_equations() {
       {"inverse dynamics from parts",
        "tau = M a + bias",
        {K::inverse_dynamics, K::mass_matrix, K::bias},
-       inverse_parts_balance},
+       dynamics_parts_balance},
   };
 }
 
