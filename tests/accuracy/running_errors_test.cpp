@@ -1,4 +1,4 @@
-// The rules of running error analysis in Real and in double, with errors in units of u = 2^-53.
+// Running error analysis: the rules in Real and in double. Errors are in units of u = 2^-53.
 #include "accuracy/running_errors.hpp"
 
 #include <catch2/catch.hpp>

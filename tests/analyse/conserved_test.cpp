@@ -56,7 +56,7 @@ bool all_are_proved(const ExpectationReport& report) {
   });
 }
 
-/// `integral` + F for every symmetry with F != 0; the conserved integral is I = `integral` - F.
+/// For each symmetry with F != 0: `integral` + F, which is not conserved (I = `integral` - F is).
 std::vector<std::string> negated_integrals(const FoundSymmetries& found) {
   std::vector<std::string> result;
   const nlohmann::json page = found.json();

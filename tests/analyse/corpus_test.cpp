@@ -91,8 +91,8 @@ void expect(const std::string& text, const ExpectedCount& counted) {
   CHECK(found.limit.empty());
 }
 
-/// A bob on a spring over magnets at 0, 120 and 240 degrees. Newton's method from a grid of 1681
-/// starts finds 7 points.
+/// A bob on a spring over magnets at 0, 120 and 240 degrees. Newton's method from 1681 starts on a
+/// grid finds 7 equilibria.
 const std::string three_magnets = R"toml(format = 1
 [model]
 name = "magnets"

@@ -22,8 +22,8 @@ struct Dimension {
   std::vector<std::string> fixed = {};
 };
 
-/// Each model with its number of symmetries, counted by hand, and by an independent program as the
-/// dimension of the null space of the conditions.
+/// Each model with its number of symmetries: counted by hand, and computed by an independent
+/// program as the dimension of the null space of the symmetry conditions.
 std::vector<Dimension> dimensions() {
   return {
       {"line", 3},
@@ -105,8 +105,8 @@ std::string name_of_row(const Dimension& row) {
   return fmt::format("{} {}", row.model, fmt::join(row.fixed, " "));
 }
 
-/// A line for each row with another number of symmetries than `count`, and a line for each row with
-/// an unproved symmetry. panda7 has no closed forms, and gets a line if all symmetries are proved.
+/// A line for each row whose number of symmetries is not `count`, and a line for each row with an
+/// unproved symmetry. panda7 has no closed forms: its row gets a line if all symmetries are proved.
 std::string differing_rows(const std::vector<Dimension>& rows) {
   std::string lines;
   for (const Dimension& row : rows) {

@@ -303,8 +303,8 @@ TEST_CASE("double roots are exact at simple numbers, and undecided elsewhere") {
 }
 
 TEST_CASE("a line of equilibria that cannot be listed is reported as undecided near a box") {
-  // A load held by a force: theta = 0 with any l is a double zero. The equilibria of the second
-  // potential are the line x = y.
+  // F = -m g holds the load at theta = 0 with any l; at theta = 0 the force on l has a double zero.
+  // The equilibria of the second potential are the line x = y.
   const std::string load = R"toml(format = 1
 [model]
 name = "hang"

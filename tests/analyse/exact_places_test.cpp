@@ -41,7 +41,7 @@ TEST_CASE("exact equilibria stay equilibria at other values of the parameters") 
       for (int draw = 0; draw < 20; ++draw) {
         State state = point.state;
         for (cln::cl_R& parameter : state.parameters) {
-          // Within 5 % of the model's value, so that g/(R*Omega^2) of the hoop stays below 1.
+          // Each parameter changes by at most 5 %, so that g/(R*Omega^2) of the hoop stays below 1.
           parameter = parameter * cln::cl_RA(95 + (++moved * 7) % 11) / 100;
         }
         for (std::size_t i = 0; i < state.q.size(); ++i) {

@@ -1,4 +1,4 @@
-// Small motions: frequencies of textbook systems in closed form and as numbers, poles, and
+// Tests small motions: frequencies of textbook systems (in closed form and as numbers), poles, and
 // refusals.
 #include <cmath>
 

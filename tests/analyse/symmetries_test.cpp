@@ -16,7 +16,7 @@ namespace {
 
 using Kind = SymmetryKind;
 
-/// One symmetry: the integral I + F in names of the model, F, and dI/dt.
+/// One symmetry: `integral` is I + F in names of the model, `total` is F, and `rate` is dI/dt.
 struct ExpectedSymmetry {
   Kind kind;
   const char* integral;
@@ -264,7 +264,7 @@ TEST_CASE("without closed forms the page says that states were sampled") {
                  "\n  conserved if d/dt is 0: sampled at 13 states in 160 digits; these are all "
                  "symmetries of this form (64 unknown coefficients, sampled)\n"));
   CHECK(mentions(page, "\n[[expect]]\n  conserved = [\"p(q1)\", \"E\"]\n"));
-  // Closed forms do not know the relations of e^(gamma t), so the symmetries are sampled.
+  // Closed forms do not prove t and e^(gamma t) independent, so completeness is only sampled.
   CHECK(mentions(FoundSymmetries(symmetric_model("growing_mass")).page(),
                  "\n  conserved: proved; these are all symmetries of this form (4 unknown "
                  "coefficients, sampled)\n"));

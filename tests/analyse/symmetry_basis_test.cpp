@@ -130,7 +130,7 @@ TEST_CASE("a common rotation that is no symmetry is not preferred") {
   prefer_common_rotations(forms, all, basis);
   CHECK(are_equal(forms, basis[0], elliptic));
   CHECK(kind_of(forms, all, basis[0]) == SymmetryKind::other);
-  // The rotation in the plane is a symmetry only together with time.
+  // Only the sum of the rotation in the plane and a shift of time is a symmetry.
   std::vector<Generator> mixed{
       generator(all, concatenate(turn(all, 0, 1), {{all.time_index(), 2}}))};
   const Generator before = mixed[0];

@@ -15,7 +15,7 @@ using bench::Timed;
 /// Nanoseconds; 50 microseconds are much longer than a clock reading and shorter than a time slice.
 constexpr double length_of_repetition = 5e4;
 
-/// The calls in a repetition: a multiple of state_count, the same number for each state.
+/// The number of calls: a multiple of state_count, so that every state occurs equally often.
 int calls_of(const Timed& function) {
   const double visit =
       bench::state_count * bench::minima({function.repeat}, bench::state_count, 3)[0];

@@ -1,5 +1,5 @@
 // losses CERTIFICATE.json: prints two cells of the table of losses from the output of `elgen verify
-// --format json`: the number of outputs that lose digits, and the worst loss.
+// --format json`: the number of losses above `tolerated`, and the largest loss.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 constexpr double tolerated = 64;
 
 struct Losses {
-  std::size_t fields = 0;  ///< losses above `tolerated`; an output has one loss per scalar
+  std::size_t fields = 0;  ///< losses above `tolerated`; an output has one loss per scalar type
   std::size_t all = 0;
   double worst = 0;
   std::string where = {};

@@ -31,7 +31,8 @@ struct PandaLink {
 template <class Scalar>
 struct Panda {
   std::array<PandaLink<Scalar>, 7> link;
-  Scalar d3, a4, a5, d5, a7, g;  ///< m, g in m/s^2; no equation contains the shoulder's height d1
+  /// Lengths in m, g in m/s^2. No equation contains the shoulder's height d1.
+  Scalar d3, a4, a5, d5, a7, g;
 };
 
 namespace panda_detail {
@@ -210,7 +211,7 @@ template <class Scalar>
   return {own.force + further.force, own.moment + further.moment};
 }
 
-/// `load` is a force f and a moment n about (x, 0, 0). The result has the moment n + (x, 0, 0) x f.
+/// `load` = (f, n) with the moment n about (x, 0, 0) moved to the origin: n + (x, 0, 0) x f.
 template <class Scalar>
 [[gnu::always_inline]] inline Load<Scalar> at(const Scalar& x, const Load<Scalar>& load) {
   const auto& [f, n] = load;

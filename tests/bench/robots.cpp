@@ -50,7 +50,7 @@ std::vector<JointState> some_states() {
   return states;
 }
 
-/// Times several programs that compute the same quantity; ratios are to the first program's time.
+/// Times programs that compute one quantity. Prints times, and ratios to the first program's time.
 class Contest {
  public:
   explicit Contest(const char* quantity) : quantity_(quantity) {}

@@ -1,4 +1,4 @@
-// Whole models: all diagnostics, in order, without duplicates; cycles; long chains without a cycle.
+// A whole model gives all diagnostics in order, without duplicates. Tests cycles and long chains.
 #include <rapidcheck.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace elgen::test {
 
 namespace {
 
-/// True if operands precede their users, so that every later stage is one pass.
+/// True if operands precede their users, so that later stages visit each expression only once.
 bool is_ordered(const Model& model) {
   for (ExpressionId id = 0; id < model.expressions.size(); ++id) {
     for (const ExpressionId operand : model.expressions[id].operands) {

@@ -1,4 +1,4 @@
-// Numbers that are known when a model is checked: constants, and integers over sizes and indices.
+// Numbers known when a model is checked: constants, and integer expressions of sizes and indices.
 #include "check/names/constants.hpp"
 
 #include <catch2/catch.hpp>

@@ -19,8 +19,8 @@ std::string model_without_energy(const std::string& entries) {
          entries;
 }
 
-/// The names of the coordinates x, y and z whose rates have kinetic energy, such as "xz". Armatures
-/// let the model pass the check and are then removed.
+/// The coordinates among x, y and z whose rates occur in T, in L or in the motion of a mass, such
+/// as "xz". Armatures let the model pass the check and are then removed.
 std::string moving_names(const std::string& entries) {
   Model model = checked(
                     "format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"x\"\n"

@@ -86,7 +86,7 @@ std::string open_values(const Model& model) {
   return text;
 }
 
-/// The only definition and the number of expectations, such as "V = k*x*y, 2 expected".
+/// The only definition and the number of expectations of `closed`, such as "V = k*x*y, 2 expected".
 std::string closed_text(const CheckedModel& closed) {
   const Model& model = closed.model;
   REQUIRE(model.functions.empty());

@@ -1,4 +1,4 @@
-// Traits: degrees and ingredients of expressions, and the keys that allow them.
+// Traits of expressions: degrees, ingredients, and the keys that allow an ingredient.
 #include "check/expressions/traits.hpp"
 
 #include <catch2/catch.hpp>

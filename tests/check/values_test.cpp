@@ -1,5 +1,5 @@
-// Values: the roots, constants and references that an entry reads, and the nodes that check builds.
-// Zeros and ones are folded in these nodes.
+// ValueReader reads values as roots, constants and references. NodeBuilder builds nodes, and folds
+// zeros, ones and rational constants.
 #include "check/expressions/values.hpp"
 
 #include <catch2/catch.hpp>

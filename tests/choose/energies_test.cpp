@@ -25,9 +25,9 @@ using namespace elgen::test;
 
 namespace {
 
-/// A form counts as accurate as another form if the ratio of their errors is at most this.
+/// A form is as accurate as another form if its error is at most this multiple of the other error.
 constexpr double max_error_ratio = 64;
-/// In u; a larger error of a stable form would disqualify it as a reference.
+/// In u. A stable form with a larger error is no reference for other forms.
 constexpr double max_stable_error = 32;
 constexpr std::size_t min_near_stable = 88;
 
@@ -168,9 +168,9 @@ std::vector<EntryErrors> errors_at(const ChosenForms& chosen, const std::vector<
 
 struct EnergyErrors {
   std::vector<EntryErrors> entries = {};  ///< gravity, then V: the maximum over all states
-  /// The maximum ratio of the emitted program's error to the error of the text or of the stable
-  /// form. Each error is the maximum over the states at one distance from one place, since a single
-  /// state may have a small error by chance.
+  /// The largest ratio of the emitted program's error to the text's error, and to the stable form's
+  /// error. Each error is the maximum over the states at one distance from one place, since a
+  /// single state may have a small error by chance.
   double ratio_to_text = 0;
   double ratio_to_stable = 0;
 };

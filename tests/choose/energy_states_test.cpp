@@ -25,7 +25,7 @@ namespace {
 constexpr double max_multiple = 16;
 constexpr std::size_t min_states = 10'000;
 
-/// The largest multiple of all entries at all states, and a description of the entry and state.
+/// The largest multiple (see max_multiple), and a description of the entry and the state.
 struct WorstEntry {
   double multiple = 0;
   std::string words = {};

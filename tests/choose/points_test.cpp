@@ -64,7 +64,7 @@ bool keeps_text(const ChosenForms& c, const std::string& name, const std::vector
   return true;
 }
 
-/// The largest relative error of an entry, in u; infinite if an entry is undefined.
+/// The largest error bound relative to an entry, in u; infinite if an entry is 0 or undefined.
 double digits_lost(const ChosenForms& c, const std::string& name, const std::vector<double>& q) {
   const Function& function = c.choice.program.functions[number_of(c, name)];
   double worst = 0;

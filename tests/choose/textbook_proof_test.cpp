@@ -55,7 +55,7 @@ struct BothRoutes {
   EquationsOfMotion equations;
   std::vector<OutputRequest> requests;
   std::vector<std::pair<std::size_t, std::size_t>>
-      pairs;  ///< numbers of functions: derived, textbook
+      pairs;  ///< indices of functions: derived, textbook
 
   void add(const std::string& name, std::vector<ex> entries) {
     OutputRequest request;
@@ -91,7 +91,7 @@ std::vector<ex> forces_of_constraints(const EquationsOfMotion& derived, std::siz
   return result;
 }
 
-/// M a + bias - B u - A^T lambda at the derived `acceleration`; `held` is A^T lambda. Must be 0.
+/// M a + bias - B u - A^T lambda, which must be 0, for a = `acceleration` and A^T lambda = `held`.
 std::vector<ex> residuals(const Textbook& book, const std::vector<ex>& acceleration,
                           const std::vector<ex>& held) {
   std::vector<ex> result;
@@ -152,7 +152,7 @@ TEST_CASE("the textbook derivation gives the same canonical sums") {
   std::size_t proved = 0;
   for (const std::filesystem::path& path : model_paths()) {
     const CheckedModel checked = checked_model(read_text(path));
-    // With constraints solutions have more terms.
+    // Solutions with constraints have more terms, so `most` is smaller.
     const std::size_t most = checked.model.constraints.empty() ? 3 : 2;
     if (checked.model.coordinates.size() > most) continue;
     INFO(checked.model.name);

@@ -1,5 +1,5 @@
-// .ci/checks.sh: the summary of checks and tests that .ci/run prints, for commands that take no
-// time.
+// .ci/checks.sh: the summary of checks and tests that .ci/run prints. Short commands replace the
+// checks.
 #include <catch2/catch.hpp>
 #include <regex>
 

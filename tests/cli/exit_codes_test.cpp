@@ -17,8 +17,8 @@ struct ExitRow {
   std::string why_not = {};  ///< the reason if `line` is empty
 };
 
-/// Commands in a folder with a pendulum `good`, a copy `other` with another parameter value, and
-/// models with an error, with a wrong expectation, and with a force that grows without bound.
+/// Commands in a folder with a pendulum `good` and a copy `other` with another parameter value.
+/// Other models have an error, a wrong expectation, or a force that grows without bound.
 const std::vector<ExitRow> exit_rows{
     {"generate", 0, "elgen generate good.toml"},
     {"generate", 1, "elgen generate --check -o none good.toml"},
@@ -130,7 +130,8 @@ TEST_CASE("every command line ends with its exit code") {
   }
 }
 
-/// Definitions with 64th powers of earlier definitions: constants, bounded and unbounded values.
+/// Chains of definitions, each composed of 64th powers of the definition before. A chain has
+/// constants, bounded functions or unbounded functions.
 TEST_CASE("absurd powers end with a limit or are emitted, without internal errors") {
   const Workspace workspace;
   const auto status = [&](const std::string& leaf, const std::string& step, int steps) {

@@ -48,7 +48,7 @@ TEST_CASE("half a turn and a reversed direction of an angle are recognised") {
   CHECK(half_turn.status == 1);
   CHECK(mentions(half_turn.output, "found      wrong even at rest\n"));
   CHECK(mentions(half_turn.output, another + "its `theta` is `theta + pi`\n"));
-  // The angle is measured in the opposite direction: a' = -a, w' = -w.
+  // The angle is reversed: theta and theta'' change sign; theta' occurs only squared.
   const Outcome mirrored = folder.compare_c(replaced(
       replaced(cart, "theta = q[1]", "theta = -q[1]"), "(g * s - c * a)", "-(g * s - c * a)"));
   INFO(mirrored.output);

@@ -1,4 +1,4 @@
-// Limits of time and memory, and interrupts: the process exits with its code and leaves no files.
+// After a limit or an interrupt the process exits with the documented code and leaves no files.
 #include <catch2/catch.hpp>
 #include <regex>
 

@@ -1,5 +1,5 @@
-// elgen schema: the schemas accept the inputs that elgen reads. Checked by Debian's
-// python3-jsonschema if installed.
+// elgen schema: the schemas accept the inputs that elgen reads. Debian's python3-jsonschema
+// validates the inputs, if installed.
 #include <catch2/catch.hpp>
 #include <iostream>
 #include <nlohmann/json.hpp>

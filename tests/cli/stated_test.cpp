@@ -21,7 +21,7 @@ Outcome verify_with(const std::string& model, const std::string& keys,
 struct StudentEquations {
   std::string model;
   std::string keys;
-  std::vector<std::string> words;  ///< expected words in the report; none: the equations are right
+  std::vector<std::string> words;  ///< expected words in the report; empty: the equations are right
 };
 
 const std::string cart_row =

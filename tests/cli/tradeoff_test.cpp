@@ -132,7 +132,7 @@ TEST_CASE("requested dimensions are tried, expansions about the point of the sce
     CHECK_FALSE(design.contains("failure"));
     if (design["design"]["order"] != "1") continue;
     ++expanded;
-    // search_margin = 1.5 times theta^2/6, the relative error of theta for sin(theta) at 0.01 rad.
+    // search_margin (1.5) times theta^2/6 at 0.01 rad, the relative error of sin(theta) = theta.
     CHECK(design["error"]["worst"] == Approx(2.5e-5).epsilon(0.01));
   }
   CHECK(expanded > 0);

@@ -172,7 +172,7 @@ TEST_CASE("option --build compiles in one way only") {
   const Workspace workspace;
   write_rotor(workspace);
   const std::string verify = "elgen verify -v --samples 2 one.scene.toml --build ";
-  const std::string rows_of_bits = " entries differ\n";  // double and float
+  const std::string rows_of_bits = " entries differ\n";  // one row for double, one for float
   const std::string written = workspace.run(verify + "written").output;
   CHECK(count(written, rows_of_bits) == 2);
   CHECK_FALSE(mentions(written, "-O3 -march=native"));

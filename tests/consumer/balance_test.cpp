@@ -58,8 +58,8 @@ unit = "N"
 on   = "x"
 )toml";
 
-/// Prints rows of gains, each row in the order of the publication that lists these gains, and the
-/// error for a system that is not controllable.
+/// Prints rows of gains, and the error for a system that is not controllable. Each row has the
+/// order of the publication that lists its gains.
 constexpr const char* gains_program = R"source(#include <cstdio>
 
 #include "cart_pole_balance/cart_pole_balance_eigen.hpp"

@@ -1,4 +1,4 @@
-// Articulated bodies compared with elimination of M, and systems to which they do not apply.
+// Articulated bodies agree with elimination of M. The method does not apply to every system.
 #include "derive/tree/articulated.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,8 +12,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// A boom on a turntable, a carriage that moves along a parabola on the boom, a reel with an
-/// armature that rotates about an oblique axis, a spring, damping, and a lamp on a separate limb.
+/// A boom on a turntable, a carriage on a parabolic rail of the boom, and a reel that has an
+/// armature and rotates about an oblique axis. Also a spring, damping, and a lamp on its own limb.
 const std::string& crane_text() {
   static const std::string text = frame_model("crane", "q r s p", R"toml(
 [[input]]
@@ -229,7 +229,7 @@ TEST_CASE("the number of definitions of articulated bodies is linear in the leng
   const std::size_t few = definitions_of_chain(10);
   const std::size_t more = definitions_of_chain(20);
   const std::size_t many = definitions_of_chain(40);
-  // 5 % margin, because the first links have fewer degrees of freedom.
+  // 5 % margin above linear growth, because the first links have fewer degrees of freedom.
   CHECK(20 * (many - more) <= 42 * (more - few));
 }
 

@@ -1,5 +1,5 @@
-// Composite inertias compared with sums over bodies in the world, rates of momentum per unit twist,
-// and the transformation of inertias and rates along the tree.
+// Composite inertias agree with sums over bodies in the world. Also tests rates of momentum per
+// unit twist, and the transformation of inertias and rates along the tree.
 #include "derive/tree/composite.hpp"
 
 #include <catch2/catch.hpp>

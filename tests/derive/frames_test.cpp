@@ -1,5 +1,5 @@
-// Outputs of systems of frames compared with the oracle, which works in the world, and general laws
-// of mechanics.
+// Outputs of systems of frames agree with the oracle, which works in the world, and obey general
+// laws of mechanics.
 #include <catch2/catch.hpp>
 
 #include "derive/outputs/outputs.hpp"

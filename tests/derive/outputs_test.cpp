@@ -1,4 +1,4 @@
-// Outputs compared with the textbook derivation, and general laws of mechanics.
+// Outputs agree with the textbook derivation and obey general laws of mechanics.
 #include "derive/outputs/outputs.hpp"
 
 #include <catch2/catch.hpp>

@@ -75,8 +75,8 @@ com = ["c", "b/2", "-c"]
 inertia = ["J", "2*J", "5/2*J"]
 )toml";
 
-/// The largest error of p = M v, tau(a) - tau(0) = M a and p v = 2 T with p = momentum, at a state
-/// with quaternions whose length is not 1.
+/// The largest error of p = M v, tau(a) - tau(0) = M a and p v = 2 T; p is the momentum. The
+/// quaternions of the state do not have length 1.
 double error_off_sphere(const std::string& text) {
   Framed system(text);
   State state = some_state(system.checked, 1);

@@ -22,7 +22,7 @@ SymmetricSolver solve_of(Derivation& derivation, const RealVector& mass) {
           RowKind::velocities};
 }
 
-/// The number of definitions that the factorisation and one solution add to M.
+/// The number of definitions that the factorisation and one solution need besides the entries of M.
 std::size_t cost(const std::string& text, bool last_first) {
   Derivation derivation(derivation_in_order(text, last_first));
   RealVector mass = mass_matrix(derivation);

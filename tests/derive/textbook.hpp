@@ -1,5 +1,5 @@
 // The textbook derivation: write out L, differentiate, expand. Slow, but simple enough to be
-// trusted.
+// trusted. Q is the generalised force at u = 0.
 //
 //     tau = rate(dL/dv) - dL/dq + dD/dv - Q,    rate(f) = sum v df/dq + sum a df/dv + df/dt
 #pragma once
@@ -80,7 +80,7 @@ class Textbook {
     return derivative_by(momentum(i), s_.v[j]);
   }
 
-  /// C in Christoffel form.
+  /// C_ij = sum_k (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i) v_k/2
   [[nodiscard]] GiNaC::ex coriolis(std::size_t i, std::size_t j) const {
     GiNaC::ex result = 0;
     for (std::size_t k = 0; k < s_.q.size(); ++k) {

@@ -1,4 +1,4 @@
-// The columns of the variables that move a tree. Two variables form a pair if one path to the root
+// Tests the variables of a tree, and TreeColumns, which pairs two variables if one path to the root
 // contains both.
 #include <catch2/catch.hpp>
 #include <set>
@@ -33,7 +33,7 @@ Pairs visited_pairs(Derivation& derivation) {
 TEST_CASE("a variable is paired with itself and its ancestors, never with another arm",
           "[frames]") {
   Derivation derivation(Framed(read_model("two_arms")).lagrangian);
-  // Numbers of variables: 0 x, 1 a1, 2 a1 + a2, 3 b1, 4 b2.
+  // The variables by index: 0 x, 1 a1, 2 a1 + a2, 3 b1, 4 b2.
   CHECK(visited_pairs(derivation) ==
         Pairs{{0, 0}, {1, 1}, {1, 0}, {2, 2}, {2, 0}, {3, 3}, {3, 0}, {4, 4}, {4, 3}, {4, 0}});
 }

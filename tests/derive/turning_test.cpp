@@ -1,5 +1,5 @@
-// Rotations: Euler's equations and the Christoffel form for angular velocities, from the energy
-// alone.
+// Rotations: Euler's equations and the Christoffel form for angular velocities follow from the
+// energy alone.
 #include "derive/lagrangian/turning.hpp"
 
 #include <catch2/catch.hpp>
@@ -59,7 +59,7 @@ TEST_CASE("C is skew-symmetric if M is constant") {
 TEST_CASE("gradients are along infinitesimal rotations") {
   Derivation derivation(top());
   const std::vector<ex>& e = derivation.symbols.q;
-  // R_33 = w^2 - x^2 - y^2 + z^2 falls by R_32 along a rotation about x, and rises by R_31 about y.
+  // The slope of R_33 = w^2 - x^2 - y^2 + z^2 is -R_32 about x, R_31 about y, and 0 about z.
   const ex height = e[0] * e[0] - e[1] * e[1] - e[2] * e[2] + e[3] * e[3];
   const RealVector slope = derivation.gradient_by_position({{height, 1}});
   const RealVector expected{-2 * (e[2] * e[3] + e[0] * e[1]), 2 * (e[1] * e[3] - e[0] * e[2]), 0};

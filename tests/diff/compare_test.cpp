@@ -1,4 +1,4 @@
-// The impact of a change, its report, and the words and order of impacts.
+// The impact of a change, the report on the change, and the words and order of impacts.
 #include <catch2/catch.hpp>
 
 #include "diff/versions.hpp"

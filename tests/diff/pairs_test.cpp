@@ -88,7 +88,7 @@ inverse_dynamics = true
 )toml");
 }
 
-/// Number of equal pairs, and of different pairs.
+/// The number of equal pairs. There are as many different pairs.
 constexpr std::uint64_t pair_count = 20;
 
 }  // namespace

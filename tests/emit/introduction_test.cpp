@@ -1,4 +1,4 @@
-// The beginning of pages: title, equation of motion, variables and notes. The end: operations.
+// A page begins with title, equation of motion, variables and notes, and ends with operations.
 #include "emit/pages/introduction.hpp"
 
 #include <algorithm>

@@ -21,7 +21,7 @@ Statement entry(std::uint32_t index, Numbers uses) {
   return EntryStatement{0, 0, index, {std::move(uses), {}}};
 }
 
-/// Assignments that use at most one earlier value, then four entries that use at most one value.
+/// Assignments and then four entries; each uses at most one value of an earlier assignment.
 std::vector<Statement> random_body() {
   std::vector<Statement> body;
   const auto count = *rc::gen::inRange<std::uint32_t>(0, 40);

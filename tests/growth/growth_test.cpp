@@ -21,8 +21,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// 1 for stages of closed forms, which have n^2 terms, up to 30 links; otherwise 0. Above 30 links
-/// the closed forms exceed their budget.
+/// 1 for stages of closed forms if `links` <= 30, because closed forms have n^2 terms; otherwise 0.
+/// Above 30 links the closed forms exceed their budget.
 double extra_exponent(const std::string& stage, int links) {
   const bool is_closed = stage == "present" || stage == "choose" || stage == "typeset";
   return is_closed && links <= 30 ? 1 : 0;
@@ -188,7 +188,7 @@ TEST_CASE("a column of C is differentiated by its own rate only") {
     return bytes_of(dense, {Goal::derive}, {"coriolis_matrix"}, size);
   };
   bytes(4);
-  // C has n^2 entries with n terms each. Derivatives by all rates for each column cost n^3.6.
+  // C has n^2 entries with n terms each. Derivatives of each column by all rates would cost n^3.6.
   check_growth(bytes(8), bytes(24), std::pow(3, 3.2));
 }
 

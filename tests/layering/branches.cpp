@@ -3,7 +3,7 @@
 namespace elgen::test {
 namespace {
 
-/// The comparisons with, and `case` labels of, the enumerators of `name` that match the pattern
+/// The places with `==`, `!=` or `case` and an enumerator of `name` that matches the pattern
 /// `enumerator`. An alias of `name` in the file counts as `name`.
 Places branches(const SourceTree& tree, const std::string& name, const std::string& enumerator) {
   Places found;

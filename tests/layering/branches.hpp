@@ -48,7 +48,7 @@ inline Places matching_lines(const SourceTree& tree, const std::string& word,
   });
 }
 
-/// Each function finds comparisons with, and `case` labels of, the enumerators of one table.
+/// Each function finds the places with `==`, `!=` or `case` and an enumerator of one table.
 [[nodiscard]] Places language_branches(const SourceTree& tree);
 [[nodiscard]] Places output_branches(const SourceTree& tree);
 [[nodiscard]] Places extent_branches(const SourceTree& tree);

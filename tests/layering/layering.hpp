@@ -38,7 +38,7 @@ using Includes = std::map<std::string, std::vector<std::string>>;
 /// For each file, the project's files that it includes directly.
 [[nodiscard]] Includes includes_of(const SourceTree& tree);
 
-/// Code of src/ and include/elgen/, which layers.txt describes.
+/// The paths of the code in src/ and include/elgen/, which layers.txt describes.
 [[nodiscard]] std::vector<std::string> governed(const SourceTree& tree);
 
 /// Each function returns one sentence per breach of a rule; each sentence starts with the file.
@@ -47,7 +47,7 @@ using Includes = std::map<std::string, std::vector<std::string>>;
 [[nodiscard]] std::vector<std::string> misplaced_ginac(const SourceTree& tree);
 /// Types defined in two files under one name: confusing, and in one namespace an ODR violation.
 [[nodiscard]] std::vector<std::string> types_of_two_meanings(const SourceTree& tree);
-/// Includes of the project's files that are not paths from include/ or src/.
+/// #include paths that are not found from include/ or src/, only from the folder of the file.
 [[nodiscard]] std::vector<std::string> includes_beside(const SourceTree& tree);
 /// Namespaces other than elgen. Only urdf, oracle and cli may have their own (elgen::urdf, ...).
 [[nodiscard]] std::vector<std::string> unusual_namespaces(const SourceTree& tree);

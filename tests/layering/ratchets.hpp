@@ -10,8 +10,8 @@
 namespace elgen::test {
 
 /// A sentence for each figure that differs from its row in `text`, the content of ratchets.txt, for
-/// each figure without a row, and for each row without a figure. The places of a figure above its
-/// row follow the sentence. Places that begin with a path behind `besides` in the row do not count.
+/// each figure without a row, and for each row without a figure. The places of a figure that
+/// exceeds its row follow. Places that begin with a path behind `besides` in the row do not count.
 [[nodiscard]] std::vector<std::string> broken_ratchets(const SourceTree& tree,
                                                        const std::string& text);
 

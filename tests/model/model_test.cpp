@@ -1,5 +1,5 @@
-// Queries of a Model that every stage uses: names and numbers of its leaves, printing, references
-// between entries.
+// Queries of a Model that every stage uses: names and counts of leaves, printed expressions, and
+// references between entries.
 #include <rapidcheck.h>
 
 #include <algorithm>

@@ -190,7 +190,7 @@ TEST_CASE("a point of a frame is defined only if something refers to it", "[fram
 }
 
 TEST_CASE("shared subexpressions are translated once") {
-  // Expanded to a tree the rotation about fourteen oblique axes has 9^14 nodes.
+  // If expanded to a tree, the rotation about fourteen oblique axes would have 9^14 nodes.
   std::string axes;
   for (int i = 0; i < 14; ++i) axes += R"toml([["1", "2", "2"], "q"], )toml";
   const Model model = checked_model(model_text("slanted", R"toml(

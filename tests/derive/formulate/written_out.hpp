@@ -1,5 +1,5 @@
-// Substitutes all definitions into one expression and compares such expressions at exact points.
-// Derivation avoids this simple but expensive method.
+// Substitutes all definitions into an expression, and tests at exact points whether an expression
+// vanishes. Derivation avoids this simple but expensive method.
 #pragma once
 
 #include <vector>
@@ -18,8 +18,8 @@ inline GiNaC::ex written_out(const Definitions& definitions, GiNaC::ex value) {
 }
 
 /// True if |`difference`| <= 1e-45 at three points in 60-digit arithmetic. The points are small
-/// rationals, so values are between 1 and 1e6. The tolerance 1e-45 is far above rounding errors and
-/// far below the effect of any mistake.
+/// rationals, so the compared values are between 1 and 1e6. The tolerance 1e-45 is far above
+/// rounding errors and far below the effect of any mistake.
 inline bool vanishes(const GiNaC::ex& difference, const std::vector<GiNaC::ex>& symbols) {
   GiNaC::Digits = 60;
   for (int sample = 0; sample < 3; ++sample) {

@@ -146,7 +146,7 @@ struct Strict {
   friend Strict sqrt(const Strict& x) { return Strict(sqrt(x.dual)); }
 };
 
-/// Checks slopes in Scalar. `made(x, slope)` is a Scalar; `split` is the inverse of `made`.
+/// Checks values and slopes in Scalar: `made(x, slope)` makes a Scalar, and `split` inverts `made`.
 template <class Scalar, class Make, class Split>
 void check_slopes(const Make& made, const Split& split) {
   const emitted::Parameters<double> p{};

@@ -1,6 +1,6 @@
-// Uses a node of an expression as scalar, with the properties of casadi::SXElem: it is made from a
-// double, a comparison gives an expression, there is no conversion to bool, and std::numeric_limits
-// has no digits. The expressions must have the values of double.
+// Uses a node of an expression as scalar, with the properties of casadi::SXElem: a node is made
+// from a double, a comparison gives an expression, there is no conversion to bool, and
+// std::numeric_limits has no digits. The expressions must have the values of double.
 #include <cmath>
 #include <cstdio>
 #include <functional>

@@ -52,7 +52,7 @@ void print(std::uint64_t process, const Counts& counts) {
   std::fflush(stdout);
 }
 
-/// Tries the runs of `range` with this remainder modulo range.processes; false if a run failed.
+/// Tries every range.processes-th run of `range` from offset `remainder`; false if a run failed.
 bool search(const SearchRange& range, std::uint64_t remainder) {
   Corpus corpus(random_models);
   if (const char* const robots = std::getenv("ELGEN_ROBOTS")) corpus.add_robots(robots);

@@ -136,7 +136,7 @@ void replace(std::string& text, const Token& token, const std::string& by) {
   text.replace(token.begin, token.size, by);
 }
 
-/// A token of one of these kinds; of size 0 if there is none.
+/// A random token of one of `kinds`; of size 0 if there is none.
 Token any_token(const std::string& text, Draw& draw, const std::vector<Token::Kind>& kinds) {
   std::vector<Token> found;
   for (const Token& token : tokens_of(text)) {
