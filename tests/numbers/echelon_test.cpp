@@ -158,8 +158,8 @@ TEST_CASE("64 digits solve an ill-conditioned system whose rows have scales from
   const Echelon<LargestPivot<Real>> echelon(field, scaled_hilbert(n), n + 1, n);
   REQUIRE(echelon.is_defined());
   REQUIRE(echelon.rank() == n);
-  // The Hilbert matrix has condition number 1.5e10, so 53 of 64 digits are correct. The scales of
-  // the rows decide the order of elimination, which may cost a few more digits.
+  // The Hilbert matrix has condition number 1.5e10, so 53 of 64 digits are correct. The order of
+  // elimination follows from the scales of the rows and may cost a few more digits.
   const auto solution = echelon.solution();
   REQUIRE(solution);
   for (const Real& x : *solution) CHECK(is_near(x, Real(1), 45));

@@ -1,5 +1,5 @@
-// Enclosures contain every value on their box: all functions at random points in 64 digits, and
-// cases with exact bounds.
+// Enclosures contain every value on their box. The values of all functions are computed in 64
+// digits at random points. Some cases have exact bounds.
 #include "numbers/enclosure.hpp"
 
 #include <algorithm>

@@ -30,8 +30,8 @@ Real exactly(Scalar x) {
 }
 Real exactly(const Real& x) { return x; }
 
-/// The derivative of order `order` of c_k at x, summed term by term. For k < 0:
-/// c_k(x) = c_-k(i x).
+/// The derivative of order `order` of Stumpff's c_k at x, summed term by term. For k < 0 the
+/// definition is c_k(x) = c_-k(i x).
 Real derivative_of_series(unsigned order, int k, const cl_RA& x) {
   constexpr unsigned last_power = 240;
   const auto first = static_cast<unsigned>(std::abs(k));

@@ -24,7 +24,7 @@ ModelBuilder on_rod() {
   return b;
 }
 
-/// Two stabilised constraints that depend on time, one on positions and one on velocities.
+/// A position constraint and a velocity constraint, both stabilised and dependent on time.
 ModelBuilder on_moving_rod() {
   ModelBuilder b;
   b.coordinate("x").coordinate("y").coordinate("z").input("u", 0).parameter("m", "2");

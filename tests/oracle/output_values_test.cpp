@@ -1,5 +1,5 @@
-// Compares every output with values by hand and with contractions, and compares derivatives with
-// differences and related outputs.
+// Compares every output with values by hand and with contractions. Derivatives are also compared
+// with differences and with related outputs.
 #include "oracle/output_values.hpp"
 
 #include <algorithm>
@@ -92,7 +92,7 @@ Contraction directions(const FieldRow& field) {
   return by;
 }
 
-/// Cart and pole with damping and a force on the cart.
+/// Cart and pole, with damping of the pole and an input force on the cart.
 Model damped_cart() {
   ModelBuilder b;
   b.coordinate("x").coordinate("s");

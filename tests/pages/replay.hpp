@@ -1,5 +1,5 @@
-// Replays a fence of a page: writes its file, runs its commands, compares the output of its
-// commands, or compares its excerpt with the file.
+// Replays a fence of a page. Depending on the kind of the fence, writes the file, runs the
+// commands, compares the output of the commands, or compares the excerpt with the written file.
 #pragma once
 
 #include <filesystem>

@@ -125,7 +125,7 @@ TEST_CASE("depth counts brackets, calls, indices, signs, powers and quotients", 
     std::string opening;
     std::string middle;
     std::string closing;
-    std::string past;  ///< place of the error for the fourth level
+    std::string past;  ///< code and place of the error at the fourth level
   };
   const auto row = GENERATE(values<Row>({
       {"(", "x", ")", "E902 1:4"},

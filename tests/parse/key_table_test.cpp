@@ -85,7 +85,7 @@ std::string value_of(const KeyRow& row, std::size_t which) {
   return {};
 }
 
-/// The required keys of `entry`. `text` replaces the key of `row`, which is absent if `text` is "".
+/// The required keys of `entry`; `text` replaces the key of `row`, and "" leaves this key out.
 Lines keys_of(std::string_view entry, const KeyRow& row, const std::string& text) {
   Lines keys;
   for (const KeyRow& other : key_table()) {

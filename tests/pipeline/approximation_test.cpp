@@ -38,7 +38,7 @@ std::vector<Real> values(const Products& products, const Arguments<Real>& at) {
   return evaluate(*products.program, products.program->functions.front(), at);
 }
 
-/// The rows M a + bias of a whole derivation, with all definitions substituted.
+/// Derives the rows M a + bias of a model, and substitutes all definitions.
 struct WrittenOut {
   explicit WrittenOut(const CheckedModel& checked)
       : lagrangian(*specialise(*formulate(checked.model), checked)) {

@@ -1,5 +1,5 @@
-// Stages that need the results of several stages: the step of a scene with its cost, pages with the
-// forms of code, and derivations as text.
+// Stages that need the results of several stages: steps and their costs, pages that show the forms
+// of code, and derivations as text.
 #include "pipeline/combined_stages.hpp"
 
 #include <algorithm>

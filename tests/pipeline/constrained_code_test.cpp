@@ -1,5 +1,5 @@
-// Programs that call emitted code of models with constraints: a robot with a closed loop that
-// follows a circle by computed torque, and Andrews' mechanism for 0.03 s.
+// Programs that call emitted code of models with constraints. Computed torques move the pin of two
+// joined arms along a circle. Andrews' mechanism moves for 0.03 s.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>

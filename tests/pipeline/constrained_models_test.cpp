@@ -239,7 +239,8 @@ TEST_CASE("without the derivative of A^T lambda a pendulum at rest would not swi
   state.q[1] = -state.parameters[1];
   ExactNumbers a = rod.exactly(OutputKind::linearization, "A", state);
   const cl_R lambda = rod.exactly(OutputKind::forward_dynamics, "multipliers", state)[0];
-  // d(A^T lambda)/dq = 2 lambda I. On the hanging rod only x changes, which adds 2 lambda/m to A.
+  // The gradient of A^T lambda is 2 lambda I. On the hanging rod only x changes. This removes the
+  // term 2 lambda/m from the linearization.
   a[2 * 4 + 0] = a[2 * 4 + 0] - 2 * lambda / state.parameters[0];
   check_digits(characteristic(a, 4), two_factors(0, 7, exact("0.9")), 55);
 }

@@ -23,7 +23,7 @@ struct Generated {
   }
 };
 
-/// max |x - x*|/(u R) of an output in double, extreme states included; R is the scale of x.
+/// max |x - x*|/(u R) of an output in double, also at extreme states; x* is exact, R the scale.
 double loss_of(const Generated& g, OutputKind kind) {
   VerifyOptions options;
   options.is_quick = true;

@@ -46,7 +46,7 @@ D = "1/2*d*dot(y)^2"
 )toml";
 
 /// Ten models: rotating axes, a rotating hoop, a magnetic field, inputs, damping, a rotation, and
-/// coupled charts.
+/// mass matrices that depend on angles.
 std::vector<std::string> ten_models() {
   std::vector<std::string> texts{turntable};
   for (const char* name :
@@ -90,7 +90,7 @@ std::vector<cln::cl_R> numbers(const std::vector<Real>& values) {
   return *defined;
 }
 
-/// dq/dt and d/dt dL/dv under the oracle's accelerations.
+/// dq/dt, then d/dt dL/dv, at the accelerations of the oracle.
 std::vector<cln::cl_R> rates_along_motion(const SystemUnderTest& subject, const ExactValues& at) {
   const OracleValues a =
       oracle_values(subject.model, {.kind = OutputKind::forward_dynamics}, at.state());

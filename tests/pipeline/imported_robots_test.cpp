@@ -1,6 +1,6 @@
-// Outputs of imported arms against three independent programs of rigid body dynamics, which agree
-// in all given digits. The state is q_i = 0.3 + 0.1 i, v_i = -0.2 + 0.15 i, a_i = 0.5 - 0.1 i for i
-// = 0, 1, ...
+// Compares outputs of imported arms with numbers on which three independent programs of rigid body
+// dynamics agree in all digits. The state is q_i = 0.3 + 0.1 i, v_i = -0.2 + 0.15 i,
+// a_i = 0.5 - 0.1 i for i = 0, 1, ...
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -43,7 +43,7 @@ void check_output(const CheckedModel& checked, const std::string& name,
     for (std::size_t i = 0; i < expected.size(); ++i) {
       INFO(name << " " << i);
       const double scale = std::max(1.0, std::abs(expected[i]));
-      // Half a unit of the twelfth digit, the last digit of the numbers below.
+      // The numbers below have 12 digits. 5e-12 is half a unit of the twelfth digit of 1.
       CHECK(std::abs(cln::double_approx((*values)[i]) - expected[i]) <= 5e-12 * scale);
     }
     return;

@@ -32,7 +32,7 @@ std::string locks_text() {
   return text;
 }
 
-/// The state of the whole arm at the locked pose, with all other quantities of `state`.
+/// A state of the whole arm: locked joints rest at their pose, the free joint moves as in `state`.
 Arguments<Real> whole(Arguments<Real> state) {
   const auto among_zeros = [](const std::vector<Real>& free) {
     std::vector<Real> all(joints);

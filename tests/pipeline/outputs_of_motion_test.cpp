@@ -9,7 +9,7 @@
 namespace elgen::test {
 namespace {
 
-/// A pendulum on a cart that carries an IMU with its own axes; `output` is appended.
+/// A pendulum on a cart. The bob is an IMU that rotates freely. `output` is appended.
 std::string carried(const std::string& output) {
   return R"toml(format = 1
 [model]

@@ -1,4 +1,4 @@
-// Quotients that are 0/0 if a coordinate is 0: quotients and outputs have values there, and pages
+// Tests quotients that are 0/0 if a coordinate is 0. Quotients and outputs have values at 0. Pages
 // print quotients as typed.
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double nothing = 1e300;
 
-/// A potential and its value at q = 0, r = 1/2; `nothing` if there is no value at this point.
+/// A potential and its value at q = 0, r = 1/2.
 struct QuotientRow {
   std::string potential;
   double at_zero;
@@ -129,7 +129,7 @@ TEST_CASE("quotients of sines and cosines have values at 0 and do not change els
     for (const cln::cl_RA& q : {cln::cl_RA(-7) / 5, cln::cl_RA(3) / 10}) {
       const auto right = potential_at(typed, q);
       REQUIRE(right);
-      // 60 digits of the oracle, rounded to double
+      // Both values have 60 correct digits before they are rounded to double.
       CHECK(potential_at(model, q).value_or(nothing) == Approx(*right).epsilon(1e-15).margin(0));
     }
     const std::string text = to_string(model, *model.energies.V);

@@ -1,7 +1,7 @@
 // The whole path in double against published values: model text -> program -> numbers.
 //
-// Each entry is within 4 ulp of the exact value for the same binary inputs. If its terms cancel, it
-// is within u E instead, with the running error E.
+// Each entry is within 4 ulp of the exact value for the same binary inputs. An entry whose terms
+// cancel is within u E, with the unit roundoff u and the running error E.
 #include <cln/real.h>
 
 #include <catch2/catch.hpp>

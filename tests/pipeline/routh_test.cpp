@@ -71,7 +71,7 @@ std::optional<State> whole_state(const Model& reduced, const State& state) {
   return moving;
 }
 
-/// tau of the whole model; the rows of the cyclic coordinates are checked to be 0 and removed.
+/// tau of the whole model without the rows of the cyclic coordinates, which must be 0.
 std::optional<Numbers> forces_left(const Model& reduced, const State& state) {
   const std::optional<State> moving = whole_state(reduced, state);
   if (!moving) return std::nullopt;

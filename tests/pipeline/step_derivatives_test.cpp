@@ -1,4 +1,4 @@
-// Derivatives of a step are polynomials in A for linear systems, and symplectic matrices for
+// Derivatives of a step are polynomials in A for x' = A x + b u, and symplectic matrices for
 // symplectic methods. Rotations are differentiated along rotation vectors. Every self-check
 // compares the derivatives with differences of the oracle's steps in 205 digits.
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ Products checked_products(const std::string& model, const std::string& scene) {
   return run_pipeline(inputs_of(model, scene), {.goals = {Goal::choose, Goal::self_check}});
 }
 
-/// The program's values at the state, in 64 digits: A, then B.
+/// The derivatives of the step at `state` in 64 digits: the field A, then the field B.
 ExactNumbers values_at(const Products& products, const State& state) {
   const Program& program = *products.program;
   const Function& function = program.functions.front();

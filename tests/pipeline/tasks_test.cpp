@@ -30,7 +30,7 @@ ExactNumbers identity(std::size_t n) {
   return result;
 }
 
-/// Compares to an absolute tolerance of 10^-digits.
+/// Checks that each entry differs from the expected entry by at most 10^-digits.
 void check_equal(const ExactNumbers& found, const ExactNumbers& expected, int digits = 45) {
   REQUIRE(found.size() == expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {

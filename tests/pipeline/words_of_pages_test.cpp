@@ -66,7 +66,7 @@ bool has_hash_name(const std::string& text) {
   return false;
 }
 
-/// True for "φ̇) φ̇)": a rate is a factor of a bracket that ends with the same rate.
+/// True if a bracket that ends with a rate is multiplied by the same rate, as in "φ̇) φ̇)".
 bool has_doubled_rate(const std::string& text) {
   for (std::size_t at = text.find(") "); at != std::string::npos; at = text.find(") ", at + 1)) {
     const std::size_t begin = text.find_last_of(" (", at) + 1;

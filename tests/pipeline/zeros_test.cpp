@@ -111,11 +111,11 @@ constexpr const char* regular = R"cpp(
   int main() { std::printf("%d%d%d %d%d", cart(1), cart(1e-100), cart(0), orbit(2), orbit(0)); }
 )cpp";
 
-/// Multiplies the centre c2 of an arm by 10^k, k = 0 ... 9. For each k prints at how many of 2000
-/// states the relative error of accelerations exceeds 20 * 10^-digits_left, if digits_left > 0. For
-/// k = 8 prints whether more than 1600 regular states are off by more than 1 %, and whether all of
-/// these have digits_left < 2. Then prints digits_left for the pivots (1, NaN), (1, 0) and
-/// (1, 200 epsilon).
+/// Multiplies the parameter c2 of an arm by 10^k, k = 0 ... 9. For each k prints at how many of
+/// 2000 states digits_left > 0 and accelerations have a relative error above 20 * 10^-digits_left.
+/// For k = 8 prints whether more than 1600 regular states have an error above 1 %, and whether
+/// digits_left < 2 at all states with this error. Then prints digits_left for the pivots (1, NaN),
+/// (1, 0) and (1, 200 epsilon).
 constexpr const char* digits = R"cpp(
 #include <algorithm>
 #include <cmath>

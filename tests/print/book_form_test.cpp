@@ -1,4 +1,4 @@
-// The book form of a typed model keeps typed sums, up to the limits of the book form.
+// The book form of a model keeps typed sums, definitions of parameters, and irrational numbers.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

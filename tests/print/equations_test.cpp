@@ -17,7 +17,7 @@ FunctionEquations equations_of(const Program& program) {
 }
 
 /// The text of instruction `result`. Instructions 0 ... 7 are m, x, y, dot(x), dot(dot(x)), u, t
-/// and 1/2; `instructions` are the next.
+/// and 1/2; the numbers of `instructions` start at 8.
 std::string entry(const std::string& instructions, int result) {
   const Program program = read_program(
       "parameters m\ncoordinates x y\ninputs u\ntime\n"

@@ -1,5 +1,5 @@
-// Named parts: each name follows from the content of the part. If equations are too long to read,
-// pages describe how bodies in frames move instead.
+// Named parts: each name follows from the content of the part. In place of equations that are too
+// long to read, pages describe the motion of the frames.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
@@ -16,7 +16,7 @@ namespace elgen::test {
 
 namespace {
 
-/// Two links about crossed axes; no two quantities share a parameter.
+/// Two links that rotate about crossed axes; no two quantities share a parameter.
 const ChosenForms& two_links() {
   static const ChosenForms all = chosen(model_text("two_links", R"toml(
 [[coordinate]]

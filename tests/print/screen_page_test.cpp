@@ -9,7 +9,7 @@ using namespace elgen::test;
 
 namespace {
 
-/// M = [ long  b ; b  1 ] and a vector with a long sum.
+/// A page with M = [s b; b 1] and g = [s; 0]; s is a sum of 19 terms.
 Page wide_page() {
   Formulas terms;
   for (int i = 1; i < 20; ++i) {

@@ -40,7 +40,7 @@ struct ExpressionLeaves {
   SignedNode e = graph.leaf(Opcode::coordinate, 4);
 };
 
-/// A program with one field that lists the values in order.
+/// A program with one field, a row of the values of `network`.
 inline Program program_of(const Network& network) {
   Program program;
   program.leaves.q = program.leaves.v = program.leaves.a = {"a", "b", "c", "d", "e"};

@@ -108,7 +108,7 @@ TEST_CASE("common sub-sums and sub-products are computed once without changing v
   };
   const SharedRow row = GENERATE(values<SharedRow>({
       {{"a*b*c", "a*b*d", "a*b*e"}, 0, 4},
-      // Sums 1 and 3 share b - c, sums 2 and 3 share c - d: only one pair, as sum 3 has one c.
+      // Sums 1 and 3 share b - c, sums 2 and 3 share c - d. Sum 3 has one c and uses one pair only.
       {{"a + b - c", "b + c - d", "-b - d + c + e"}, 6, 0},
       // If a whole operation equals the shared pair, the other operations use its value.
       {{"a*c", "a*b*c"}, 0, 2},

@@ -133,7 +133,7 @@ TEST_CASE("angle_sums: an angle is expanded into other angles that occur") {
 }
 
 TEST_CASE("angle_sums: some angles are not expanded") {
-  // In this order: a part of the angle does not occur, parts cancel, and a difference may be small.
+  // No call has the angle b; b cancels in (a - b) + (b + 5 c); the angle a - b may be small.
   CHECK_FALSE(expand_angle_sums(expressions_of({"cos(a + b)", "sin(a)"})));
   CHECK_FALSE(expand_angle_sums(expressions_of({"cos(a + 5*c)", "sin(a - b)", "cos(b + 5*c)"})));
   const Expressions difference = expressions_of({"sin(a - b)", "sin(a)", "sin(b)"});

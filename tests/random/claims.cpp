@@ -60,7 +60,7 @@ Expression second_derivative(const Expression& T, const Expression& a, const Exp
   return derivative(derivative(T, a), b);
 }
 
-/// The expression with + and - swapped in one sum of constants: index `countdown` from the left.
+/// The expression with a flipped sign in the sum of constants at index `countdown` from the left.
 Expression with_flipped_sign(const Expression& expression, int& countdown) {
   const bool is_sum =
       expression->kind == NodeKind::addition || expression->kind == NodeKind::subtraction;

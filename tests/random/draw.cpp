@@ -64,7 +64,7 @@ Expression Draw::elementary() {
   }
 }
 
-/// Sums, differences and products of irrational numbers, and functions of them.
+/// elementary(), or a sum, product, quotient or function of elementary() and rational().
 Expression Draw::irrational() {
   const auto part = [&] { return chance(60) ? elementary() : rational(); };
   switch (below(9)) {
@@ -94,7 +94,7 @@ Expression Draw::constant() {
     const Expression drawn = irrational_ && chance(60) ? irrational() : rational();
     const Expression result = chance(20) ? -drawn : drawn;
     const Number size = abs(value_of(result));
-    // Sums like 2 - 2 cancel, so the magnitude must resemble the numbers of states.
+    // Rejects sums that cancel, like 2 - 2, and numbers much larger than the numbers of states.
     if (size > Number("0.01") && size < 40) return result;
   }
 }

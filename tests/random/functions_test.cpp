@@ -1,5 +1,5 @@
-// The functions of the model language that jets and draws support. Only their names come from
-// elgen.
+// Jets and draws support the functions of the model language. Only the names of the functions come
+// from elgen.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <optional>

@@ -3,7 +3,7 @@
 
 namespace elgen::test::random {
 
-/// The angle of a joint: usually a coordinate, sometimes with an offset, a ratio, or as a sum.
+/// The angle of a joint: usually a coordinate q, otherwise c + q, c - q, -q, 2 q, q/2 or q_i + q_j.
 Expression Generator::angle() {
   const Expression q = draw_.one_of(positions_);
   switch (draw_.below(8)) {
@@ -40,7 +40,7 @@ std::vector<Expression> Generator::offset(int dimension, bool moving) {
   return place;
 }
 
-/// Makes a planar chain of rods with masses, some masses on curves, sometimes with a turning body.
+/// Makes a planar chain of point masses on rods or curves. Often a body rotates near a point mass.
 void Generator::make_planar() {
   add_coordinates(1 + draw_.below(3));
   Model& model = made_.model;

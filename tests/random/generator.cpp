@@ -60,7 +60,7 @@ void Generator::make_energies() {
   add_terms();
 }
 
-/// Adds a potential energy: a sum of functions with constants, some of them in definitions.
+/// Adds a potential energy: functions of q with constant factors. Some factors are definitions.
 void Generator::add_terms() {
   Model& model = made_.model;
   const int count = 1 + draw_.below(3);
@@ -121,17 +121,17 @@ void Generator::make_quiet() {
   }
 }
 
-/// The time t, in a model with units multiplied by the unitless parameter w.
+/// w t if the model has units, otherwise t. The parameter w has no declared unit.
 Expression Generator::clock() { return has_units_ ? name("w") * time() : time(); }
 
-/// `constant` times the unitless w, so that elgen checks no units; 0 and names are unchanged.
+/// The product w `constant`, which has an unknown unit. 0 and expressions with names are unchanged.
 Expression Generator::without_unit(const Expression& constant) const {
   const bool is_zero = printed(constant) == "0";
   return is_zero || has_names(constant) ? constant : name("w") * constant;
 }
 
-/// Multiplies constant masses, lengths, inertias and gravity by w, so that they need no unit: in a
-/// model with a rotation w is 1 and has no unit.
+/// Multiplies constant masses, lengths, inertias and gravity by w, which has no declared unit. Bare
+/// numbers would be unit errors in a model with a rotation.
 void Generator::leave_units_out() {
   const auto all = [&](std::vector<Expression>& list) {
     for (Expression& expression : list) expression = without_unit(expression);

@@ -30,7 +30,7 @@ std::vector<Number> exponential(const Number& x, int count) {
   return series;
 }
 
-/// Coefficients of p^exponent in h, p = p0 + p1 h + p2 h^2, from p y' = exponent p' y.
+/// Coefficients in h of y = p^exponent, p = p0 + p1 h + p2 h^2, from p y' = exponent p' y.
 std::vector<Number> quadratic_power(const std::vector<Number>& p, const Number& exponent,
                                     const Number& start, int count) {
   std::vector<Number> y{start};
@@ -106,7 +106,7 @@ Jet hyperbolic(std::string_view function, const Jet& x) {
   return (up - down) / (up + down);
 }
 
-/// sum_i (-1)^i x^(2 i)/(2 i + k)! by Horner's rule; for k < 0 without the signs, and with |k|.
+/// sum_i (-1)^i x^(2 i)/(2 i + k)! by Horner's rule with k = |order|; no signs if `order` < 0.
 Jet stumpff(const Jet& x, int order) {
   const int k = std::abs(order);
   const Jet square = order < 0 ? x * x : -(x * x);

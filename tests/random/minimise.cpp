@@ -10,7 +10,7 @@ namespace elgen::test::random {
 namespace {
 
 using Fails = std::function<bool(const System&)>;
-/// Makes the k-th change of its kind, from 0. Returns false if there are only k changes or fewer.
+/// Makes change k = 0, 1, ... of one kind. Returns false if this kind has at most k changes.
 using Change = std::function<bool(System&, std::size_t)>;
 
 template <class Entries>
@@ -33,7 +33,7 @@ bool erase_frame(Model& model, std::size_t k) {
   return erase_at(model.frames, k);
 }
 
-/// The lists of expressions that a model file may omit.
+/// The optional lists of a model file: gravity, translate, com and inertia.
 std::vector<std::vector<Expression>*> optional_lists(System& system) {
   Model& model = system.model;
   std::vector<std::vector<Expression>*> lists{&model.gravity};

@@ -32,7 +32,7 @@ enum class Turn { none, rotate, rpy, dh_standard, dh_modified, quaternion, rotat
 /// One rotation of `rotate` about a constant axis, which is given by components or by a letter.
 struct AxisTurn {
   int letter = 0;                     ///< 0, 1, 2: "x", "y", "z"; ignored if `axis` is given
-  std::vector<Expression> axis = {};  ///< empty, or three
+  std::vector<Expression> axis = {};  ///< empty, or three components
   Expression angle = {};
 };
 
@@ -42,8 +42,8 @@ struct Frame {
   std::vector<Expression> translate = {};
   Turn turn = Turn::none;
   std::vector<AxisTurn> turns = {};
-  std::vector<Expression> numbers = {};  ///< rpy; a alpha d theta; quaternion
-  std::string rotation = {};             ///< the coordinate
+  std::vector<Expression> numbers = {};  ///< rpy, (a, alpha, d, theta) or a quaternion
+  std::string rotation = {};             ///< the name of a rotation coordinate
 };
 
 struct Point {
@@ -115,7 +115,7 @@ struct Scene {
   std::vector<Named> fixed = {};
   bool fixes_all = false;
   std::vector<Lock> locks = {};
-  int order = 0;                  ///< of [approximate]; 0: exact
+  int order = 0;                  ///< key of [approximate]; 0 if the scene is exact
   std::vector<Named> about = {};  ///< point of expansion, for the expanded coordinates
   bool is_c99 = false;
   bool has_eigen = false;

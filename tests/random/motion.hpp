@@ -13,7 +13,7 @@ namespace elgen::test::random {
 struct Layout {
   struct Place {
     std::string name;   ///< with its index: "q1", "r[2]"
-    std::size_t q = 0;  ///< index of the first entry in q; `v`: in v
+    std::size_t q = 0;  ///< index of the first entry in q; the member `v`: index in v
     std::size_t v = 0;
     bool is_rotation = false;
     int lock = -1;  ///< index in the scene's locks, -1 if not locked

@@ -1,4 +1,4 @@
-// Generalised forces of a random model's forces and inputs: the power of each along a velocity.
+// The generalised force on a velocity: power of all forces and inputs per unit of this velocity.
 #include <algorithm>
 #include <stdexcept>
 

@@ -2,8 +2,8 @@
 // $ELGEN_SEEDS, $ELGEN_FIRST_SEED and $ELGEN_PROCESSES replace absent arguments. Defaults: 1000
 // seeds from 1000, in as many processes as cores. Prints every failure with its seed and the
 // smallest model found with the same failure, and writes that model to random_findings/SEED/.
-// $ELGEN_MINIMISE limits the runs of elgen for the search; 0 disables it. The exit code is 1 if
-// there was a failure.
+// $ELGEN_MINIMISE limits the runs of elgen that make a model smaller; 0 keeps the first model. The
+// exit code is 1 if there was a failure.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

@@ -9,7 +9,7 @@
 
 namespace elgen::test::random {
 
-/// A value and the sum of its absolute terms, the scale of its rounding error.
+/// A value and the sum of the magnitudes of its terms, which scales the rounding error.
 struct ScaledValue {
   Number value;
   Number size;

@@ -41,7 +41,7 @@ void Truth::add_solutions(const Matrix& M) {
   keep("forward_dynamics.acceleration", transposed(solved(M, column(right)))[0]);
 }
 
-/// d(M a + bias - B u)/dx for x = v if `by_velocity`, otherwise q; B u only if `has_inputs`.
+/// d(M a + bias - B u)/dx, x = v if `by_velocity`, otherwise x = q. B u counts if `has_inputs`.
 Matrix Truth::torque_slopes(const State& at, bool has_inputs, bool by_velocity) const {
   Matrix columns;
   for (const std::size_t k : free_) {
@@ -99,7 +99,7 @@ void Truth::add_derivatives(const Matrix& M) {
   keep("linearization.B", by_input);
 }
 
-/// Adds the reactions: rows of the whole model for locked coordinates, which move by their laws.
+/// Adds the reactions: rows M a + bias - B u of the locked coordinates, which move by their laws.
 void Truth::add_reaction() {
   State held = state_;
   State moved = state_;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* include = "git config --local include.path ../recipes/git/config";
 
-/// Two edits of different lines of the model that change the same generated lines.
+/// Two edits of different lines of the model. Both edits change the same generated lines.
 constexpr const char* heavier = "s/mass = \"M\"/mass = \"M + m\"/";
 constexpr const char* longer = "s/l\\*sin(theta)\"/2*l*sin(theta)\"/;s/\"l\\*cos/\"2*l*cos/";
 

@@ -14,7 +14,7 @@ Scalar made(double number) {
   result = static_cast<Scalar>(number);
   return result;
 }
-/// start, then x + 11/64 + x/1024 after each x: all entries, sums and differences differ.
+/// `start`, and x + 11/64 + x/1024 after each entry x. All entries, sums and differences differ.
 template <class Scalar, std::size_t Size>
 std::array<Scalar, Size> state(double start) {
   std::array<Scalar, Size> result{};

@@ -39,12 +39,12 @@ inline CheckedModel approximated(const std::string& model, const std::string& li
   return checked_scene(model, "[approximate]\n" + lines + "\n");
 }
 
-/// A model file with this name; `rest` is the other entries as written.
+/// The text of a model file with the name `name`; `rest` is the text after the name.
 inline std::string model_text(const std::string& name, const std::string& rest) {
   return "format = 1\n[model]\nname = \"" + name + "\"\n" + rest;
 }
 
-/// Parameters without units that several arms share.
+/// The parameters that several arms share, without units.
 inline const std::string& frame_parameters() {
   static const std::string text = R"toml(
 [parameters]

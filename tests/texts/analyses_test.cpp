@@ -1,5 +1,5 @@
 // The formulas of equilibria and modes in the output of `--as text`: the parser of models reads
-// each formula, and its value must agree with the number that the analysis found. Inputs are all
+// each formula. The formula must have the value that the analysis found. Inputs are all
 // committed models and 200 random models. Six printed digits suffice to notice a missing bracket.
 #include <fmt/format.h>
 

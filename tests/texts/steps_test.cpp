@@ -175,7 +175,7 @@ bool all_rows_readable(const ReadableDerivation& steps, std::size_t velocities) 
 }
 
 /// Compares the equations of motion and of constraints, and for a single velocity also the solved
-/// equation. False if an equation of motion is not in book form or the first equation has no value.
+/// equation. Returns false if a row of motion is not in book form or the first row has no value.
 bool expect_rows(const SourcePointer& source) {
   const Products products =
       products_with(&Products::steps, {source, nullptr}, {.goals = {Goal::steps}});

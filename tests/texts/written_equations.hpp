@@ -30,7 +30,7 @@ class WrittenEquations {
 
   [[nodiscard]] const Origin& origin() const { return origin_; }
 
-  /// The equations that follow belong to functions[index]. Forgets all definitions.
+  /// Starts the equations of functions[index], and forgets all definitions.
   void start(std::size_t index);
 
   /// Forgets all shared parts and the values of all texts.
@@ -43,7 +43,7 @@ class WrittenEquations {
   [[nodiscard]] std::string definition(const std::string& name, const std::string& text);
   [[nodiscard]] std::string entry(std::uint32_t instruction, const std::string& text);
   [[nodiscard]] std::string number(const cln::cl_R& value, const std::string& text);
-  /// Compares `text` with `derived`, one value per state; `largest` has the largest terms.
+  /// Compares `text` with `derived`, relative to the largest terms `largest`: one value per state.
   [[nodiscard]] std::string values(const std::vector<Real>& derived,
                                    const std::vector<Real>& largest, const std::string& text);
 

@@ -22,7 +22,7 @@ auto compile_header(const std::string& text) {
                         {});
 }
 
-/// A script that changes the call replaces the compiler while this object exists.
+/// While this object exists, a script that changes the call replaces the compiler.
 class CompilerWrapper {
  public:
   /// `words`: shell commands that run before the compiler is called with "$@".

@@ -1,4 +1,4 @@
-// Timed functions run through arrays of states; the loops of a step run from state to state.
+// Timed functions compute all states of an array. Loops of a step continue from the last result.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-// The numbers that a header declares, after compilation, against the numbers of the model.
+// Compiles headers and compares the numbers declared in them with the numbers of the model.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

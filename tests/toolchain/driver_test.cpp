@@ -1,5 +1,5 @@
-// Drivers: one for every header, in its language. C++ drivers on arrays, on Eigen vectors and on
-// batches, C drivers, and the driver that measures times.
+// Every emitted header has a driver in its language: C, or C++ with arrays, Eigen vectors or
+// batches. A further driver measures times.
 #include "toolchain/driver.hpp"
 
 #include <catch2/catch.hpp>

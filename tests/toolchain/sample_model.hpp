@@ -72,7 +72,7 @@ Forward<Scalar> forward_dynamics(const Parameters<Scalar>& p, const Vector<Scala
 )";
 }
 
-/// The two functions in C, in a header for this type of number.
+/// The two functions of program() in C, with numbers of the type `real`.
 inline std::string c_functions(const std::string& real) {
   return replaced_all(R"(typedef struct sample_forward_dynamics_result {
   REAL acceleration[1];

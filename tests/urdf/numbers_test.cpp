@@ -1,4 +1,4 @@
-// The numbers of a URDF file, and sums and products of them without zeros and ones.
+// The numbers of a URDF file. Sums of these numbers omit 0, products omit 1.
 #include "urdf/numbers.hpp"
 
 #include <catch2/catch.hpp>

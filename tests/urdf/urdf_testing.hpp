@@ -28,8 +28,8 @@ namespace elgen::test {
 [[nodiscard]] std::string joint(const std::string& name, const std::string& type = "revolute",
                                 const std::string& inside = "");
 
-/// The XML and the robot of `text`, and the tree of `robot`. They throw if there are errors. The
-/// source exists until the process ends.
+/// The XML and the robot of `text`, and the tree of `robot`. Each function throws if there are
+/// errors. The source exists until the process ends.
 [[nodiscard]] urdf::Element xml_of(const std::string& text);
 [[nodiscard]] urdf::Robot robot_of(const std::string& text);
 [[nodiscard]] urdf::LinkTree tree_of(const urdf::Robot& robot);

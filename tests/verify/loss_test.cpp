@@ -1,5 +1,5 @@
 // Loss: a bad formula loses digits that a good formula keeps. An ill-conditioned value excuses the
-// loss of every formula. Every output has a figure, with the entry and the complete state.
+// loss of every formula. Every output has a row with its largest loss, the entry and the state.
 #include "verify/bounds/loss.hpp"
 
 #include <catch2/catch.hpp>
@@ -14,7 +14,7 @@ using namespace elgen::test;
 
 namespace {
 
-// V = m g l (1 - cos th) of a pendulum, in forms that keep its digits and forms that lose them.
+// V = m g l (1 - cos th) of a pendulum, in a form that loses digits of V and a form without loss.
 const std::string form_head =
     "parameters m l g\ncoordinates th\nfunction potential_energy\n  0 = parameter m\n"
     "  1 = parameter l\n  2 = parameter g\n  3 = coordinate th\n  4 = multiply 0 1\n"

@@ -1,5 +1,5 @@
-// Projections of the program's exact numbers against the oracle's. self_check_test covers every
-// output.
+// Compares projections of the program's exact numbers with projections of the oracle's numbers.
+// self_check_test covers every output.
 #include "verify/bounds/projection.hpp"
 
 #include <catch2/catch.hpp>

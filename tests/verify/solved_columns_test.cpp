@@ -44,19 +44,19 @@ SampledState<double> state_with(const System& system, double c) {
   return states.front();
 }
 
-/// The same pair, driven by b and d, with the constraint x = 0. M is eliminated first, then A M^-1
-/// A^T.
+/// The same pair, driven by b and d, with the constraint x = 0. M is eliminated first, then
+/// S = A M^-1 A^T.
 System held_pair(const std::optional<std::pair<std::string, std::string>>& gains = {}) {
   const std::string leaves =
       "  0 = parameter one\n  1 = parameter c\n  2 = parameter b\n  3 = parameter d\n"
       "  4 = constant 0\n  5 = constant 1\n";
-  // 6 r1  7 r2  8 L = c/1  10 D2  12 z2 = r2 - L r1  13 L/D2  16 S  19 w z2 - r1  20 lambda
+  // 6 r1  7 r2  8 L = c/1  10 D2  12 z2 = r2 - L r1  13 L/D2  16 S  19 L z2/D2 - r1  20 lambda
   const std::string body =
       "  6 = negate 2\n  7 = negate 3\n  8 = divide 1 0\n  9 = multiply 8 1\n"
       "  10 = subtract 0 9\n  11 = multiply 8 6\n  12 = subtract 7 11\n  13 = divide 8 10\n"
       "  14 = multiply 8 13\n  15 = divide 5 0\n  16 = add 15 14\n  17 = multiply 13 12\n"
       "  18 = divide 6 0\n  19 = subtract 17 18\n  20 = divide 19 16\n"
-      // 21 z1 + W1 lambda  23 z2 + W2 lambda  24 a2  27 a1  28 d2
+      // 21 r1 + lambda  23 z2 - L lambda  24 a2  27 a1  28 d2 = D2/1
       "  21 = add 6 20\n  22 = multiply 8 20\n  23 = subtract 12 22\n  24 = divide 23 10\n"
       "  25 = divide 21 0\n  26 = multiply 8 24\n  27 = subtract 25 26\n  28 = divide 10 0\n";
   ModelBuilder builder;
@@ -98,7 +98,7 @@ Finding finding_at(const System& system, double c, std::size_t field = 0) {
   return visit.check_field(compared_fields(subject, 2)[field], draw);
 }
 
-/// x^2 / (x - y), then its square root.
+/// A program that computes sqrt(x^2/(x - y)).
 const char* text =
     "coordinates x y\nfunction bias\n  0 = coordinate x\n  1 = coordinate y\n"
     "  2 = multiply 0 0\n  3 = subtract 0 1\n  4 = divide 2 3\n  5 = square_root 4\n"
@@ -149,7 +149,7 @@ TEST_CASE("near a singular M a solution is accepted, and K excuses its lost digi
 }
 
 TEST_CASE("an elimination that loses digits is reported") {
-  // (c + 1e6) - 1e6 for c in the pivot: 4 1e6  6 c  7 -b  8 L  10 D2  13 a2  15 a1
+  // The pivot D2 uses (c + 1e6) - 1e6 for c: 4 1e6  6 c  7 -b  8 L  10 D2  13 a2  15 a1
   const std::string body =
       "  4 = constant 1000000\n  5 = add 1 4\n  6 = subtract 5 4\n  7 = negate 2\n"
       "  8 = divide 1 0\n  9 = multiply 8 6\n  10 = subtract 0 9\n  11 = multiply 8 7\n"

@@ -89,7 +89,7 @@ TEST_CASE("each structural row fails for a changed program") {
 
 namespace {
 
-/// A frame on an arm with oblique axes on a moving base, and a frame on a free body.
+/// A moving base, an arm with oblique axes, the frame `tip` on the arm, and a freely rotating ball.
 const std::string& framed_text() {
   static const std::string text = model_text("framed", R"toml(
 [[coordinate]]

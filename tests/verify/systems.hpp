@@ -159,7 +159,7 @@ inline System with_mistake(const std::string& function, const std::string& from,
                    text.substr(0, start) + replaced(text.substr(start), from, to));
 }
 
-/// The cart and pole. The program computes (V + 1e9) - 1e9 instead of V, its readable form V.
+/// The cart and pole. The program computes (V + 1e9) - 1e9 instead of V; the readable form is V.
 inline System badly_rounded() {
   const auto with_results = [](const std::string& body, const std::string& results) {
     return system_of(

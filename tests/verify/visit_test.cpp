@@ -180,7 +180,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a mistake is found with any number of digits, near a zero too") {
-  // Without the factor 2.
+  // The program computes (sin(x/2)/x)^2, half of V.
   const System system = with_potential("(1 - cos(x))/x^2",
                                        "  1 = constant 1/2\n  2 = multiply 1 0\n  3 = sin 2\n"
                                        "  4 = divide 3 0\n  5 = multiply 4 4\n"

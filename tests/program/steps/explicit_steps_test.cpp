@@ -1,4 +1,4 @@
-// rk4 and verlet: their order, and agreement of rk4 with a run.
+// Tests the orders of rk4 and verlet, and compares a step of rk4 with a simulated run.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

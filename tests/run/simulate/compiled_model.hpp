@@ -1,4 +1,4 @@
-// Compiled systems from model texts, and runs of them.
+// Compiles systems from model texts, and runs the systems.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Kinks of forces and laws, and rates held by dry friction. References: closed forms, and DOP853
-// with event detection at 1e-13, which tracks the sticking joints.
+// Kinks of forces and laws, and rates held by dry friction. References: closed forms, and runs of
+// DOP853 that detect the start and the end of sticking, with tolerance 1e-13.
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -97,7 +97,7 @@ struct Rest {
   double q = 0;
 };
 
-/// The first time at which the only rate is 0, and the position there.
+/// The first time at which the only rate is 0, and the position at this time.
 Rest rest_of(const std::string& text) {
   const CompiledSystem compiled(text);
   SimulatedSystem system(compiled.checked(), compiled.program(), nullptr);

@@ -1,4 +1,4 @@
-// Certificate rows of scenes with max_error: code with a larger error makes them fail.
+// Certificate rows of scenes with max_error. A row fails if the code exceeds max_error.
 #include <catch2/catch.hpp>
 #include <memory>
 
@@ -11,8 +11,8 @@ using namespace elgen::test;
 
 namespace {
 
-/// The rows for the gravity of a pendulum with each value multiplied by `factor`, for the header as
-/// written and as users compile it.
+/// The rows for code that returns the gravity of a pendulum times `factor`: the build as written,
+/// then the build with users' flags.
 std::vector<CertificateRow> rows_of(const std::string& numeric, double factor) {
   const Products products =
       derived(read_model("pushed_pendulum"), "gravity", "[numeric]\n" + numeric);
