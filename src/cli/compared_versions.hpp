@@ -11,8 +11,8 @@ namespace elgen::cli {
 
 /// Compares two files or two folders. Files in folders are paired by their relative paths; moved
 /// files by the names of their systems. In a folder, a file NAME.toml with a table [model] is a
-/// model, and a file NAME.scene.toml is a scene. If a version has errors, the report contains the
-/// remaining systems, and the errors are the result's diagnostics.
+/// model, and a file NAME.scene.toml is a scene. If systems have errors, the report contains the
+/// systems without errors, and the errors are the result's diagnostics.
 [[nodiscard]] Result<DiffReport> compare_paths(const std::string& before, const std::string& after,
                                                const CompareOptions& options, const Limits& limits);
 

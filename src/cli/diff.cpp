@@ -67,7 +67,8 @@ Result<Renames> parse_renames(const std::vector<std::string>& texts) {
   return renames;
 }
 
-/// E913 for each name in --only that is an output of no version. No error if no system has changes.
+/// E913 for each name in --only that is an output of neither version. No error if no system has
+/// changes.
 Diagnostics unknown_output_errors(const DiffReport& report, const DiffOptions& options) {
   std::set<std::string> known;
   for (const SystemChange& system : report.systems) {

@@ -132,8 +132,8 @@ std::string entry_header(const std::string& name) {
   return name + "\n";
 }
 
-/// The keys of an entry and of the tables inside it. If models have no such entry, the name means
-/// an entry of scenes: `routh` means `scene.routh`.
+/// The keys of the entry `name` and of the tables inside this entry. If models have no entry
+/// `name`, the keys of the entry of scenes: `routh` means `scene.routh`.
 std::vector<KeyRow> keys_of_entry(const std::string& name) {
   std::vector<KeyRow> keys;
   for (const KeyRow& key : key_table()) {

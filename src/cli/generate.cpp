@@ -221,7 +221,8 @@ std::string quote_for_shell(const std::string& word) {
   return text + "'";
 }
 
-/// The command line without --check. If options change the files, the output directory is added.
+/// The command line without --check. If options change the files, the output directory is added,
+/// unless the command line names a directory.
 std::string repair_command(const GlobalOptions& global, const GenerateOptions& options) {
   std::string command = "elgen";
   for (std::size_t i = 1; i < global.words.size(); ++i) {

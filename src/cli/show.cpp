@@ -72,7 +72,7 @@ using ProductsFormatter = T (*)(const Products& products, const PageOptions& opt
 /// alone.
 struct SubjectRow {
   std::string_view word;                ///< in --what; "": outputs
-  Goal goal;                            ///< the pipeline's goal that computes it
+  Goal goal;                            ///< the goal that computes the subject
   ProductsFormatter<Page> page;         ///< null: only text exists
   ProductsFormatter<std::string> text;  ///< null: the text is made from the page
   ProductsFormatter<std::string> json;  ///< null: no JSON form
@@ -188,9 +188,9 @@ std::vector<std::string> cost_columns(const OutputRequest& request, const Progra
           percentage(static_cast<double>(own), static_cast<double>(*whole))};
 }
 
-/// A table of outputs: cost of one call, cost in the full model (if there is a scene), and time
-/// from formulate to choose if only this output is derived. Derives the full model, and each output
-/// of `products` again. `products` must belong to `inputs`.
+/// A table with a row for each output: cost of one call; for a scene, also cost in the full model
+/// and ratio of the two costs; time from formulate to choose if only this output is derived.
+/// Derives the full model, and each output of `products` again. `products` must belong to `inputs`.
 std::string cost_table(const PipelineSources& inputs, const PipelineOptions& options,
                        const Products& products) {
   PipelineOptions silent = options;
@@ -245,8 +245,8 @@ std::string output_text(const Products& products, const SubjectRow& subject,
   return wanted.notation == "mathml" ? html_page(shown) : markdown_page(shown);
 }
 
-/// The default notation: JSON if --format says so, Unicode on a terminal that shows it, otherwise
-/// text.
+/// The default notation: json if --format is json; unicode if stdout is a terminal that shows
+/// Unicode; otherwise text.
 std::string usual_notation(const GlobalOptions& global) {
   if (wants_json(global)) return "json";
   return screen_of(stdout).alphabet == Alphabet::unicode ? "unicode" : "text";

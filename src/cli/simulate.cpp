@@ -114,8 +114,8 @@ SimulationOptions page_run_options(SimulationOptions run) {
   return run;
 }
 
-/// The derivation for the page; without constraints, also the equilibria and normal modes, if they
-/// can be found.
+/// Products with the textbook steps for the page; for a model without constraints, also with the
+/// equilibria and normal modes, if elgen finds them.
 Products derive_page_texts(const SimulateOptions& options, const PipelineSources& inputs,
                            PipelineOptions pipeline, bool is_constrained) {
   pipeline.scene.purpose = purpose::rest;

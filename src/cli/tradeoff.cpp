@@ -79,7 +79,7 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
   return ExitCode::success;
 }
 
-/// E913 for an unknown file ending; E703 or E708 if an existing file may not be replaced.
+/// E913 for an unknown file ending; E703 or E708 if a file may not be written.
 Diagnostics check_table_output(const TradeoffOutput& output) {
   if (!output.table.file.empty()) {
     const auto format = select_format<TradeoffTable>(output.table.file);
@@ -141,8 +141,8 @@ ExitCode measure_input(const GlobalOptions& global, const TradeoffOptions& optio
   ExitCode found = report(global, result.diagnostics);
   if (!result) return found;
   if (!result->compiler_errors.empty()) {
-    // Other designs were compiled and measured, so the exit code does not report an internal
-    // error.
+    // The designs without compiler errors were measured, so the exit code does not report an
+    // internal error.
     report(global, result->compiler_errors);
     found = ExitCode::inaccessible;
   }

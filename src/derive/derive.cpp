@@ -69,9 +69,9 @@ FieldEquations make_field(std::string_view name, const RealVector& entries, std:
           static_cast<std::uint32_t>(entries.size() / rows), entries};
 }
 
-/// The fields of an output. If an output has several fields, its empty fields are omitted, such as
-/// derivatives by u of a model without inputs. The field after the last row of the table is
-/// `diagonal`.
+/// The fields of an output. If an output has several fields, its empty fields are omitted: for
+/// example, the derivatives with respect to u if the model has no inputs. The field after the last
+/// row of the output table is `diagonal`.
 Fields make_output_fields(const Derivation& derivation, const OutputRequest& request,
                           FieldEntries all) {
   if (request.omits_pivots) remove_pivots(all);
@@ -145,7 +145,8 @@ constexpr Fields (*output_functions[])(Derivation&, const OutputRequest&) = {
 #include "elgen/outputs.def"
 };
 
-/// The parts from which elgen/compose.hpp computes the output; none if it is derived directly.
+/// The parts from which elgen/compose.hpp computes the output; none if the output is derived
+/// directly.
 std::optional<OutputEquations> composed_output(Derivation& derivation,
                                                const OutputRequest& request) {
   const OutputRow& row = output_row(request.kind);

@@ -146,9 +146,9 @@ const EntryChange* find_example(const SystemChange& system) {
   return best;
 }
 
-/// The lines of a report: changed keys, consequences, one entry as example, changes of the
-/// interface, verdict. If the interface breaks callers, its changes come first. About a dozen lines
-/// unless `lists_all`.
+/// The lines of a report: files, changed keys, consequences, one entry as example, changes of the
+/// interface, numbers of operations, verdict. If callers break, the changes of the interface come
+/// before the changed keys. About a dozen lines unless `lists_all`.
 class SummaryWriter {
  public:
   SummaryWriter(const DiffReport& report, bool lists_all)

@@ -27,7 +27,7 @@ const Function* find_function_named(const Program& program, const std::string& n
   return found == program.functions.end() ? nullptr : &*found;
 }
 
-/// Longer closed forms are not printed.
+/// Closed forms of more characters are not printed.
 constexpr std::size_t longest_read = 100;
 
 /// A form beyond this budget would not fit into a line.

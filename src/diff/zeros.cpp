@@ -1,7 +1,7 @@
 // zeros: entries with functions that are not analytic (program/network/analytic.hpp) are sampled
 // twice. In the first pass, these functions are independent random variables: an entry that is 0 at
-// all points is 0. In the second pass, these functions are computed: an entry that is not 0 at some
-// point is not 0. All other entries are undecided.
+// all points counts as identically 0. In the second pass, these functions are computed: an entry
+// that is not 0 at a point is not identically 0. All other entries are undecided.
 #include "diff/zeros.hpp"
 
 #include <algorithm>
@@ -90,7 +90,8 @@ class PointObserver {
     return running_leaf(number * scale(), rounding_constants<double>());
   }
 
-  /// Cycles through scales, to find differences that appear only at large or small values.
+  /// The scale of the next random numbers. The scale changes after every second point, because some
+  /// differences appear only at large or small values.
   [[nodiscard]] cln::cl_RA scale() const {
     static const std::array<cln::cl_RA, 4> scales{1, 1000, cln::cl_RA(1) / 1000, 1'000'000};
     return scales[points_ / 2 % scales.size()];
@@ -114,9 +115,9 @@ class PointObserver {
     return operand_count(i) > 1 && values[i.a].value.is_defined() != values[i.b].value.is_defined();
   }
 
-  /// `inconclusive` in three cases: a limit replaced a value; the value is undefined; rounding in
-  /// 64 digits may hide a value that is large in comparison with the terms. Terms count as at least
-  /// 1e-5.
+  /// The observation of instruction `entry`. `inconclusive` in three cases: a limit replaced a
+  /// value; the value is undefined; the value is at most 1e-45 times its running error, and this
+  /// bound exceeds both 1e-30 and the largest operand times 1e-25.
   [[nodiscard]] Observation observe_entry(const Function& function, std::uint32_t entry,
                                           const std::vector<RunningValue<Real>>& values) const {
     static const Real share(power_of_ten(-45));

@@ -6,7 +6,7 @@
 
 namespace elgen {
 
-/// An entry vanishes at a point if |x| <= 1e-45 E in 64 digits, E the running error of x.
+/// An entry x vanishes at a point if |x| <= 1e-45 E in 64 digits; E is the running error of x.
 enum class ZeroVerdict : std::uint8_t {
   nonzero,
   undecided,  ///< no computed value differs from 0, but neither `sampled` nor `proved` applies
@@ -16,9 +16,9 @@ enum class ZeroVerdict : std::uint8_t {
 };
 
 /// The verdict on each entry, in the order of the fields. Cost: one evaluation at a random point in
-/// 64 digits, and a proof for each entry that may vanish at this point. If the proof is undecided,
-/// the entry is evaluated at `zero_sample_count` more points; an entry that is not analytic, again
-/// at `states` and at `zero_sample_count` further points.
+/// 64 digits, and a proof for each entry that may vanish at this point. Entries whose proof is
+/// undecided are evaluated at `zero_sample_count` more points. If one of these entries is not
+/// analytic, all of them are evaluated at `states` and at `zero_sample_count` further points.
 [[nodiscard]] std::vector<ZeroVerdict> decide_zeros(
     const Program& program, const Function& function,
     const std::vector<Arguments<double>>& states = {});

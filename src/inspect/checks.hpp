@@ -16,8 +16,8 @@ struct InspectedModel {
   const Scene& scene;
 };
 
-/// Matrices of models with more coordinates are not sampled: n^2 directional derivatives are
-/// needed, each with a cost linear in the length of the chain.
+/// Matrices of models with more coordinates are not sampled: n coordinates need n^2 directional
+/// derivatives, each with a cost linear in the length of the kinematic chain.
 inline constexpr std::size_t most_coordinates_sampled = 24;
 
 /// Models with more coordinates are not searched for singular configurations.
@@ -32,8 +32,9 @@ inline constexpr std::size_t most_coordinates_searched = 3;
 [[nodiscard]] Diagnostics inspect_mass_matrix(const InspectedModel& subject);
 
 /// E536: an equation with no effect on the motion. E537: an equation that follows from other
-/// equations at every pose. E538: no pose near the start satisfies the constraints. E603: the
-/// result of `completed`, or inputs, that the constraints do not determine.
+/// equations at every pose. E538: no pose near the start satisfies the constraints. E603: the scene
+/// requests `completed`, but the constraints determine the dependent velocities at no pose; or the
+/// scene requests constrained inverse dynamics, but the inputs are determined at no pose.
 [[nodiscard]] Diagnostics inspect_constraints(const InspectedModel& subject);
 
 /// E603: an [[output]] whose Jacobian has full rank at no sampled state, although the scene

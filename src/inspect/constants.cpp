@@ -43,7 +43,8 @@ struct Growth {
   double digits = 0;
 };
 
-/// The value of a fixed parameter with its error. An irrational value has constant_digits digits.
+/// The value of a fixed parameter with its error: 0 for a rational value, 10^-constant_digits times
+/// the magnitude for an irrational value.
 EnclosedNumber enclose_fixed_value(const cl_R& fixed) {
   if (is_rational(fixed)) return {fixed, 0};
   return {cln::cl_float(fixed, cln::float_format(max_digits)),
@@ -94,7 +95,8 @@ class ConstantEvaluator {
   Diagnostics take_diagnostics() { return std::move(diagnostics_); }
 
  private:
-  /// Evaluates the node if it is constant. Reports an error and returns false if it has no value.
+  /// Evaluates `node` if it is constant. If a constant node has no value, reports an error and
+  /// returns false.
   bool evaluate_if_constant(ExpressionId id, const Expression& node) {
     if (is_leaf(node, Opcode::parameter)) {
       const auto& fixed = subject_.scene.specialisation.fixed;

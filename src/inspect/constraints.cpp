@@ -61,8 +61,8 @@ Diagnostics ineffective_equation_errors(const InspectedModel& subject) {
   return errors;
 }
 
-/// True if Newton's method has come close to a pose without reaching it. It then converges slowly,
-/// because A does not have full rank at the pose.
+/// True if Newton's method has come close to a pose without reaching the pose. Newton's method then
+/// converges slowly, because A does not have full rank at the pose.
 bool converges_slowly(const Model& model, const Assembly& at) {
   const OracleValues values =
       oracle_values(model, {.kind = OutputKind::constraint_residual}, at.state);

@@ -96,8 +96,8 @@ constexpr std::string_view remedy_of_scene =
 constexpr std::string_view remedy_of_entry =
     "write values with parameters, such as `m*g`; `when` limits the parameters";
 
-/// The hint "`u = 4.905` balances it", if the point states all coordinates, exactly one input acts
-/// on this row, and this input acts on no other row. Otherwise "".
+/// The hint "`u = 4.905` balances it" for equation `row`, if the point states all coordinates,
+/// exactly one input acts on `row`, and this input acts on no other row. Otherwise "".
 std::string input_hint(const InspectedModel& subject, const ClaimedEquilibrium& claim,
                        const Residual& balance, std::size_t row, const State& point) {
   if (!is_complete(claim.point)) return {};

@@ -141,8 +141,8 @@ void check_mass(const Model& model, const State& state, const std::string& name,
                    "sign mistake?"});
 }
 
-/// E523 for each negative mass. Each value costs a traversal of the model, so long chains are
-/// skipped.
+/// E523 for each negative mass. None for models with more than most_coordinates_sampled velocities,
+/// because each mass costs a traversal of the model.
 Diagnostics negative_mass_errors(const InspectedModel& subject) {
   const Model& model = subject.model;
   if (model.velocities.size() > most_coordinates_sampled) return {};
@@ -185,7 +185,7 @@ Diagnostics negative_energy_errors(const InspectedModel& subject, const MassSamp
            "sign mistake, or a square is missing?"}};
 }
 
-// Charts.
+// E511: special configurations at which M loses rank.
 
 struct SpecialValue {
   const char* name;
@@ -264,7 +264,7 @@ Diagnostics inspect_mass_matrix(const InspectedModel& subject) {
 Diagnostics inspect_signs(const InspectedModel& subject) {
   const Model& model = subject.model;
   Diagnostics found = negative_mass_errors(subject);
-  // D has one root; several roots would have to be summed before the check.
+  // D is a single expression; several expressions would have to be summed before the check.
   for (const ExpressionId root : dissipation_roots(model)) {
     for (unsigned seed = 0; seed < zero_sample_count; ++seed) {
       const auto value = oracle_expression_value(model, root, sample_state(subject, seed));

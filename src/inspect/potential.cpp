@@ -3,8 +3,8 @@
 // height of a point with a mass, and V decreases at a constant rate as the point rises.
 //
 // For V, the upward direction is opposite to [gravity] or, without [gravity], the last axis of the
-// point. The point gets an additional coordinate, its lift, and dV/d(lift) is sampled. If it is
-// negative and the same at all samples, V contains a weight with the wrong sign.
+// point. The point gets an additional coordinate, its lift, and dV/d(lift) is sampled. If
+// dV/d(lift) is negative and the same at all samples, V contains a weight with the wrong sign.
 //
 // E526: `[energy] V` contains a weight that [gravity] already adds. E527: `[energy] T` contains a
 // kinetic energy that a mass already adds.
@@ -95,7 +95,7 @@ Model with_lift_coordinate(const Model& model, std::uint32_t point, const UpVect
   return result;
 }
 
-/// dV/d(lift) at a state; none if it has no value.
+/// dV/d(lift) at a state, with V = `potential`; none if the slope has no value.
 std::optional<cl_R> lift_slope(const Model& liftable, ExpressionId potential, State state) {
   state.v.assign(liftable.velocities.size(), cl_R(0));
   state.a = state.v;
@@ -254,8 +254,8 @@ StateEnergy energy_of_expression(const Model& model, ExpressionId expression) {
   };
 }
 
-/// True if the parts of V and W that depend on the parameters of gravity and of this mass are equal
-/// up to a constant.
+/// True if the parts of V and W that depend on the parameters of gravity and of the mass `weight`
+/// are equal up to a constant.
 bool is_counted_twice(const InspectedModel& subject, const std::vector<PlacedMass>& weights,
                       const PlacedMass& weight) {
   const Model& model = subject.model;
@@ -288,7 +288,7 @@ std::optional<cl_R> kinetic_energy_of(const Model& model, const Point& point, co
   return *mass * square / 2;
 }
 
-/// True if the parts of T and K that depend on the parameters of this mass are equal up to a
+/// True if the parts of T and K that depend on the parameters of `point.mass` are equal up to a
 /// constant.
 bool is_counted_twice(const InspectedModel& subject, const Point& point) {
   const Model& model = subject.model;

@@ -7,8 +7,8 @@
 
 namespace elgen {
 
-/// The simplest fraction within 1e-9 of x if its denominator has at most three digits; otherwise
-/// five significant digits. "0" below 1e-40.
+/// The simplest fraction with a relative error below 1e-9 if its denominator has at most three
+/// digits; otherwise x with five significant digits. "0" if |x| < 1e-40.
 [[nodiscard]] std::string readable_number(const cln::cl_R& x);
 
 /// The exact number as text: "16616.493" or "1/3". If the text is too long: readable_number(x).

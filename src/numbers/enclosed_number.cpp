@@ -102,7 +102,8 @@ EnclosedArithmetic::EnclosedArithmetic(int digits)
     : format_(cln::float_format(static_cast<std::uintptr_t>(digits))),
       roundoff_(cln::cl_float(power_of_ten(guard_digits - digits), bound_format())) {}
 
-/// Adds the rounding error of `value`. The last factor covers the rounding of the bound itself.
+/// `value` with an error bound: `error` plus the rounding error of `value`, plus a summand that
+/// covers the rounding of the bound itself.
 EnclosedNumber EnclosedArithmetic::add_rounding_error(const cl_R& value, const cl_R& error) const {
   const cl_F bound = cln::cl_float(error + roundoff_ * cln::abs(value), bound_format());
   return {value, bound + bound * cln::cl_float(power_of_ten(-15), bound_format())};
@@ -154,7 +155,7 @@ EnclosedResult EnclosedArithmetic::integer_power(const EnclosedNumber& x,
   return cln::minusp(exponent) ? reciprocal(result) : EnclosedResult(result);
 }
 
-/// |sqrt x - sqrt y| <= |x - y|/sqrt y
+/// sqrt(x); the error bound follows from |sqrt x - sqrt y| <= |x - y|/sqrt y.
 EnclosedNumber EnclosedArithmetic::square_root(const EnclosedNumber& x) const {
   return add_rounding_error(cln::sqrt(as_float(x.value)),
                             x.error / cln::sqrt(as_float(least_magnitude(x))));
@@ -243,7 +244,7 @@ EnclosedResult EnclosedArithmetic::exponential(FunctionId function, const Enclos
   return call_with_slope(function, argument, 2 * cln::exp(cln::cl_float(end, bound_format())));
 }
 
-/// |c_k'| <= 1/(k + 1)! for k > 0, and <= sinh |x| for k < 0.
+/// c_k(x); the error bound follows from |c_k'| <= 1/(k + 1)! for k > 0, and <= sinh |x| for k < 0.
 EnclosedResult EnclosedArithmetic::stumpff(const EnclosedNumber& x, const EnclosedNumber& k) const {
   const EnclosedNumber argument = to_float(x);
   const bool grows = cln::minusp(k.value);

@@ -252,7 +252,8 @@ Enclosure acos(const Enclosure& x) {
                               clip_to_domain(x, -1, 1));
 }
 
-/// In a box without the origin, the angle is monotone along every edge, so corners bound the angle.
+/// The angle whose tangent is x / y. If the box has no point with x = 0 and y <= 0, the angle is
+/// monotone along every edge, so the angles at the corners bound the angle.
 Enclosure atan2(const Enclosure& x, const Enclosure& y) {
   if (is_undefined(x) || is_undefined(y)) return no_value;
   if (y.low <= 0 && may_contain(x, 0)) {
@@ -327,7 +328,8 @@ Enclosure abs(const Enclosure& x) {
   return {least, magnitude(x), x.definedness};
 }
 
-/// A jump counts as `somewhere`: sign is not continuous at 0.
+/// The enclosure of sign(x) = -1, 0 or 1. If the bounds of x have different signs, the definedness
+/// is `somewhere`, because sign(x) is not continuous at 0.
 Enclosure sign(const Enclosure& x) {
   if (is_undefined(x)) return x;
   const auto of = [](double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; };

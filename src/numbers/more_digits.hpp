@@ -1,6 +1,6 @@
 // More digits: raises the precision of exact arithmetic (Real and the oracle) during a computation.
 // Two results of one exact value may differ because digits cancelled; with more digits the results
-// agree. Values that still differ are different.
+// agree. Results that still differ belong to different exact values.
 //
 // The count belongs to the thread and is not an argument. Numbers become floats deep below
 // templates over all scalars (ScalarTraits<Scalar>::from_real, the functions of functions.def), and
@@ -38,7 +38,8 @@ class ExtraDigits {
   ExtraDigits(const ExtraDigits&) = delete;
   ExtraDigits& operator=(const ExtraDigits&) = delete;
 
-  /// If arithmetic lost more than the spare digits, requests the lost digits and returns true.
+  /// If arithmetic lost more digits than the extra and the spare digits, requests as many extra
+  /// digits as were lost and returns true.
   [[nodiscard]] bool request_lost_digits();
 
   unsigned digits_;
@@ -51,9 +52,9 @@ auto with_digits(unsigned digits, const Computation& computation) {
   return computation();
 }
 
-/// Repeats a computation with more digits until it has as many extra digits as arithmetic lost.
-/// Example: at 64 digits an irrational angle of 1e100 has no digits after its decimal point, so its
-/// sine has no correct digits.
+/// The value of a computation. The computation is repeated with more digits until arithmetic loses
+/// no more than the extra and the spare digits. Example: at 64 digits an irrational angle of 1e100
+/// has no digits after its decimal point, so its sine has no correct digits.
 template <class Computation>
 auto with_enough_digits(const Computation& computation) {
   ExtraDigits digits(0);

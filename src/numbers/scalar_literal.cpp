@@ -71,9 +71,9 @@ std::optional<Scalar> divide_in_hardware(const cln::cl_RA& x) {
   return dividend / static_cast<Scalar>(cln::cl_I_to_long(divisor));
 }
 
-/// |x| rounded, for floats x of two kinds; otherwise none. CLN rounds floats in the range of normal
-/// doubles. Floats far beyond all built-in types become 0 or infinity, because the exact fraction
-/// might need more than the memory.
+/// |x| rounded to Scalar, for floats x of two kinds; otherwise none. If Scalar is double, CLN
+/// rounds floats in the range of normal doubles. Floats far beyond all built-in types become 0 or
+/// infinity, because their exact fractions might not fit into memory.
 template <class Scalar>
 std::optional<Scalar> round_by_exponent(const cln::cl_R& x) {
   constexpr std::int64_t normal = 1'000;

@@ -23,7 +23,7 @@ inline constexpr std::string_view stdin_name = "<stdin>";
 /// is a file NAME.scene.toml, or standard input with a key `model`.
 [[nodiscard]] Result<PipelineSources> read_inputs(const std::string& path, const Limits& limits);
 
-/// Reads the source at a path.
+/// read_source() or Revision::read_source(), with the limits of the command.
 using SourceReader = std::function<Result<SourcePointer>(const std::string& path)>;
 
 /// read_inputs() for files that are not on disk: calls `read` instead of read_source().

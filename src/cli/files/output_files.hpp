@@ -20,7 +20,7 @@ inline constexpr std::string_view sidecar_ending = artifact_table.sidecar.path_s
 enum class ReplacePolicy : unsigned char {
   generated,     ///< if it has the marker of elgen
   dependencies,  ///< if its first rule makes a generated file
-  never,         ///< never, because its owner edits it
+  never,         ///< in no case, because the owner edits the file
 };
 
 struct OutputFile {

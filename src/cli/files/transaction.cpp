@@ -85,8 +85,8 @@ class TargetFolder {
   void end_transaction(bool stays) noexcept;
 
  private:
-  /// A file of the stage (`fresh`), its path (`target`), and a second name of the old file (`old`),
-  /// if there was one.
+  /// `fresh`: the new file in the stage. `target`: the path to which commit() moves `fresh`. `old`:
+  /// a second name of the replaced file, if `had_old` is true.
   struct StagedFile {
     std::string target = {};
     std::string fresh = {};

@@ -74,8 +74,8 @@ void set_alarm(std::uint64_t seconds) {
   ::alarm(static_cast<unsigned>(std::clamp<std::uint64_t>(seconds, 1, longest)));
 }
 
-/// The handler of std::terminate, for destructors of libraries: they allocate memory but may not
-/// throw.
+/// The handler of std::terminate, which C++ calls if a destructor throws. Destructors of libraries
+/// throw if memory is exhausted.
 [[noreturn]] void on_terminate() {
   try {
     if (std::current_exception() != nullptr) throw;

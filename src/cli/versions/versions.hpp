@@ -32,7 +32,7 @@ class Revision {
   [[nodiscard]] std::vector<std::string> list_files(const std::string& folder) const;
 
   /// Reads a file. Messages call the file NAME:PATH. Links are followed inside the revision. E111
-  /// if there is no such file.
+  /// if the revision has no file at the end of the links.
   [[nodiscard]] Result<SourcePointer> read_source(const std::string& path,
                                                   const Limits& limits) const;
 

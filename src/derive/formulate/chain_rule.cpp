@@ -29,7 +29,7 @@ void append_partials(const Definitions& definitions, const ex& term, const IsWan
 
 bool is_sum(const ex& value) { return GiNaC::is_a<GiNaC::add>(value); }
 
-/// The partial derivatives of `value` by its symbols for which `is_wanted` is true.
+/// The partial derivatives of `value` with respect to its symbols for which `is_wanted` is true.
 template <class IsWanted>
 std::vector<PartialDerivative> wanted_partials(const Definitions& definitions, const ex& value,
                                                const IsWanted& is_wanted) {
@@ -38,8 +38,8 @@ std::vector<PartialDerivative> wanted_partials(const Definitions& definitions, c
     append_partials(definitions, value, is_wanted, result);
     return result;
   }
-  // Differentiates term by term: differentiating a whole sum of n terms by its n symbols would cost
-  // n^2.
+  // Differentiates term by term. Differentiating the whole sum of n terms with respect to each of n
+  // symbols would cost n^2.
   ExpressionMap<GiNaC::exvector> by_symbol;
   for (std::size_t i = 0; i < value.nops(); ++i) {
     std::vector<PartialDerivative> of_term;
@@ -56,8 +56,8 @@ std::vector<PartialDerivative> wanted_partials(const Definitions& definitions, c
   return result;
 }
 
-/// The partial derivatives of a definition by the symbols for which `is_wanted` is true. If the
-/// value of the definition is a leaf, the derivatives are listed in `definition.derivatives`.
+/// The partial derivatives of a definition with respect to the symbols for which `is_wanted` is
+/// true. A non-empty list `definition.derivatives` contains these derivatives.
 template <class IsWanted>
 std::vector<PartialDerivative> wanted_partials(const Definitions& definitions,
                                                const Definition& definition,
@@ -71,8 +71,8 @@ std::vector<PartialDerivative> wanted_partials(const Definitions& definitions,
   return result;
 }
 
-/// The partial derivatives of `value`, an expression or a definition, by its symbols that depend on
-/// a leaf in `mask`.
+/// The partial derivatives of `value`, an expression or a definition, with respect to its symbols
+/// that depend on a leaf in `mask`.
 template <class Value>
 std::vector<PartialDerivative> partials_by_leaves(const Definitions& definitions,
                                                   const Value& value, LeafSet mask) {
@@ -118,8 +118,8 @@ Tangent::Tangent(Definitions& definitions, Seeds seeds, std::string suffix)
 template <class Value>
 ex Tangent::differentiate_value(const Value& value) const {
   GiNaC::exvector terms;
-  // Differentiates only by symbols that have a tangent. Differentiating by all n symbols would cost
-  // n^2 derivatives for the n columns of a matrix.
+  // Differentiates only with respect to symbols in `tangents_`. For the n columns of a matrix,
+  // differentiating with respect to all n symbols would cost n^2 derivatives.
   const auto has_tangent = [this](const ex& symbol) {
     return tangents_.find(symbol) != tangents_.end();
   };
@@ -151,8 +151,8 @@ ex Tangent::operator()(const ex& value) {
 
 namespace {
 
-/// The summands of each adjoint: for definitions that are not processed yet (latest first), and for
-/// variables.
+/// The summands of the adjoints: of the definitions that are not processed yet (latest first), and
+/// of the variables of the gradient.
 struct Adjoints {
   std::map<std::uint32_t, GiNaC::exvector, std::greater<>> by_definition;
   ExpressionMap<GiNaC::exvector> by_variable;

@@ -47,20 +47,21 @@ void visit_needed_definitions(const Definitions& definitions, const GiNaC::ex& v
   }
 }
 
-/// One factor of the chain rule: `value` is the partial derivative of an expression by `variable`.
+/// A factor of the chain rule: the partial derivative `value` of an expression with respect to
+/// `variable`.
 struct PartialDerivative {
   GiNaC::ex variable;
   GiNaC::ex value;
 };
 
-/// The non-zero partial derivatives of `value` by each of its symbols that depends on a leaf in
-/// `mask`, in elgen's order. A sum of n terms costs n small derivatives.
+/// The non-zero partial derivatives of `value` with respect to its symbols that depend on a leaf in
+/// `mask`, in elgen's order of symbols. A sum of n terms costs n small derivatives.
 [[nodiscard]] std::vector<PartialDerivative> partial_derivatives(const Definitions& definitions,
                                                                  const GiNaC::ex& value,
                                                                  LeafSet mask);
 
-/// A value for each listed leaf x. For a Tangent, the value is dx/ds (0 for all other leaves). For
-/// a Substitution, the value replaces x; all other leaves are kept.
+/// Leaf x -> value. For a Tangent, the value is dx/ds; leaves without a value have dx/ds = 0. For a
+/// Substitution, the value replaces x; leaves without a value are kept.
 using Seeds = ExpressionMap<GiNaC::ex>;
 
 /// seeds[leaves[i]] = values[i], unless the leaf has a seed already.
@@ -77,9 +78,10 @@ void add_seeds(Seeds& seeds, const std::vector<GiNaC::ex>& leaves,
 /// The seeds of d/dt along the motion: q -> dq/dt, v -> a, t -> 1.
 [[nodiscard]] Seeds motion_seeds(const Symbols& symbols);
 
-/// Forward: the derivative along a direction, d/ds f = sum df/dx dx/ds.
+/// Forward: the derivative d/ds f = sum df/dx dx/ds along a direction; the seeds dx/ds state the
+/// direction.
 ///
-///     before    p = l*sin(q)              direction q -> v
+///     before    p = l*sin(q)              seeds q -> v
 ///     after     p_dot = l*cos(q)*v
 ///
 /// A definition is differentiated once, at its first use. If the definition has a name, its
@@ -112,9 +114,9 @@ struct WeightedTerm {
   GiNaC::ex weight;
 };
 
-/// Reverse: the gradient of sum weight_k value_k (weights held constant) by each of `variables`.
+/// Reverse: the gradient of sum weight_k value_k with respect to `variables`, at constant weights.
 ///
-///     before    E = m*p^2, p = l*q        by q
+///     before    E = m*p^2, p = l*q        variable q
 ///     after     adjoint of p = 2*m*p, dE/dq = adjoint*l
 ///
 /// Each definition is differentiated once, whatever the number of variables.

@@ -57,9 +57,9 @@ ex call(FunctionId function, const ex& x, const ex& y) {
   return 0;
 }
 
-/// The derivative of a function by the argument with index `argument`. check() allows functions
-/// with kinks only in forces, which are not differentiated; so a kinked function here is an
-/// internal error.
+/// The derivative of a function with respect to x (`argument` = 0) or y (`argument` = 1). check()
+/// allows functions with kinks only in forces, which are not differentiated; so a kinked function
+/// here is an internal error.
 ex slope(FunctionId function, const ex& x, const ex& y, unsigned argument) {
   if (is_kinked(function)) throw std::logic_error("derivative of a kinked function");
   const ex f = call(function, x, y);
@@ -113,8 +113,8 @@ ex evaluate_exactly(FunctionId function, const ex& x, const ex& y, const ex& hel
 #undef ELGEN_EVALUATED_1
 #undef ELGEN_EVALUATED_2
 
-/// Inserts a digit into ascending digits: (1, 2) -> 12 and (2, 1) -> 12. Each digit stands for one
-/// differentiation, by the argument with that number.
+/// Inserts a digit into ascending digits: (1, 2) -> 12 and (2, 1) -> 12. Digit k stands for one
+/// differentiation with respect to argument k.
 int insert_digit(int digits, int digit) {
   const int last = digits % 10;
   return last <= digit ? digits * 10 + digit : insert_digit(digits / 10, digit) * 10 + last;

@@ -67,8 +67,8 @@ bool is_identity(const TreeTransform& transform) {
   return transform.kind == TransformKind::translation && is_zero(transform.vector);
 }
 
-/// If R is a constant turn about a coordinate axis, and its cosine and sine are rational: sets x to
-/// R^T x and returns true. Otherwise returns false.
+/// If `transform` is a turn R about a coordinate axis, by a constant angle with rational cosine and
+/// sine: sets x to R^T x and returns true. Otherwise returns false.
 bool undo_quarter_turn(const TreeTransform& transform, ExVector3& x) {
   const ex cosine = GiNaC::cos(transform.angle);
   const ex sine = GiNaC::sin(transform.angle);
@@ -96,9 +96,9 @@ std::optional<std::size_t> single_axis(const ExVector3& x) {
   return axis;
 }
 
-/// Moves the component of the first translation along the axis of the last turn behind this turn,
-/// because the component and the turn commute. Frames whose axes intersect then share their origin,
-/// so a force passed between these frames adds no moment.
+/// Splits the first translation. The component parallel to the axis of the last turn moves behind
+/// this turn, because the component and the turn commute. Frames whose axes intersect then share
+/// their origin, so a force passed between these frames adds no moment.
 ///
 ///     before    shift (a, d, 0), turn -pi/2 about x, turn q about z
 ///     after     shift (a, 0, 0), turn -pi/2 about x, turn q about z, shift (0, 0, d)
@@ -229,7 +229,8 @@ class TreeFormulation {
     tree_.bodies.push_back(std::move(body));
   }
 
-  /// The transform that a point is fixed to, and its position in the child frame of that transform.
+  /// The transform to which a point is fixed, and the point's position in the child frame of this
+  /// transform.
   struct PointPlace {
     TransformIndex transform;
     ExVector3 at;

@@ -78,7 +78,7 @@ class SymmetricSolver {
 [[nodiscard]] std::vector<std::size_t> identity_order(std::size_t size);
 
 /// The velocities in the order in which M is eliminated. If `lagrangian.eliminates_last_first` is
-/// set, the last velocity comes first, so that entries between limbs do not fill in.
+/// set, the last velocity comes first, so that entries of M between two limbs, which are 0, stay 0.
 [[nodiscard]] std::vector<std::size_t> velocity_elimination_order(const Derivation& derivation);
 
 /// Solves M x = r + A^T y, A x = s (motion under constraints) without pivoting.

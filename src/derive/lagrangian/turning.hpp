@@ -1,10 +1,10 @@
 // Turning: terms that exist because the velocities of a rotation are angular velocities w, not
 // dq/dt.
 //
-// With dq/dt = N(q) v, a virtual displacement is dq = N x for any x, and Lagrange's equation
-// becomes Hamel's equation:
+// With dq/dt = N(q) v, virtual displacements are dq = N s for any vector s, and Lagrange's equation
+// becomes Hamel's equation, in which [w]x is the matrix of the cross product with w:
 //
-//     d/dt dL/dv + [w]x dL/dw - N^T dL/dq = Q       ([w]x on the velocities of rotations)
+//     d/dt dL/dv + [w]x dL/dw - N^T dL/dq = Q       ([w]x in the rows of rotations, 0 elsewhere)
 //     C_ij = 1/2 d(C v)_i/dv_j + 1/2 (M [w]x)_ij    so that dM/dt - 2 C is skew
 //
 // Source: Lurie, Analytical Mechanics (2002), sections 2.10 and 7.7.
@@ -14,11 +14,11 @@
 
 namespace elgen {
 
-/// N^T g for a derivative g by q (`by_coordinates`); one entry per velocity.
+/// N^T g, one entry per velocity; g is `by_coordinates`, a derivative with respect to q.
 [[nodiscard]] RealVector project_to_velocities(Derivation& derivation,
                                                const RealVector& by_coordinates);
 
-/// dq = N e_j for a unit displacement along velocity j.
+/// The seeds dq = N e_j of a unit displacement along velocity j = `velocity`.
 [[nodiscard]] Seeds displacement_seeds(const Symbols& symbols, std::size_t velocity);
 
 /// [w]x dL/dw on the velocities of rotations, 0 elsewhere: Hamel's term. `momentum` is dL/dv.

@@ -65,8 +65,9 @@ Result<FunctionNetwork> lower_by_route(const EquationsOfMotion& equations,
   return result;
 }
 
-/// Lowers an output by its cheapest route; of several equally cheap routes, by the first. If every
-/// route fails, returns the errors of the last route.
+/// Lowers an output by its cheapest route; of several equally cheap routes, by the first. Returns
+/// zero_denominator_error() if a route has a denominator 0; otherwise, if every route fails, the
+/// errors of the last route.
 Diagnostics lower_output(const EquationsOfMotion& equations, const OutputRequest& request,
                          const Limits& limits, Program& program) {
   std::optional<FunctionNetwork> cheapest;

@@ -1,5 +1,5 @@
 // Forward dynamics by factorising M and S = A M^-1 A^T, or by articulated bodies. Derivatives of
-// the dynamics: bodies in frames by columns (tree_matrices.hpp), everything else by forward passes.
+// the dynamics: tree_derivatives() for bodies in frames, forward passes for all other terms.
 #include <string>
 #include <utility>
 

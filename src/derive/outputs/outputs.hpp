@@ -93,7 +93,7 @@ enum class BodySelection : unsigned char { all, outside_frames };
 [[nodiscard]] RealVector mass_matrix(Derivation& derivation);
 
 /// C_ij = 1/2 d(C v)_i/dv_j, the Christoffel form: (sum dM/dq_k v_k) - 2 C is skew. For rotations
-/// see turning.hpp. Cost: n_v forward passes over C v; for bodies in frames, columns of the tree.
+/// see turning.hpp. Cost: n_v forward passes over C v, and one tree_coriolis_matrix().
 [[nodiscard]] RealVector coriolis_matrix(Derivation& derivation);
 
 /// B = dQ/du, n_v x n_u.
@@ -232,8 +232,8 @@ struct CompletedMotion {
 // For a rotation, dq is the rotation vector in the rotated axes; its rate is dv - w x dq, so the
 // upper left block of A contains -[w]x.
 //
-// If has_linear_variables(), bodies in frames are differentiated by columns (tree_matrices.hpp).
-// Everything else is differentiated by one forward pass per unit direction.
+// If has_linear_variables(), tree_derivatives() differentiates the forces of bodies in frames. All
+// other terms are differentiated by one forward pass per unit direction.
 
 struct ForwardDynamics {
   RealVector acceleration;

@@ -4,9 +4,9 @@
 //     after     T = 1/2*m*l^2*v^2,  V = -m*g*l + 1/2*m*g*l*q^2
 //
 // Equations of order k need forces to order k, and T - V and D to order k + 1, jointly in
-// deviations and rates, because the equations contain first derivatives of the energies. The
-// derivatives by a coordinate that is not small, and by its rate, lose no order. The equation of
-// this coordinate has order k + 1, so its force is expanded to order k + 1.
+// deviations and rates, because the equations contain first derivatives of the energies.
+// Derivatives with respect to a coordinate that is not small, or to its rate, lose no order. The
+// equation of this coordinate has order k + 1, so its force is expanded to order k + 1.
 #include "derive/specialise/expand.hpp"
 
 #include <algorithm>
@@ -40,7 +40,8 @@ TaylorSeries::TaylorSeries(Definitions& definitions, const std::vector<SmallLeaf
   }
 }
 
-/// Coefficients of `term`: substitutes x0 + s x1 + s^2 x2 + … for each x, then differentiates by s.
+/// The coefficients of s^0, s^1, … in `term` after the substitution of x0 + s x1 + s^2 x2 + … for
+/// each x.
 TaylorSeries::Coefficients TaylorSeries::coefficients_of(const ex& term) const {
   GiNaC::exmap curves;
   for (const ex& symbol : symbols_of(definitions_, term)) {

@@ -18,7 +18,8 @@ class TaylorSeries {
  public:
   TaylorSeries(Definitions& definitions, const std::vector<SmallLeaf>& small, unsigned order);
 
-  /// f0 + f1 + … + f_order. Throws GiNaC's pole_error if f has no derivatives at the point.
+  /// f0 + f1 + … + f_order with f = `value`. Throws GiNaC's pole_error if f has no derivatives at
+  /// x0.
   [[nodiscard]] GiNaC::ex operator()(const GiNaC::ex& value);
 
  private:

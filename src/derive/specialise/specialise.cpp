@@ -78,7 +78,8 @@ std::optional<ValueProblem> run_checked(const LagrangianPass& step,
   return std::nullopt;
 }
 
-/// One fixed parameter or one lock. To find the cause of a problem, the step is run alone.
+/// The step that fixes one parameter or locks one coordinate. diagnose() runs `step` alone to find
+/// the cause of a problem.
 struct SinglePass {
   std::string name;
   Span span;

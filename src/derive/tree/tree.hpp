@@ -99,8 +99,8 @@ class KinematicTree {
   /// transforms.
   [[nodiscard]] TreeForces pull_back_wrenches(std::vector<SpatialForce> wrenches);
 
-  /// Generalised forces of the wrenches of the Lagrangian. `part` is applied to every component: it
-  /// substitutes u = 0, or differentiates by u_j.
+  /// Generalised forces of the wrenches of the Lagrangian. `part` is applied to every component:
+  /// the substitution u = 0, or the derivative with respect to u_j.
   [[nodiscard]] TreeForces wrench_forces(const std::function<GiNaC::ex(const GiNaC::ex&)>& part);
 
   /// Appends the generalised forces on one transform's motion, from the total wrench on its

@@ -27,8 +27,8 @@ struct Twist {
 };
 [[nodiscard]] std::vector<Twist> tree_twists(KinematicTree& tree, Tangent& along);
 
-/// Angular velocity of transform k relative to its parent: the velocities of a rotation (0 if
-/// `along` does not move the rotation), else relative_spin().
+/// Angular velocity of transform k relative to its parent. For a rotation: the velocities of the
+/// rotation, or 0 if `along` does not move the rotation. Otherwise: relative_spin().
 [[nodiscard]] ExVector3 joint_spin(KinematicTree& tree, std::size_t k, Tangent& along);
 
 /// dT/dv of the bodies, stored in the same way as generalised forces.

@@ -82,8 +82,8 @@ enum class TwistKind : unsigned char {
 };
 
 /// The columns of variable `upper`, passed towards the root to the transform of variable `lower`,
-/// in the frame of quantities(lower). `is_mutual`: both variables belong to one transform, and the
-/// pair is visited in both orders.
+/// in the frame of this transform's TransformQuantities. `is_mutual`: both variables belong to one
+/// transform, and the pair is visited in both orders.
 struct ColumnPair {
   std::size_t upper = 0;
   std::size_t lower = 0;
@@ -96,8 +96,8 @@ class TreeColumns {
   TreeColumns(KinematicTree& tree, const std::vector<TreeVariable>& variables,
               const AccelerationTangents& by);
 
-  /// Calls `visit` for each variable and itself, each other variable of its transform, and each
-  /// variable of its ancestor transforms.
+  /// Calls `visit` for the pairs of each variable with itself, with each other variable of its
+  /// transform, and with each variable of the ancestor transforms.
   void for_each_pair(const std::vector<ColumnKind>& kinds,
                      const std::function<void(const ColumnPair&)>& visit);
 
