@@ -76,7 +76,7 @@ std::string dissipation_table(const std::vector<std::string>& terms) {
   return fmt::format("[energy]\nD = \"\"\"\n  {}\n\"\"\"\n", fmt::join(terms, "\n  + "));
 }
 
-/// The texts of the tables in the order of `--joints`, without this option in the order of the
+/// The texts of the tables in the order of `--joints`; without this option, in the order of the
 /// tree.
 std::vector<std::string> table_texts(const Robot& robot, std::vector<JointTable> tables) {
   const auto rank = [&](const JointTable& table) { return robot.joints[table.joint].rank; };

@@ -49,7 +49,7 @@ struct ModelDraft {
   std::vector<std::string> forces = {};
   std::vector<JointTable> inputs = {};
   std::map<std::size_t, Coupling> couplings = {};     ///< by joint
-  std::map<std::size_t, std::string> armatures = {};  ///< by joint of the coordinate
+  std::map<std::size_t, std::string> armatures = {};  ///< by the joint that has the coordinate
 };
 
 using Components = std::array<std::string, 3>;
@@ -109,7 +109,7 @@ struct JointUnits {
 
 [[nodiscard]] JointUnits joint_units(JointType type);
 
-/// The position of a joint that has one coordinate. The first call adds the parameters.
+/// The position of a joint that has one coordinate. The first call for a joint adds its parameters.
 [[nodiscard]] const Coupling& find_or_add_coupling(ModelDraft& draft, std::size_t joint);
 
 /// Adds the damping, the friction and the rotor of a joint that has one coordinate.

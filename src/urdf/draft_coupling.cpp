@@ -47,7 +47,7 @@ void draft_damping(ModelDraft& draft, std::size_t index, const Coupling& couplin
       "1/2*{}*{}^2", damping, coupling.has_sign_only() ? plain : "(" + coupling.rate_text() + ")"));
 }
 
-/// Dry friction, smoothed: -friction*tanh(rate/stiction_rate).
+/// Adds smoothed dry friction: the force -friction*tanh(rate/stiction_rate) along the joint.
 void draft_friction(ModelDraft& draft, std::size_t index, const Coupling& coupling) {
   const Joint& joint = draft.robot.joints[index];
   const std::string& name = draft.glossary.joint_name(index);

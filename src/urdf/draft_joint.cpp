@@ -147,8 +147,8 @@ class JointDrafter {
     draft_.inputs.push_back({branch_.joint, std::move(table)});
   }
 
-  /// Adds a coordinate and returns its name: the joint's name with the suffix `end`. Formulas use
-  /// `symbol` without the number of the joint.
+  /// Adds a coordinate and returns its name: the joint's name with the suffix `end`. The coordinate
+  /// is called `symbol` in formulas, without a joint number.
   std::string draft_extra_coordinate(const std::string& end, const std::string& unit,
                                      const std::string& symbol) {
     const std::string name = glossary_.claim(name_ + "_" + end, "joint");

@@ -15,7 +15,7 @@ namespace elgen::urdf {
 
 namespace {
 
-/// Parameters are members of a struct whose initialisers use these names.
+/// Reserved, because parameters are members of a struct whose initialisers use these names.
 constexpr std::array<std::string_view, 5> names_of_headers{"Parameters", "Scalar", "constant",
                                                            "detail", "std"};
 

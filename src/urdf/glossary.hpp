@@ -27,7 +27,7 @@ class NameRegistry {
 /// the prefix n. "left-leg.1" becomes "left_leg_1". The name may be in use.
 [[nodiscard]] std::string well_formed_name(std::string_view text);
 
-/// The name of the model, in lower case.
+/// `robot` as the name of a model: well-formed, in lower case, and no reserved word.
 [[nodiscard]] std::string model_name(std::string_view robot);
 
 /// The parameters of one link and of its joint, as cells of a table.

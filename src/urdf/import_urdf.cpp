@@ -51,7 +51,7 @@ Result<LinkTree> make_tree_with_options(Robot& robot, const ImportOptions& optio
   return floats ? make_floating_tree(robot, *tree, options.floating_base, found) : tree;
 }
 
-/// Drops all errors except E802: the file has another format, or contains macros that are not
+/// Keeps only the errors E802: the file has another format, or contains macros that are not
 /// expanded.
 Diagnostics keep_foreign_errors(Diagnostics found) {
   std::erase_if(found, [](const Diagnostic& diagnostic) { return diagnostic.code != Code::E802; });

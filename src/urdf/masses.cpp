@@ -14,8 +14,8 @@ namespace {
 
 enum class CarriedLinks : unsigned char { all_carried, rigidly_carried };
 
-/// One flag per link: true if the link, or a link that it carries, satisfies `has`. With
-/// CarriedLinks::rigidly_carried, only links count that fixed joints carry.
+/// One flag per link: true if the link, or a link that it carries, satisfies `has`. If `behind` is
+/// CarriedLinks::rigidly_carried, links behind a moving joint do not count.
 std::vector<bool> links_carrying_mass(const Robot& robot, const LinkTree& tree, CarriedLinks behind,
                                       bool (Link::*has)() const = &Link::has_mass) {
   std::vector<bool> massive;
@@ -119,8 +119,7 @@ class AxisInertia {
   std::vector<bool> inert_;
 };
 
-/// True if a planar joint has inertia about its normal. A joint that carries neither mass nor
-/// inertia has a rotor, because other joints without mass are already held.
+/// True if the planar joint has inertia about its normal, or carries neither mass nor inertia.
 bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& planar) {
   const std::size_t normal =
       *snap_axis(robot.joints[planar.joint].axis, AngleRounding::round).index;
@@ -129,8 +128,8 @@ bool turns_inertia(const Robot& robot, const LinkTree& tree, const Branch& plana
   return is_rotor_alone || about.has_inertia(planar.child);
 }
 
-/// `has_mass`: the joint moves mass. `has_rigid_mass`: the joint moves mass with no other
-/// moving joint between the joint and the mass.
+/// `has_mass`: the joint's coordinate moves mass or a rotor. `has_rigid_mass`: the joint moves mass
+/// with no other moving joint between the joint and the mass.
 struct MovedMass {
   bool has_mass = false;
   bool has_rigid_mass = false;

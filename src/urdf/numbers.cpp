@@ -1,4 +1,4 @@
-// Converts C's decimal notation of URDF files to TOML's.
+// Converts numbers of URDF files from the decimal notation of C to the notation of TOML.
 #include "urdf/numbers.hpp"
 
 #include <cln/real.h>

@@ -282,7 +282,7 @@ Joint read_joint(const Element& element, RobotReadState& reading) {
   return joint;
 }
 
-/// Adds the link `world`, which is implicit in SDF and Drake, if a joint refers to it.
+/// Adds the link `world`, which is implicit in SDF and Drake, if `world` is the parent of a joint.
 void add_world(Robot& robot) {
   const auto is_world = [](const Link& link) { return link.name.text == "world"; };
   const auto hangs_on_it = [](const Joint& joint) { return joint.parent.text == "world"; };

@@ -62,7 +62,7 @@ class PoseChangeBounds {
     update_worst(change);
   }
 
-  /// The change in rad by rounding a rotation; also counts the rounded angles.
+  /// A bound in rad on the change of a rotation by rounding; also counts the rounded angles.
   double rotation_change(const Vector& rpy) {
     double change = 0.0;
     for (const Angle& angle : round_rotation(rpy, robot_.digits).rpy) {

@@ -1,5 +1,5 @@
 // Robot: the content of a URDF file, with exact numbers, their digits and all spans. Options change
-// it before the model is written.
+// the Robot before the model is written.
 //
 // read_robot() checks each element by itself; make_tree() (tree.hpp) checks references between
 // elements.

@@ -17,8 +17,8 @@ enum class AngleRounding : unsigned char { round, exact };
 
 struct Angle {
   std::string text = "0";                ///< "-pi/2", or the digits of the file
-  std::optional<int> quarter_turns = 0;  ///< angle / (pi/2), if the angle is such a multiple
-  bool is_rounded = false;               ///< the file may have other digits
+  std::optional<int> quarter_turns = 0;  ///< angle / (pi/2), if this is an integer
+  bool is_rounded = false;               ///< `text` may differ from the file
   double change = 0.0;                   ///< by rounding, in rad
 
   [[nodiscard]] bool is_zero() const { return text == "0"; }
@@ -35,7 +35,7 @@ struct RollPitchYaw {
 
 [[nodiscard]] RollPitchYaw round_rotation(const Vector& rpy, AngleRounding digits);
 
-/// R I R^T (xx yy zz xy xz yz), with the digits of I; none unless all angles are quarter turns.
+/// R I R^T (xx yy zz xy xz yz), with the digits of I; none if an angle is no multiple of pi/2.
 [[nodiscard]] std::optional<std::array<FileNumber, 6>> rotate_inertia(
     const RollPitchYaw& rotation, const std::array<FileNumber, 6>& inertia);
 

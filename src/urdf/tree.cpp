@@ -167,7 +167,7 @@ class TreeBuilder {
     if (left != reached.end()) report_loop(static_cast<std::size_t>(left - reached.begin()));
   }
 
-  /// Reports E809 for the loop of joints above `link`, which is not connected to a root.
+  /// Reports E809 for the loop of joints above `link`. No joints connect `link` to a root.
   void report_loop(std::size_t link) {
     std::set<std::size_t> seen;
     while (seen.insert(link).second) link = parent_of(link);

@@ -111,8 +111,8 @@ bool has_evidence(const Rows& rows, Evidence evidence) {
   return std::ranges::count(rows, evidence, &CertificateRow::evidence) > 0;
 }
 
-/// The smallest number of compared states of the rows that hold: of the rows with a loss if
-/// `with_loss`, otherwise of the rows without a loss.
+/// The smallest number of compared states in a row that holds. If `with_loss`, only rows with a
+/// loss count, otherwise only rows without a loss.
 std::optional<std::size_t> fewest_states(const Rows& rows, bool with_loss) {
   std::optional<std::size_t> fewest;
   for (const CertificateRow* row : rows) {

@@ -74,9 +74,10 @@ std::vector<double> running_errors(const SystemUnderTest& subject, const Functio
   return errors;
 }
 
-/// The number of entries with other bits whose difference exceeds `most` u of the field's largest
-/// entry and `most` times the entry's running error. `given` is empty if the code threw an
-/// exception; an empty `given` agrees with `expected` if not all expected values are finite.
+/// The number of entries of `given` whose bits differ from `expected` and whose difference exceeds
+/// both `most` u of the field's largest entry and `most` times the entry's running error. `given`
+/// is empty if the code threw an exception; then the result is 0 if some expected value is not
+/// finite.
 template <class Scalar>
 std::size_t count_differing_entries(const Function& function, const std::vector<Scalar>& given,
                                     const std::vector<Scalar>& expected,
@@ -153,7 +154,8 @@ CertificateRow compiled_row(const SystemUnderTest& subject, const CompiledHeader
   return row;
 }
 
-/// max(|s - sin x|, |c - cos x|).
+/// max(|s - sin x|, |c - cos x|) for x = `angle`; s and c are the values of the code. Infinite if s
+/// or c is not finite.
 template <class Scalar>
 double error_of_sines(const CompiledModel& functions, Scalar angle) {
   Arguments<Scalar> arguments;

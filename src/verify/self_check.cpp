@@ -1,5 +1,5 @@
 // self_check: compares a program with the oracle before every write, at a number of states that
-// depends on its size.
+// depends on the cost of a comparison.
 #include <fmt/format.h>
 
 #include <algorithm>

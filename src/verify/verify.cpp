@@ -139,9 +139,8 @@ std::string entry_numbers_text(const std::vector<std::uint32_t>& entries) {
   return text;
 }
 
-/// The entries that were replaced by 0 because `cancel` found them 0 at sampled points
-/// (elgen/cancel.hpp): one row per function with such entries. Each row holds, because cancel
-/// checked all points.
+/// One row for each function with entries that `cancel` (elgen/cancel.hpp) replaced by 0, because
+/// these entries were 0 at sampled points. Each row holds, because `cancel` checked all points.
 std::vector<CertificateRow> sampled_zero_rows(const Program& program) {
   std::vector<CertificateRow> rows;
   for (const Function& function : program.functions) {

@@ -34,7 +34,7 @@ namespace elgen {
                      escape_xml(text));
 }
 
-/// The title of a part of the plot, in bold, beginning at x.
+/// The SVG of a bold text that begins at (x, y): the title of a part of the plot.
 [[nodiscard]] inline std::string svg_title(double x, double y, const std::string& text) {
   return fmt::format("<text x=\"{}\" y=\"{}\" font-weight=\"bold\">{}</text>\n", x, y,
                      escape_xml(text));
@@ -50,7 +50,7 @@ struct ChartAxis {
   double low = 0;
   double high = 1;
   std::vector<ChartTick> ticks = {};
-  std::string title = {};  ///< of the x axis; "": it has neither title nor labels
+  std::string title = {};  ///< of the x axis; if "", this axis has no title and no labels
 
   /// The position of a number on the axis: 0 at or below the low end, 1 at or above the high end.
   [[nodiscard]] double axis_fraction(double number) const {

@@ -7,7 +7,7 @@
 
 namespace elgen {
 
-/// Sets the template variables for sliders, buttons and choices.
+/// Sets the variables of `data` for groups of sliders, phase planes, starts and paces.
 void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program,
                   const Products& read);
 

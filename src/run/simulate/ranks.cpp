@@ -17,7 +17,7 @@ namespace {
 /// energy. At a ratio of 1e-11, the change is about 1e-9 of the energy.
 constexpr double min_pivot_ratio = 1e-8;
 
-/// A cosine. If a row turns by more than 120 degrees in one step, the step has no correct digit,
+/// The cosine of 120 degrees. If a row turns by more in one step, the step has no correct digit,
 /// unless the row passed through 0.
 constexpr double reversal_cosine = -0.5;
 
@@ -97,7 +97,7 @@ std::string RankWatch::pivot_name(std::size_t i) const {
 }
 
 /// Describes the loss of rank; "" if both ranks are full. D_i is checked only for a change of sign,
-/// because D_i may become small without a loss of rank: m r^2 of an orbit near its centre.
+/// because D_i may be small without loss of rank. Example: D_i = m r^2 near the centre of an orbit.
 std::string RankWatch::rank_loss_text(const Numbers& pivots_before,
                                       const Numbers& rows_before) const {
   const std::size_t n = system_.velocity_count();

@@ -4,9 +4,9 @@
 //     M = L D L^T,   B = A diag(M)^(-1/2),   B B^T = L' D' L'^T
 //
 // A rank is nearly lost if D_i / M_ii or D'_k falls far below its largest value so far. The ratio
-// D'_k / (B B^T)_kk would not show this, because it remains 1 if a row of A vanishes. A step may
-// jump over a state at which rank is lost. Then D_i changes its sign, or a row of B reverses its
-// part orthogonal to the earlier rows.
+// D'_k / (B B^T)_kk would not show this, because it does not change if row k of A shrinks to 0. A
+// step may jump over a state at which rank is lost. Then D_i changes its sign, or the component of
+// a row of B orthogonal to the earlier rows reverses its direction.
 #pragma once
 
 #include <string>

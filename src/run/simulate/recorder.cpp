@@ -14,7 +14,7 @@
 namespace elgen {
 namespace {
 
-/// The error estimate belongs to the method of lower order, so most runs stay far within the
+/// dopri5 estimates the error of its embedded method of order 4, so most runs stay far within the
 /// tolerance. In long steps the error may exceed the estimate, at most by this factor.
 constexpr double energy_margin = 10;
 

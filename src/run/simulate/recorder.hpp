@@ -24,8 +24,8 @@ class WeightedMean {
   double weight_ = 0;
 };
 
-/// The drift of a quantity that should be constant, computed in one pass over a run: its worst
-/// deviation, and the mean of the last tenth of the run minus the mean of the first tenth.
+/// The drift of a quantity that should be constant, computed in one pass over a run: the largest
+/// deviation, and the mean deviation in the last tenth minus the mean deviation in the first tenth.
 class DriftMeter {
  public:
   /// Adds the `deviation` after the fraction `part` of the run. `weight`: the length of the step in
@@ -73,7 +73,8 @@ class Recorder {
   Diagnostics move_results(Trajectory& trajectory) &&;
 
  private:
-  /// The numbers of a row. Multipliers belong to sample.inputs; the system may hold later inputs.
+  /// The numbers of a row. Multipliers are computed for sample.inputs, because `system_` may hold
+  /// later inputs.
   [[nodiscard]] std::vector<double> make_row(const TrajectorySample& sample, double energy) const;
   [[nodiscard]] std::string_view energy_name() const;
   void check_energy_step(const TrajectorySample& sample, double energy);

@@ -316,7 +316,7 @@ std::string outputs_for_run(const Model& model) {
   return names;
 }
 
-/// The products for a run. Two pipeline runs, because the checked model determines the outputs.
+/// The products for a run. Runs the pipeline twice: the outputs depend on the checked model.
 Products derive_for_run(const PipelineSources& inputs, PipelineOptions options,
                         const std::optional<StepSpec>& step) {
   PipelineOptions first = options;

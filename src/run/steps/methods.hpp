@@ -114,8 +114,8 @@ struct MethodRow {
 /// order.
 [[nodiscard]] Result<MethodRow> find_method(const SimulationOptions& options);
 
-/// The steps of a run. E621 if a number is not positive and finite, if options contradict each
-/// other, or if a step is missing that the method needs.
+/// The rule for the steps of a run. E621 if a number is not positive and finite, if options
+/// contradict each other, or if the method or an option needs a step, and `options` has none.
 [[nodiscard]] Result<StepRule> step_rule(const MethodRow& method, const SimulationOptions& options);
 
 }  // namespace elgen

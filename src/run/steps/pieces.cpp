@@ -1,4 +1,5 @@
-// PiecewiseMotion: finds the sides of kinks, the rates that dry friction holds, and their shares.
+// PiecewiseMotion: finds the sides of kinks, the rates that dry friction holds, and the shares of
+// these rates.
 #include "run/steps/pieces.hpp"
 
 #include <algorithm>
@@ -35,17 +36,17 @@ std::optional<Numbers> solve_shares(const Numbers& a, const Numbers& w,
   return echelon.solution();
 }
 
-/// The place to try next if `share` or `acceleration` contradicts `place`; otherwise `place`.
+/// The position to try next if `share` or `acceleration` contradicts `place`; otherwise `place`.
 RatePosition next_position(RatePosition place, double share, double acceleration) {
   if (place == RatePosition::above) return acceleration < 0 ? RatePosition::held : place;
   if (place == RatePosition::below) return acceleration > 0 ? RatePosition::held : place;
   return share < 0 ? RatePosition::above : share > 1 ? RatePosition::below : place;
 }
 
-/// The place of each rate. Held: 0 <= s <= 1. Above: s = 0 and a >= 0. Below: s = 1 and a <= 0. In
-/// each turn, the first rate that violates its condition changes its place. The turns end if W is a
-/// P-matrix, such as B M^-1 B^T (Murty, Mathematical Programming 5 (1973) 213). Empty if the turns
-/// do not end, or if the equations of solve_shares() are singular.
+/// The position of each rate. Held: 0 <= s <= 1. Above: s = 0 and a >= 0. Below: s = 1 and a <= 0.
+/// In each turn, the first rate that violates its condition changes its position. The turns end if
+/// W is a P-matrix, such as B M^-1 B^T (Murty, Mathematical Programming 5 (1973) 213). Empty if the
+/// turns do not end, or if the equations of solve_shares() are singular.
 std::vector<RatePosition> solve_positions(const Numbers& a, const Numbers& w) {
   const std::size_t n = a.size();
   const std::size_t most_turns = 1000;  // no system of 20 rates needed as many
@@ -141,15 +142,15 @@ void PiecewiseMotion::begin_piece(const Numbers& before, Numbers& state, double 
   sides_ = kinks_.sides(state, t);
 }
 
-/// The rate at which the side of `kink` changes, by bisection from `from` to `to`; exactly 0 if the
-/// rate is nearly 0.
+/// The rate at which the side of `kink` changes, found by bisection between the rates of the states
+/// `from` and `to`; exactly 0 if this rate is nearly 0.
 double PiecewiseMotion::find_kink_rate(std::size_t kink, Numbers from, const Numbers& to,
                                        double t) {
   double& v = system_.v_of(from)[*kinks_.rate_of(kink)];
   double low = v;
   double high = system_.v_of(to)[*kinks_.rate_of(kink)];
   const int side = sides_[kink];
-  const int halvings = std::numeric_limits<double>::digits;  // then low and high are neighbours
+  const int halvings = std::numeric_limits<double>::digits;  // makes low and high adjacent doubles
   for (int i = 0; i < halvings && low != high; ++i) {
     v = low + (high - low) / 2;
     (kinks_.sides(from, t)[kink] == side ? low : high) = v;
@@ -157,8 +158,8 @@ double PiecewiseMotion::find_kink_rate(std::size_t kink, Numbers from, const Num
   return std::abs(high) < kink_distance(0) ? 0 : high;
 }
 
-/// True if only component held.rate of the force jumps at the kink, and is larger below than above.
-/// Damping changes forces over kink_distance() by far less than 1e-6 of the jump.
+/// True if only component held.rate of the force jumps at the kink, and if this component is larger
+/// below the kink. Damping changes forces over kink_distance() by far less than 1e-6 of the jump.
 bool PiecewiseMotion::can_hold_rate(const HeldRate& held, Numbers state, double t) const {
   const auto forces = [&](double rate) {
     system_.v_of(state)[held.rate] = rate;

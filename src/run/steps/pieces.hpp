@@ -4,8 +4,8 @@
 //
 //     a_i(v_i above) < 0 < a_i(v_i below)
 //
-// Then v_i is held: the force is a weighted mean of both sides. The side below has the weight s_i,
-// the share, for which a_i = 0. For several rates,
+// Then v_i is held: the force is a weighted mean of the forces on both sides. The weight of the
+// side below is the share s_i, chosen such that a_i = 0. For several rates,
 //
 //     a = a(all above) + sum_k s_k (a(k below, others above) - a(all above)),   0 <= s_k <= 1
 //

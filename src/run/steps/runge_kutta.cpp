@@ -59,7 +59,7 @@ class RungeKutta {
   Steps steps_ = {};
 };
 
-/// Steps as long as their error estimate permits. No step crosses a kink.
+/// Makes steps of the largest length that the error estimate permits. No step crosses a kink.
 template <class Steps>
 class AdaptiveStepper final : public Stepper {
  public:
@@ -118,7 +118,7 @@ class AdaptiveStepper final : public Stepper {
   /// Makes one step and sets `t_`; false if the tolerance needs less than shortest_step().
   bool advance(Numbers& state) {
     while (true) {
-      // The piece ends somewhere before `piece_end_bound_`, so each step goes half of the distance.
+      // The piece ends before `piece_end_bound_`, so a step covers half of the time to this bound.
       const double half = (piece_end_bound_ - t_) / 2;
       if (half < shortest_step()) return cross_kink(state);
       const double wanted = std::min(length_, half);

@@ -77,8 +77,8 @@ StateFunction::ValueWithRate StateFunction::leaf_value(const Expression& node) c
           is_constant ? 0 : std::numeric_limits<double>::quiet_NaN()};
 }
 
-/// e' = 1/2 e w, w the angular velocity as a pure quaternion; other coordinates have their velocity
-/// as rate.
+/// The coordinate and its rate. For a quaternion e, e' = 1/2 e w, w the angular velocity as a pure
+/// quaternion; the rate of any other coordinate is its velocity.
 StateFunction::ValueWithRate StateFunction::coordinate_value(std::uint32_t index) const {
   const Coordinate& coordinate = model_.coordinates[index];
   if (!coordinate.rotation) return {q_[index], v_[coordinate.velocity]};

@@ -1,5 +1,5 @@
-// verlet and midpoint: evaluates the output `step` once per step, with the inputs at its beginning.
-// The work of a step is h times the power at its midpoint, with the mean rates of the step.
+// verlet and midpoint: evaluates the output `step` once per step, with the inputs at the beginning
+// of the step. The work of a step is h times the power at the midpoint, with the mean rates.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,8 @@
 namespace elgen {
 namespace {
 
-/// An implicit step is solved if sum |residual| is at most this fraction of sum |p| at both ends.
+/// An implicit step is solved if sum |residual| is at most this fraction of sum |p| at the
+/// beginning of the step plus sum |p| at its end.
 constexpr double largest_residual = 1e-3;
 
 class StepProgramMethod {

@@ -41,7 +41,7 @@ std::size_t result_size(const Function* function) {
 
 constexpr std::size_t max_shown_numbers = 8;
 
-/// The angle in (-pi, pi].
+/// `angle` plus a multiple of 2 pi, in (-pi, pi].
 double wrap_angle(double angle) {
   const double turn = 2 * std::numbers::pi;
   const double rest = std::remainder(angle, turn);

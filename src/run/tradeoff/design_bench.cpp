@@ -210,8 +210,8 @@ class DesignBench {
     for (TradeoffRow* const row : piece.rows) row->failure = why;
   }
 
-  /// Searches the errors of all designs, separately from the timing, because errors do not depend
-  /// on the timing.
+  /// Sets the errors of all designs. The search is separate from the timing, because errors do not
+  /// depend on the timing.
   void search_errors(const Products& exact) {
     for (const auto& [rows, functions] : libraries_) {
       for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -23,8 +23,8 @@ double mean_duration(const Work& work, std::size_t calls) {
   return elapsed.count() / static_cast<double>(calls);
 }
 
-/// How often one timing repeats the work. Measured at the second call, because caches are cold at
-/// the first.
+/// The number of calls in one timing. The second call is measured, because caches are cold at the
+/// first call.
 std::size_t calls_per_timing(const Work& work) {
   work();
   const double once = std::max(mean_duration(work, 1), 1.0);

@@ -1,6 +1,6 @@
 // Measures runs. Each step is derived and compiled once. Errors are measured at the end of a whole
-// run, for each length of steps. Costs are measured by repeating some steps of one length, in
-// turns.
+// run, for each length of steps. Costs are measured on a few steps of one length, which all
+// compiled steps repeat in turn.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,9 +49,9 @@ std::vector<std::string> table_sentences(const std::map<StepSpec, StepCode>& cod
 /// E621 with this message.
 Diagnostics run_option_error(std::string message) { return {{Code::E621, {}, std::move(message)}}; }
 
-/// True if steps of this length divide the run into 1 to 1e8 steps.
+/// True if `length` divides `time` into 1 to 1e8 steps.
 bool divides_run(double length, double time) {
-  constexpr double most_steps = 1e8;  // the fastest steps take minutes
+  constexpr double most_steps = 1e8;  // 1e8 of the fastest steps take minutes
   const double count = time / length;
   return count >= 1 && count <= most_steps &&
          std::abs(count - std::round(count)) <= 1e-9 * count;  // the length is a rounded decimal
@@ -210,7 +210,7 @@ class RunBench {
   double uncertainty_ = 0;  ///< relative error of the reference; at least u = 2^-53
   std::map<StepSpec, StepCode> codes_ = {};
   TradeoffTable table_ = {};
-  std::vector<std::size_t> steps_ = {};     ///< steps of a run, by row
+  std::vector<std::size_t> steps_ = {};     ///< number of steps of a run, by row
   std::vector<std::string> refusals_ = {};  ///< "`verlet` is not for this system: ..."
 };
 

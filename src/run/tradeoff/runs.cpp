@@ -1,5 +1,5 @@
-// Runs in time as designs: all combinations of method, order, step and batch. The table is a
-// work-precision diagram.
+// Treats runs in time as designs: combines all methods, orders, step lengths and batches, and makes
+// the steps. The table of these designs is a work-precision diagram.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,8 +34,7 @@ Numbers repeat(const Numbers& numbers, std::size_t count) {
   return all;
 }
 
-/// The design of a run with steps of h seconds, one state at a time; its number of steps is not
-/// set.
+/// A run with steps of `h` seconds, for one state at a time; `steps` of the result is still 0.
 PlannedRun plan_run(const StepMethodRow& method, std::uint32_t order, double h) {
   const std::string length = fmt::format("{:g} s", h);
   const StepSpec step = default_step(method.id, order == method.order ? 0 : order);

@@ -96,7 +96,7 @@ class ErrorSearch {
   }
 
  private:
-  /// The errors at `states`, relative to the entries exact(state); 0 if exact(state) is none.
+  /// The error at each of `states`, with exact entries exact(state); 0 if exact(state) is none.
   template <class Exact>
   [[nodiscard]] std::vector<double> errors(const std::vector<Arguments<double>>& states,
                                            const Exact& exact) const {
@@ -109,8 +109,8 @@ class ErrorSearch {
     return found;
   }
 
-  /// The errors relative to the program in long double. On some machines, long double is 2048 times
-  /// as precise as double.
+  /// The error at each of `states`, with the program's values in long double as the exact entries.
+  /// On some machines, long double is 2048 times as precise as double.
   [[nodiscard]] std::vector<double> approximate_errors(
       const std::vector<Arguments<double>>& states) const {
     return errors(states, [this](const Arguments<double>& state) {
@@ -147,7 +147,8 @@ class ErrorSearch {
     return states;
   }
 
-  /// The state of `climb`, each leaf moved in the direction in which it alone increased the error.
+  /// The state of `climb`; each leaf that alone increased the error has its value from the worse of
+  /// the two states in `near` that move this leaf.
   [[nodiscard]] Arguments<double> combined_state(const Climb& climb, const Arguments<double>* near,
                                                  const double* errors) const {
     Arguments<double> state = climb.state;

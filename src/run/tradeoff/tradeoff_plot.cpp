@@ -112,8 +112,8 @@ class TradeoffPlot {
     return chart_.y_of(std::log10(row.error.worst));
   }
 
-  /// A staircase: costs increase and errors decrease along the front. Between two costs, the line
-  /// has the error of the cheaper design.
+  /// The front as a staircase line: costs increase along the line, and errors decrease. Between two
+  /// costs, the line has the error of the cheaper design.
   [[nodiscard]] std::string pareto_front_svg() const {
     std::string path;
     for (const TradeoffRow* row : rows_) {

@@ -40,7 +40,7 @@ TestVectorState draw_vector_state(const SystemUnderTest& subject, std::size_t nu
                                   Sampler& draw) {
   if (number == 0) return {"start", start_with_momenta(subject)};
   const bool varies = number % 3 == 0;
-  const std::size_t turn = varies ? 3 * (1 + number / 3) : 0;  // turn mod 3 = 0: rates up to 1
+  const std::size_t turn = varies ? 3 * (1 + number / 3) : 0;  // a multiple of 3: rates up to 1
   State state = draw_state(subject.model, subject.scene, draw, turn);
   state.h = cln::abs(draw.number()) / 10;
   if (varies) return {"parameters", std::move(state)};

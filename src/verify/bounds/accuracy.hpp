@@ -17,7 +17,7 @@ struct AccuracyOptions {
   StateCheckOptions check_options = {};
   /// Called at each step with a text such as "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
-  std::size_t jobs = 1;  ///< processes
+  std::size_t jobs = 1;  ///< number of processes
 };
 
 /// Findings at one state, in the order of field_places(); none if the field is not compared at this
@@ -27,10 +27,10 @@ using Findings = std::vector<std::optional<Finding>>;
 /// Receives the index of a state and its findings.
 using FindingsHandler = std::function<void(std::size_t at, const Findings& findings)>;
 
-/// Visits all states, in this process or in `jobs` processes. The findings and their order do not
-/// depend on `jobs`. Each process takes the next state that no process has visited. If a process
-/// fails, this process visits all states by itself. If a process exceeds its processor time, this
-/// process raises SIGXCPU. Scalar: double or float.
+/// Visits all states, in the calling process or in `jobs` child processes. The findings and their
+/// order do not depend on `jobs`. Each child takes the next state that no child has taken. If a
+/// child fails, the calling process visits all states by itself. If a child exceeds its processor
+/// time, the calling process raises SIGXCPU. Scalar: double or float.
 template <class Scalar>
 void check_states(const SystemUnderTest& subject, const std::vector<SampledState<Scalar>>& states,
                   const AccuracyOptions& options, const FindingsHandler& take);

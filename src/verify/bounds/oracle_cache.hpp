@@ -54,7 +54,7 @@ class OracleCache {
 /// the number is undefined.
 [[nodiscard]] bool agrees(const RunningValue<Real>& number, const Real& truth, const Real& scale);
 
-/// True if agrees() holds with `scale` = 0, oracle.energy_magnitude() or oracle.rounding_scale().
+/// True if agrees() is true for one of three scales: 0, energy_magnitude() or rounding_scale().
 [[nodiscard]] bool agrees_with_oracle(const RunningValue<Real>& number, const cln::cl_R& truth,
                                       OracleCache& oracle);
 

@@ -146,7 +146,7 @@ class ProjectionComparison {
     for (std::size_t i = 0; i < pivots->size(); ++i) {
       const Real truth((*pivots)[i]);
       // The scale of rounding errors is 1, because a pivot is relative to a diagonal entry. The
-      // error |truth| is for an indefinite M, whose pivots have any magnitude.
+      // running error is set to |truth|, because pivots of an indefinite M may have any magnitude.
       if (agrees({entry(i).value, abs(truth)}, truth, Real(1))) continue;
       return make_mismatch("a relative pivot", entry(i).value, (*pivots)[i]);
     }

@@ -1,5 +1,5 @@
-// Visits states in several processes. Each process writes its findings to an unnamed file, which
-// this process reads when all processes have ended.
+// Visits states in several child processes. Each child writes its findings to an unnamed file,
+// which the parent reads when all children have ended.
 #include <fmt/format.h>
 #include <sys/mman.h>
 
@@ -27,8 +27,8 @@ void for_each_member(AnyFinding& finding, const Pass& pass) {
       wide.mistake);
 }
 
-/// A file in memory with the findings of consecutive states. A forked process writes it; this
-/// process reads it.
+/// A file in memory with the findings of one child process, in the order of its states. The child
+/// writes the file, and the parent reads the file.
 class FindingsFile {
  public:
   FindingsFile() : file_(::fdopen(::memfd_create("elgen", MFD_CLOEXEC), "w+")) {}

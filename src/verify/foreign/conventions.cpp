@@ -163,8 +163,8 @@ RealNumbers transpose(const RealNumbers& x, std::size_t columns) {
   return y;
 }
 
-/// The map of rows or columns that belong to leaves of this kind; empty if they do not change. Rows
-/// along coordinates transform as velocities (S) or as forces (S^-T).
+/// The map of rows or columns that belong to leaves of the kind `leaf`; empty if `leaf` has no map.
+/// Rows along coordinates transform as velocities (S) or as forces (S^-T).
 IntegerMatrix leaf_map(const Convention& convention, std::optional<Opcode> leaf,
                        bool as_velocities) {
   if (leaf == Opcode::input) return convention.U;

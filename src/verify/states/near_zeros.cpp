@@ -39,7 +39,7 @@ std::vector<PositionSum> position_sums(const Model& model) {
       Opcode::velocity | Opcode::acceleration | Opcode::open_value | Opcode::momentum;
   std::vector<PositionSum> sums;
   for (const ExpressionId id : reachable_expressions(model, equation_roots(model))) {
-    if (sums.size() == most_states) break;  // each sum gives at least one state
+    if (sums.size() == most_states) break;  // a sum with a zero gives three states
     if (model.expressions[id].kind != ExpressionKind::add || contains_leaf(model, id, others))
       continue;
     PositionSum sum{id};
@@ -71,8 +71,8 @@ class NearZeroSampler {
     Arguments<double> common = draw_in_ranges(subject_, ranges_, sampler_);
     std::set<std::uint32_t> held;
     for (const PositionSum& sum : sums) move_to_common_zero(sum, common, held);
-    // Every second state is at rest. The number of distances is odd, so that one round has a state
-    // at rest at a distance, the other round a moving state.
+    // Every second state is at rest. Because the number of distances is odd, each distance has a
+    // state at rest in one of the two rounds, and a moving state in the other round.
     for (int i = 0; i < 2 && !held.empty(); ++i) add_states_near(common, held);
     for (const PositionSum& sum : sums) {
       for (const std::uint32_t coordinate : sum.coordinates) {

@@ -36,9 +36,9 @@ struct DifferingTerms {
   bool is_of_denominator = false;  ///< the terms are terms of the denominator
 };
 
-/// The differing terms over a common denominator, if they occur in the forms as written. Otherwise
-/// the differing terms of the denominators, if the numerators are multiples of each other.
-/// Otherwise none; also none if the budget is exceeded.
+/// The differing terms of both forms over one denominator, if these terms occur in the forms as
+/// written. Otherwise the differing terms of both denominators, if the written numerator is a
+/// multiple of the right numerator. None in all other cases, and if the budget is exceeded.
 [[nodiscard]] std::optional<DifferingTerms> differing_terms(Algebra& algebra, const Fraction& right,
                                                             const Fraction& written);
 
@@ -46,7 +46,8 @@ struct DifferingTerms {
 [[nodiscard]] std::string short_form_text(const Model& model, const Algebra& algebra,
                                           const Fraction& form);
 
-/// The terms in words; "" if they are more than four, or too long.
+/// The terms in words; "" if there are none or more than four, or if a term has more than 100
+/// characters.
 [[nodiscard]] std::string differing_terms_text(const Model& model, const Algebra& algebra,
                                                const DifferingTerms& terms);
 

@@ -190,7 +190,7 @@ std::optional<ComparedValue> motion_sample(const ExpectedEntry& entry, const Sta
   const ExpressionId id = entry.expression();
   const auto value = [&](const State& at) { return oracle_expression_value(model, id, at); };
   if (entry.expectation.claims_equations()) {
-    // An acceleration that is exactly 0 has rounding errors of the size of the largest
+    // The rounding error of an acceleration that is exactly 0 is proportional to the largest
     // acceleration.
     const std::vector<cl_R> largest(motion.a.size(), max_magnitude(motion.a));
     return motion_function_sample(value, motion, 0, largest);

@@ -138,7 +138,7 @@ bool satisfies_all_equations(const Model& model, const Expectation& equations, c
   return true;
 }
 
-/// Searches another acceleration that satisfies all equations, such as the other root of a square.
+/// Finds another acceleration that satisfies all equations, such as the other root of a square.
 /// The search runs along lines on which all equations except one are constant to first order. On a
 /// line, left - right of the remaining equation is f(s), with f(0) = 0. One candidate is the other
 /// zero of a parabola, s = f'/(f' - f(1)). The other candidate reverses the sign of
@@ -252,8 +252,8 @@ std::string difference_from_motion(const ExpectationProver& proofs, const Fracti
   return whole.empty() ? "" : fmt::format("left - right is {} along the motion", whole);
 }
 
-/// Replaces one term t of the sum by t (1 - r/r_t), which makes the sum constant; r is the rate of
-/// the sum, r_t the rate of t. Only rational r/r_t are reported.
+/// The sum becomes constant if t (1 - r/r_t) replaces its term t; r is the rate of the sum, r_t the
+/// rate of t. Each term t with a rational r/r_t is reported.
 std::string difference_from_conserved(const ExpectationProver& proofs, const Fraction& written) {
   Algebra& algebra = *proofs.algebra();
   Arithmetic arithmetic(algebra);

@@ -172,8 +172,8 @@ CertificateRow symmetry_row(const SystemUnderTest& subject, const Function& func
   return row;
 }
 
-/// The smallest relative pivot D_i/M_ii. -1 if a diagonal entry of M is negative; 0 if M is
-/// singular; none if a diagonal entry is undefined.
+/// The smallest relative pivot D_i/M_ii. -1 if a diagonal entry of M is negative; none if a
+/// diagonal entry is undefined; 0 if M is singular, or if another entry is undefined.
 std::optional<double> smallest_pivot(const std::vector<Real>& m, std::size_t n) {
   for (std::size_t i = 0; i < n; ++i) {
     if (!m[i * n + i].is_defined()) return std::nullopt;
