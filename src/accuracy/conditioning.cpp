@@ -28,8 +28,8 @@ double round_to_double(const Real& x) {
 }
 
 /// The relative error bound up to which K computed in double is used. This bound suffices, because
-/// K is reported to a tenth of a decimal digit. If long functions or cancelling derivatives exceed
-/// this bound, K is computed in Real.
+/// K is reported to a tenth of a decimal digit. In long functions, or if derivatives cancel, the
+/// error bound may be larger; then K is computed in Real.
 constexpr double tolerated_error = 1e-4;
 
 /// An upper bound on the error that underflow causes in a factor or a product in double.

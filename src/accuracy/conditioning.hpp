@@ -3,8 +3,8 @@
 //     K = sum |z dx/dz|      over inputs z and parameters z
 //
 // K is the same for every formula for x. If the error of a formula is far beyond u (|x| + K), the
-// formula loses digits that another formula for x can keep. Literals count as exact: at large x,
-// pi/2 - atan(x) loses digits, and atan2(1, x) keeps all of them.
+// formula loses digits that another formula for x can keep. K includes no error of literals, so
+// pi/2 - atan(z) counts as lossy at large z: atan2(1, z) keeps all digits.
 #pragma once
 
 #include <optional>

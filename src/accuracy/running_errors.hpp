@@ -1,7 +1,7 @@
 // Running errors: a bound E on the rounding error of a value, in units of u, half the epsilon of a
 // scalar type. Each instruction propagates the errors of its operands and adds one rounding:
 //
-//     leaf        |x|, or 0 if x is a number of the scalar
+//     leaf        |x|, or 0 if the scalar type can represent x
 //     x +- y      Ex + Ey + |x +- y|
 //     x y         Ex |y| + Ey |x| + u Ex Ey + |x y|, without |x y| if x or y is a power of two
 //     x / y       (Ex + |x/y| Ey) / |y| + |x/y|
@@ -98,8 +98,8 @@ struct RunningErrorRules {
   [[nodiscard]] Value multiply(const Value& x, const Value& y) const;
   [[nodiscard]] Value divide(const Value& x, const Value& y) const;
   [[nodiscard]] Value square_root(const Value& x) const;
-  /// The value and error of f(x, y); functions of one argument ignore y. A function with kinks has
-  /// the larger error of its operands; `is_lost` is set for `sign` of an uncertain value.
+  /// The value and error of f(x, y); functions of one argument ignore y. The error of a function
+  /// with kinks is the larger error of x and y; `is_lost` is set for `sign` of an uncertain value.
   [[nodiscard]] Value call(FunctionId function, const Value& x, const Value& y) const;
 };
 

@@ -1,5 +1,5 @@
-// Solves linear equations in closed form, and searches the roots of other equations in boxes.
-// Newton's method refines roots; it starts at the middles of boxes.
+// Solves linear equations in closed form. Searches boxes for the roots of all other equations:
+// Newton's method starts at the middle of a box and computes the root to 58 digits.
 #include "analyse/block_roots.hpp"
 
 #include <fmt/format.h>
@@ -222,7 +222,7 @@ class BlockSearch {
   void add_root(Arguments<Real> root) {
     for (std::size_t i = 0; i < unknowns_.coordinates.size(); ++i) {
       Real& q = root.q[unknowns_.coordinates[i]];
-      // An angle is searched over a whole turn, beyond its range, to find chart breaks.
+      // An angle outside its range is kept, because the chart may break there.
       if (unknowns_.kinds[i] == SearchKind::turn) q = wrap_angle(q);
       if (unknowns_.kinds[i] == SearchKind::range && !is_in_search_range(i, q)) return;
     }

@@ -21,7 +21,7 @@ struct RestSystem {
   State state = {};  ///< values of parameters and inputs, start values of coordinates
 
   [[nodiscard]] const Function& residual() const { return program.functions[0]; }
-  /// The form of the equation of a velocity; none if the form exceeds the budget.
+  /// The closed form of r[velocity]; none if the form exceeds the budget.
   [[nodiscard]] const std::optional<Fraction>& equation_form(std::uint32_t velocity) const {
     return forms.functions[0].fields[0].entries[velocity];
   }

@@ -19,8 +19,8 @@ double length(const Enclosure& x) { return x.high - x.low; }
 /// The relative enlargement of a tested box on each side.
 constexpr double margin = 0.05;
 
-/// After all undecided boxes have reached the resolution, the resolution decreases by this factor.
-/// So boxes along a curve of solutions have equal sizes when the limit is reached.
+/// If all undecided boxes are smaller than the resolution, this number divides the resolution.
+/// Thus boxes along a curve of solutions have equal sizes when the limit of boxes is reached.
 constexpr double refinement = 16;
 
 Box enlarge_box(const Box& box) {

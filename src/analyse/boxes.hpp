@@ -31,7 +31,7 @@ struct IntervalEquations {
 using Box = std::vector<Enclosure>;
 
 struct BoxSearchResult {
-  std::vector<Box> single = {};      ///< each has one simple solution; two may share a solution
+  std::vector<Box> single = {};      ///< each contains one simple zero; two may share a zero
   std::vector<Box> undecided = {};   ///< smaller than the resolution
   std::vector<Box> open_boxes = {};  ///< not yet decided when the limit was reached
   std::uint64_t examined = 0;

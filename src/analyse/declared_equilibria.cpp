@@ -1,6 +1,6 @@
 // Checks [[equilibrium]] entries by closed forms of the residual and of det(x M - K) at the point.
-// If the forms do not decide, an entry is checked at the states of sample_equilibrium(): inspect()
-// has tested the balance at these states, and frequencies are compared in 64 digits.
+// If the forms do not decide, numbers at the states of sample_equilibrium() decide: inspect() has
+// tested the balance at these states, and compare_frequencies() computes there in 64 digits.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -115,8 +115,8 @@ class MonomialEquations {
   std::vector<Equation> equations_ = {};
 };
 
-/// `equations` without the unknowns that an equation with one term sets to 0, and an equation x = 0
-/// for each of these unknowns x.
+/// `equations` without the unknowns that an equation with one term sets to 0. For each of these
+/// unknowns x, one equation x = 0 is appended.
 std::vector<Equation> eliminate_zero_unknowns(std::vector<Equation> equations) {
   std::set<std::size_t> zeros;
   for (bool is_done = false; !is_done;) {

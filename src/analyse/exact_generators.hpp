@@ -1,5 +1,5 @@
-// The symmetries for generic parameters: the conditions on a generator as closed forms, in which
-// the coefficient of each monomial in q, v, a and t vanishes.
+// The symmetries for generic parameters. The conditions on a generator are closed forms, and the
+// coefficient of each monomial in q, v, a and t in these forms must be 0.
 #pragma once
 
 #include <algorithm>

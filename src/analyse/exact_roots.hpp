@@ -49,7 +49,7 @@ struct LinearSolution {
 [[nodiscard]] Replacements coordinate_replacements(const std::vector<std::uint32_t>& coordinates,
                                                    const std::vector<RestCoordinate>& values);
 
-/// True if a form contains the coordinate; by default, if it contains any coordinate.
+/// True if `form` contains `coordinate` or, without `coordinate`, any coordinate.
 [[nodiscard]] bool contains_coordinate(const Algebra& algebra, const Fraction& form,
                                        std::optional<std::uint32_t> coordinate = {});
 

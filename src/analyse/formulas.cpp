@@ -112,7 +112,7 @@ class FormSubstitution {
     return complex_form(arithmetic_, cosine, sine);
   }
 
-  /// The cosine and sine of the atom's leaf, if its replacement has them.
+  /// Replacement::sinusoids of the leaf x if the argument of `atom` is a multiple of x; else none.
   [[nodiscard]] std::optional<CosineAndSine> known_sinusoids(const Atom& atom) const {
     const Atom* const leaf = find_argument_leaf(algebra_, atom);
     if (leaf == nullptr) return std::nullopt;

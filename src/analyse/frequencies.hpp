@@ -18,7 +18,7 @@ struct RestMatrices {
   std::vector<Fraction> stiffness = {};
 };
 
-/// M and K at a point. `forms` are the closed forms of the equilibria; their algebra grows.
+/// M and K at a point. Adds atoms to the algebra of `forms`, the closed forms of the equilibria.
 [[nodiscard]] RestMatrices rest_matrices(const Model& model, ClosedForms& forms,
                                          const RestPoint& point);
 
@@ -30,7 +30,7 @@ struct SquaredFrequency {
   Fraction divisor = {};
 };
 
-/// w^2 of each block of one or two coordinates out of `size`. A block of two coordinates has two
+/// w^2 of each block with one or two of the `size` coordinates. A block of two coordinates has two
 /// entries without a root if b^2 - 4 a c is a non-zero square. Empty if M or K has no closed form.
 [[nodiscard]] std::vector<SquaredFrequency> squared_frequencies(ClosedForms& forms,
                                                                 const RestMatrices& at_rest,

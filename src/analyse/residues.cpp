@@ -153,8 +153,8 @@ cl_MI residue_of(const cln::cl_RA& number) {
          cln::recip(residue_field()->canonhom(cln::denominator(number)));
 }
 
-/// Rational reconstruction: Euclid's algorithm for prime and residue, up to the first remainder
-/// below the bound.
+/// Rational reconstruction: Euclid's algorithm for the prime and `residue` stops at the first
+/// remainder below `bound`.
 std::optional<cln::cl_RA> reconstruct_rational(const cl_MI& residue) {
   const cl_I bound = cln::ash(cl_I(1), 250);
   cl_I before = prime();

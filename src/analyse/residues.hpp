@@ -17,7 +17,7 @@ namespace elgen {
 /// The field of 2^521 - 1 elements.
 [[nodiscard]] const cln::cl_modint_ring& residue_field();
 
-/// n/d = `number` modulo the prime: n times the inverse of d.
+/// The residue of the fraction `number` = n/d: n times the inverse of d, modulo the prime.
 [[nodiscard]] cln::cl_MI residue_of(const cln::cl_RA& number);
 
 /// The unique rational number with numerator and denominator below 2^250 that has this residue, if

@@ -72,8 +72,8 @@ Expressions residual_of(const Program& moving, const std::vector<cln::cl_R>& inp
   return residual;
 }
 
-/// A value as a sum of rational multiples of coordinates and other terms. `all` has the coordinates
-/// of all terms, `number` the value of a rational constant.
+/// A value as a sum of two parts: rational multiples of coordinates, and all other terms. `all` has
+/// the coordinates of both parts. `number` is the value if the value is a rational constant.
 struct LinearOccurrence {
   std::map<std::uint32_t, cl_RA> multiples = {};
   std::optional<cl_RA> number = {};

@@ -1,4 +1,4 @@
-// The range of an angle also contains all angles that differ by whole turns from an angle in it.
+// An angle is in its range if the angle plus an integer number of whole turns is in the interval.
 #include "analyse/searched_range.hpp"
 
 #include "numbers/exact_number.hpp"

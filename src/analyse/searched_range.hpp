@@ -14,7 +14,7 @@ inline constexpr long root_digits = 25;
 /// 2 pi.
 [[nodiscard]] const Real& whole_turn();
 
-/// The smallest angle >= `lowest`, to root_digits, that differs from `angle` by whole turns.
+/// The smallest `angle` + 2 pi k, k an integer, that is at least `lowest` - 2 pi 1e-25.
 [[nodiscard]] Real wrap_above(const Real& angle, const Real& lowest);
 
 /// The searched range of a coordinate; null if it has no range, or if the range is a whole turn.

@@ -30,8 +30,8 @@ using Matrix = Eigen::MatrixXd;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Poles = std::vector<std::complex<double>>;
 
-/// Values of w^2 that differ by less than this fraction of the largest are equal. Components of a
-/// shape below this fraction of the largest are 0.
+/// Values of w^2 are equal if they differ by at most this fraction of the largest w^2. A component
+/// of a shape is 0 if its magnitude is below this fraction of the largest component.
 constexpr double equal_share = 1e-9;
 
 /// Real parts below this fraction of the largest pole may be rounding errors: the relative error of

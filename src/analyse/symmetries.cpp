@@ -137,7 +137,7 @@ bool keeps_lagrangian_at(const SystemUnderTest& subject, const Algebra& algebra,
   return figure && *figure < noise;
 }
 
-/// True if the generator does not change L at any state: dL = 0, so F = 0.
+/// True if dL = 0 at all `states`: the generator does not change L, so F = 0.
 bool keeps_lagrangian(const SystemUnderTest& subject, const Algebra& algebra,
                       const Generator& generator, const std::vector<State>& states) {
   return with_digits(sampling_digits, [&] {
@@ -200,8 +200,8 @@ bool solves_all(const std::vector<SampledGenerators>& sets, const Generator& gen
   });
 }
 
-/// True if E is conserved, but T + V is not. If T1 = 0, T + V - E = 2 T0 is constant unless it
-/// contains q or t. If T1 is not 0, returns false.
+/// True if E is conserved, but T + V is not. If T1 = 0, T + V - E is 2 T0, which is constant unless
+/// T0 contains q or t. If T1 is not 0, returns false.
 bool has_varying_total_energy(Symmetries& found, const MotionForms& motion) {
   const bool has_time = std::ranges::any_of(found.symmetries, [](const Symmetry& symmetry) {
     return symmetry.kind == SymmetryKind::time;

@@ -15,7 +15,8 @@ using cln::cl_RA;
 
 bool is_zero_form(const Fraction& x) { return x.numerator.empty(); }
 
-/// The last non-zero unknown. It is a free unknown of the echelon form, since pivots precede it.
+/// The index of the last non-zero unknown. This unknown is free in the echelon form, because all
+/// pivots precede it.
 std::size_t free_unknown(const Generator& solution) {
   std::size_t last = 0;
   for (std::size_t u = 0; u < solution.size(); ++u) {
@@ -61,7 +62,7 @@ class BasisChange {
     replaced_.push_back({parts.front(), dimension, wanted});
   }
 
-  /// Replaces all vectors at the end, because the new vectors are combinations of the old vectors.
+  /// Replaces the planned vectors only now, because plan_replacement() needs the old vectors.
   void apply(const GeneratorLayout& all) {
     for (const CommonRotation& common : replaced_) {
       for (std::size_t i = 0; i < basis_.size(); ++i) {
@@ -78,7 +79,7 @@ class BasisChange {
     Generator rotation = {};
   };
 
-  /// Tests wanted = sum over i in `parts` of wanted[free_i] basis_i.
+  /// True if `wanted` is the sum over i in `parts` of wanted[free_i] basis_i.
   [[nodiscard]] bool is_solution(const Generator& wanted, const std::vector<std::size_t>& parts) {
     Arithmetic arithmetic(forms_.algebra);
     for (std::size_t u = 0; u < wanted.size(); ++u) {
@@ -93,14 +94,14 @@ class BasisChange {
     return true;
   }
 
-  /// Subtracts `generator` from a multiple of a common rotation, if coinciding points do not move
-  /// under the difference. For two bodies, the rotation of one body about the other remains.
+  /// Replaces `generator` by a multiple of `common` minus `generator`, if this difference does not
+  /// move points that coincide. For two bodies, the rotation of one body about the other remains.
   void make_relative(const GeneratorLayout& all, const CommonRotation& common,
                      Generator& generator) {
     const std::size_t dimension = common.dimension;
     const Generator& rotation = common.rotation;
     Arithmetic arithmetic(forms_.algebra);
-    // The change of coordinate i if all points are at 1 along an axis.
+    // The change of coordinate i if every point has coordinate 1 along `axis` and 0 otherwise.
     const auto moved = [&](const Generator& of, std::size_t i, std::size_t axis) {
       OptionalFraction sum = Fraction{};
       for (std::size_t k = axis; k < all.scalar_count(); k += dimension) {

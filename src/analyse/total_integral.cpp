@@ -53,7 +53,8 @@ class LeafIntegrator {
   }
 
  private:
-  /// The integral of x^n e^(r x) is e^(r x) sum_k (-1)^k n!/(n-k)! x^(n-k)/r^(k+1).
+  /// The integral of x^n e^(r x): e^(r x) sum_k (-1)^k n!/(n-k)! x^(n-k)/r^(k+1), or
+  /// x^(n+1)/(n+1) if r = 0. None for x^-1, for other functions of x, and for n < 0 with r != 0.
   OptionalFraction integrate_term(const Monomial& monomial, const GaussianRational& coefficient) {
     const AtomId own = leaf_.numerator.begin()->first[0].atom;
     std::int32_t n = 0;

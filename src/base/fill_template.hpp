@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-// Packages install the header in a folder; its author publishes a single file.
+// Packages install mustache.hpp in the folder kainjow; its author publishes the file alone.
 #if __has_include(<kainjow/mustache.hpp>)
 #include <kainjow/mustache.hpp>
 #else

@@ -27,7 +27,7 @@ class Json {
   /// An integer or a boolean.
   template <std::integral Number>
   Json(Number number) : value_(StoredNumber<Number>{number}) {}
-  /// An infinite number is printed as null.
+  /// A number that is not finite is printed as null.
   Json(double number) : value_(number) {}
   Json(std::string text) : value_(std::move(text)) {}
   Json(std::string_view text) : value_(std::string(text)) {}
@@ -42,7 +42,7 @@ class Json {
   [[nodiscard]] static Json array(Array elements = {});
   [[nodiscard]] static Json object();
 
-  /// The member of an object with this key. A missing member is added; null becomes an object.
+  /// The member `key` of an object. A missing member is added; null becomes an object.
   Json& operator[](std::string_view key);
   /// Adds an element to an array; null becomes an array.
   Json& push_back(Json element);

@@ -75,9 +75,9 @@ void set_output_arguments(Model& model, const std::vector<ExpressionTraits>& tra
   }
 }
 
-/// Checks the energies, reads the closed forms of [[expect]] and the scene's expansion point,
-/// starts and laws, then checks all expressions together. A closed form needs the outputs of the
-/// model.
+/// Checks the energies. Then reads the closed forms of [[expect]], which need the outputs of the
+/// model, and three parts of the scene: expansion point, starts and laws. Last, checks all
+/// expressions together.
 void check_model_and_scene(Context& context, const FileSyntax& syntax,
                            const FileSyntax* scene_syntax, const SceneOptions& options,
                            Scene& scene) {
@@ -100,8 +100,8 @@ void check_model_and_scene(Context& context, const FileSyntax& syntax,
   check_units(context);
 }
 
-/// Eliminates the variables that the scene locks or declares cyclic. Everything that the scene
-/// requests is checked afterwards, against the reduced model.
+/// Eliminates the variables that the scene locks or declares cyclic. read_scene() comes later and
+/// checks the requested outputs against the reduced model.
 void reduce_model(Context& context) {
   context.model = eliminate_held_coordinates(std::move(context.model));
   while (context.constants.size() < context.model.expressions.size()) {

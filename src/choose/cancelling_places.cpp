@@ -29,9 +29,9 @@ constexpr std::size_t max_sum_terms = 8;
 struct SumTerm;
 using SumTerms = std::vector<SumTerm>;
 
-/// One term of a sum, in doubles because it only serves to find zeros (ScaledTerm and RealTerm are
-/// exact): a number `factor`, factor * x or factor * x^2 of a coordinate x, or factor times a root,
-/// inverse or function of a sum; or opaque.
+/// One term of a sum, in doubles because it only serves to find zeros: a number `factor`; `factor`
+/// times x or x^2, with a coordinate x; `factor` times a root, inverse or function of a sum. Any
+/// other term is opaque.
 struct SumTerm {
   enum class Kind : std::uint8_t { number, linear, square, root, inverse, call, opaque };
   Kind kind = Kind::opaque;

@@ -125,8 +125,8 @@ class RecursiveForms {
   const Program& chosen_;  ///< contains the functions chosen so far
   const Domain& domain_;
   const Scene& scene_;
-  std::map<std::size_t, Function> energy_sums_ = {};  ///< total_energy by function number
-  std::map<std::size_t, FormErrors> errors_ = {};     ///< by function number
+  std::map<std::size_t, Function> energy_sums_ = {};  ///< forms of total_energy, by index
+  std::map<std::size_t, FormErrors> errors_ = {};     ///< by index of the function
   SumZeros zeros_;
 };
 
@@ -191,7 +191,7 @@ class FormChooser {
     }
     if (FormErrors* text = is_complete(entries) ? recursive_forms_.errors_of(index) : nullptr) {
       for (std::size_t i = 0; i < entries.size(); ++i) {
-        entries[i]->precise.reset();  // already decided by the function of the entry
+        entries[i]->precise.reset();  // the function of the entry has already chosen
         text->add_rewriting(text->errors_of(entries[i]->compact), i);
       }
     }
@@ -239,8 +239,8 @@ class FormChooser {
     return closed;
   }
 
-  /// The entries, lowered as one function. Chooses the closed form in `costs` if this form is not
-  /// dearer than the recursive form and all its entries are accurate.
+  /// The entries, lowered as one function. Sets `costs.chosen_form` to closed if all entries are
+  /// accurate and this function is not dearer than `recursive`, else to recursive.
   Function lower_closed_form(std::size_t index, const Function& recursive,
                              const ReadableEntries& entries, FormCosts& costs) {
     LoweringRequirements aim = aim_;

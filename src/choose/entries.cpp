@@ -26,8 +26,8 @@ std::size_t term_count(const ClosedFunction& closed) {
   return count;
 }
 
-/// All rewritings of an entry, shortest first: the rewritings of its closed form, precise
-/// rewritings, and the derived entry unless it is null.
+/// All rewritings of an entry, shortest first: the rewritings of its closed form, `precise`,
+/// `derived` unless it is null, and the results of rewrite_to_keep_digits().
 std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<CollectedForm> precise,
                                         const DerivedEntry* derived) {
   std::vector<Expressions> rewritings;

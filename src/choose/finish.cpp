@@ -1,7 +1,7 @@
 // finish: see finish.hpp. A guard takes two instructions per pivot. A pivot needs no guard if M_ii
 // is a number or if the pivot is already divided by M_ii. The guard multiplies by 1/M_ii if the
-// function computes 1/M_ii. Lengths of quaternions are added instruction by instruction, so that
-// all components share them.
+// function computes 1/M_ii. All components of a quaternion share the instructions that compute its
+// length.
 #include "choose/finish.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ bool has_diagonal(const Function& function) {
          function.fields.back().name == diagonal_field;
 }
 
-/// The instruction that computes 1/value; none if the function has no such instruction.
+/// The index of the instruction 1/`value`; none if `function` has no such instruction.
 std::optional<std::uint32_t> find_reciprocal(std::uint32_t value, const Function& function,
                                              const std::vector<Constant>& constants) {
   const std::vector<Instruction>& all = function.instructions;

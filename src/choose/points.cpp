@@ -20,7 +20,8 @@ constexpr double unit_of_distance = 0x1p-30;
 constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_distance,
                              107374 * unit_of_distance, 11 * unit_of_distance};
 
-/// The distances from the first places of all coordinates at once, and from the zeros of sums.
+/// The two distances of points near a zero of a sum, and of points near the first places of all
+/// coordinates at once.
 constexpr double near_distance = distances[2];
 constexpr double nearest_distance = distances[3];
 

@@ -1,4 +1,4 @@
-// points: the states, at most 66, at which all forms of a function are compared.
+// points: the states, at most 118, at which all forms of a function are compared.
 //
 // Some states are inside the ranges with nominal parameters. Others have scaled parameters; equal
 // parameters with the same unit get the same factor, since they may cancel. Others are near zeros

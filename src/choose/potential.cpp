@@ -15,8 +15,9 @@ namespace {
 /// The search tries to expand at most this many of the whole sums, one after the other.
 constexpr std::size_t most_expanded_sums = 16;
 
-/// The largest number of instructions of V and its derivatives. Closed forms of longer potentials,
-/// such as of chains of springs, are never chosen and take as long as all other functions.
+/// The largest number of instructions of V and its derivatives. For longer potentials, such as of
+/// chains of springs, no closed form is chosen, and the search would take as long as all other
+/// functions.
 constexpr std::size_t longest_potential = 1'500;
 
 /// A choice of whole sums that keeps no more digits than the best choice must save a fifth of the

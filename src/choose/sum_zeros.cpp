@@ -166,9 +166,10 @@ class ZeroProjection {
   Real last_step_length_ = Real(0);
 };
 
-/// Starts: states inside the ranges, and two states per coordinate, derived from the first state.
-/// One has the sign of the coordinate changed, because zeros of a + b cos(x) depend on the sign of
-/// a. The other is on the axis of the coordinate, where zeros on circles are found.
+/// Starts: states inside the ranges, and two copies of the first state for each of the first
+/// `most_axes` coordinates. In one copy, the coordinate has the opposite sign, because zeros of
+/// a + b cos(x) depend on the sign of a. In the other copy, all other coordinates are 0: this finds
+/// zeros on circles.
 std::vector<Arguments<double>> make_starts(const Domain& domain) {
   std::vector<Arguments<double>> all(
       domain.states.begin(), domain.states.begin() + static_cast<std::ptrdiff_t>(std::min(

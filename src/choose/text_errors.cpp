@@ -20,8 +20,8 @@ constexpr long accurate_ratio = 64;
 constexpr double certainly_accurate_ratio = 16;
 
 constexpr double unit_roundoff = 0x1p-53;
-/// Values in double that differ by at most this many times the sum of their error bounds may be
-/// equal.
+/// Two values in double count as equal if their difference is at most this many times the sum of
+/// their error bounds.
 constexpr double certainly_equal = 4;
 /// A value in double whose relative error is at most this is precise enough as the magnitude |x|.
 constexpr double max_certain_error = 0x1p-10;

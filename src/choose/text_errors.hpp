@@ -1,7 +1,7 @@
 // text_errors: the errors of all forms of a function's entries at the points of comparison.
 //
-// The recursive form of a function, called the text here, is the typed energies, differentiated. E
-// is the running error in u (accuracy/running_errors.hpp) of an entry x:
+// The recursive form of a function, called the text here, consists of derivatives of the typed
+// energies. E is the running error in u (accuracy/running_errors.hpp) of an entry x:
 //
 //     E > 64 max(E of the text, |x|)    the form is inaccurate in x; also if it has no value or its
 //                                       value differs from the value of the text

@@ -19,8 +19,8 @@ void read_prescribed(ValueReader& values, const EntrySyntax& entry, std::uint32_
 /// Reads the transforms from the parent, and derives the pose in the world.
 void read_frame(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);
 
-/// E516 for every frame step that leaves the plane if vectors have 2 components: a turn about an
-/// axis other than z, or a shift along z.
+/// If vectors have 2 components, reports E516 for every frame step that leaves the plane: a turn
+/// about an axis other than z, or a shift along z.
 void check_plane(Context& context);
 
 void read_point(ValueReader& values, const EntrySyntax& entry, std::uint32_t target);

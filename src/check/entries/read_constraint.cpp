@@ -156,7 +156,7 @@ bool may_turn(const Context& context, std::optional<std::uint32_t> frame) {
   return false;
 }
 
-/// The point P if the whole expression is the rate dot(x(P)).
+/// The point P if the expression is dot(x(P)), dot(y(P)) or dot(z(P)); none for other expressions.
 std::optional<std::uint32_t> find_rate_point(const Model& model, ExpressionId value) {
   const Expression& node = model.expressions[value];
   if (node.kind != ExpressionKind::time_derivative) return std::nullopt;

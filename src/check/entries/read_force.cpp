@@ -94,7 +94,7 @@ std::vector<ExpressionId> input_leaves(Context& context, std::uint32_t first, st
   return all;
 }
 
-/// Adds an unnamed point at the origin of a frame.
+/// Adds a point at the origin of a frame. Expressions cannot name this point (`is_named` is false).
 std::uint32_t add_origin_point(Context& context, std::uint32_t frame, const Span& span) {
   Point point;
   point.name = context.model.frames[frame].name;
@@ -124,8 +124,8 @@ const KeySyntax* find_force_key(const EntrySyntax& entry, Report& report) {
   return nullptr;
 }
 
-/// Reads the output of a frame: the pose [R p], and the twist in world axes or in the axes of the
-/// frame itself, as the key `axes` states.
+/// Reads the output of a frame: the pose [R p], and the twist. The key `axes` names the axes of the
+/// twist: `world` (the default) or the frame itself.
 void read_frame_output(ValueReader& values, const EntrySyntax& entry, UserOutput& output) {
   Context& context = values.context();
   output.frame = values.resolve_reference(entry.find("frame")->value, SymbolKind::frame);

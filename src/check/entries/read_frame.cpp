@@ -89,9 +89,9 @@ Vector3 spin_of_matrix(NodeBuilder& nodes, const Matrix3& rotation) {
   return result;
 }
 
-/// Angular velocity of the axes after the transform relative to the axes before it, in the axes
-/// after it. Turn: n dangle/dt. Quaternion (w, e): 2 (w de/dt - dw/dt e - e x de/dt)/|q|^2.
-/// Rotation: its velocities.
+/// The angular velocity that `transform` adds, in the axes after `transform`. For a turn about n:
+/// n dangle/dt. For a quaternion (w, e): 2 (w de/dt - dw/dt e - e x de/dt)/|q|^2. For the rotation
+/// of a coordinate: the three velocities of the coordinate.
 Vector3 transform_spin(NodeBuilder& nodes, const Model& model,
                        const ElementaryTransform& transform) {
   Vector3 result{};

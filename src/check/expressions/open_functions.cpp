@@ -112,9 +112,9 @@ void add_rates(const Model& model, const Expression& differentiated, std::set<Va
   }
 }
 
-/// The variables on which an expression depends. d/dt e depends on the rates of the coordinates in
-/// e, and perhaps on these coordinates: d/dt x^2 does, d/dt x does not. The coordinates are
-/// included only if `include_rate_arguments`.
+/// The variables on which the expression `root` depends. For d/dt e, these are the rates of the
+/// coordinates in e and, if `include_rate_arguments`, the coordinates in e: d/dt x^2 depends on x,
+/// but d/dt x does not.
 std::set<VariableId> find_dependencies(const Model& model, ExpressionId root,
                                        bool include_rate_arguments) {
   constexpr LeafSet kinds = Opcode::coordinate | Opcode::velocity | Opcode::time;

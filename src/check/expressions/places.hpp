@@ -1,6 +1,6 @@
-// Places: the ingredients (leaves and functions) that each kind of expression may contain. A
-// position may contain coordinates and time, an energy no input. No name may occur in its own
-// definition.
+// Places: the ingredients (leaves and functions) that each kind of expression may contain. For
+// example, a position may contain coordinates but no rate, and an energy may contain no input. No
+// name may occur in its own definition.
 #pragma once
 
 #include <vector>

@@ -85,7 +85,7 @@ class Resolver {
   std::optional<ExpressionId> resolve_sum(const ExpressionSyntax& call);
   std::optional<ExpressionId> resolve_delta(const ExpressionSyntax& call);
 
-  /// An entry with a position, and the number of its first position component.
+  /// An entry with a position. The component `first` of the entry is the x of the position.
   struct ResolvedPlace {
     NamedKind kind = NamedKind::point;
     std::uint32_t index = 0;

@@ -63,7 +63,7 @@ std::optional<std::vector<cln::cl_R>> read_constants(ValueReader& values, const 
   return result;
 }
 
-/// Reads the start quaternion and scales it to length 1, as locks do.
+/// Reads the start quaternion and scales the quaternion to length 1.
 void read_start_value(ValueReader& values, const ValueSyntax& value, const Rotation& rotation) {
   const auto quaternion = read_constants(values, value, quaternion_size);
   if (!quaternion) return;

@@ -42,7 +42,7 @@ InferredUnit quotient_unit(const InferredUnit& a, const InferredUnit& b) {
 
 InferredUnit rate_unit(const InferredUnit& base) { return quotient_unit(base, known("s")); }
 
-/// Dimensionless, unless the argument's unit is unknown.
+/// The unit 1 of a pure number; unknown if the unit of `argument` is unknown.
 InferredUnit pure_if_known(const InferredUnit& argument) {
   return argument.knowledge == UnitKnowledge::unknown ? InferredUnit{} : known_as(Unit{});
 }

@@ -1,6 +1,6 @@
 // Units: reads unit texts such as `kg*m^2/s`, `N/(m*s)`, `m^(1/2)` and `1`. Infers the units of
-// expressions from their leaves; compares the terms of sums, and each value with its place. Writes
-// hints and notes about units.
+// expressions from their leaves. Compares the units of the terms of a sum, and the unit of each
+// value with the unit that its place expects. Writes hints and notes about units.
 #pragma once
 
 #include <optional>

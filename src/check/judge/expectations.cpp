@@ -293,7 +293,7 @@ void read_within_node_limit(Context& context, const std::optional<ExpectationSta
   }
 }
 
-/// True if the entry contains `no_expression`, which replaces errors and the z of a planar point.
+/// True if `entry` contains `no_expression`: a part with an error, or the z of a planar point.
 bool contains_error(const Model& model, ExpressionId entry) {
   return std::ranges::count(reachable_expressions(model, {entry}), no_expression) > 0;
 }

@@ -15,8 +15,8 @@ namespace elgen {
 /// Sets Model::is_quadratic, uses_time and may_drift.
 void check_mechanics(Context& context, const std::vector<ExpressionTraits>& traits);
 
-/// One flag per velocity: true if the velocity occurs in T or L or in the motion of a point or body
-/// with mass, or if it has an armature.
+/// One flag per velocity: true if T, L, a spin, or the motion of a point or body with mass contains
+/// the velocity, or if the coordinate of the velocity has an armature.
 [[nodiscard]] std::vector<bool> velocities_with_energy(const Model& model);
 
 /// Rewrites sin(a)/a, (1 - cos(a))/a and (1 - cos(a))/a^2 as Stumpff functions in equations and
@@ -36,7 +36,7 @@ void check_expected_equations(Context& context, const std::vector<ExpressionTrai
 
 /// Resolves every closed form and compares its shape with the output's. Closed forms of sized
 /// models grow faster than the model, so forms with more than 4096 nodes are kept only if `large`.
-/// E517, E601, E603, E505, and the errors of read_expected_state.
+/// E517, E601, and the errors of require_request() and read_expected_state().
 void read_expectations(Context& context, const FileSyntax& syntax, bool large);
 
 }  // namespace elgen

@@ -21,8 +21,8 @@ bool has_masses(const Model& model) {
 
 using Expressions = std::vector<ExpressionId>;
 
-/// True if a root belongs to the equations or outputs by itself. Frames, names and points without
-/// mass do not: they belong only if another root refers to them.
+/// True if a root belongs to the equations or outputs by itself. Frames, definitions, prescribed
+/// functions and points without mass belong only if another root refers to them.
 bool is_in_equations(const Model& model, const Root& root) {
   switch (root.entity.kind) {
     case EntityKind::point:
@@ -43,7 +43,7 @@ bool is_in_equations(const Model& model, const Root& root) {
   return true;
 }
 
-/// All expressions in the equations and outputs, and the motions on which forces do work.
+/// All expressions in the equations and outputs, and the work_expressions() of all forces.
 Expressions expressions_in_equations(const Model& model) {
   Expressions all =
       filter_roots(model, [&model](const Root& root) { return is_in_equations(model, root); });
@@ -178,7 +178,7 @@ class MechanicsCheck {
   const std::vector<ExpressionTraits>& traits_;
 };
 
-/// Subexpressions of T and L as the file writes them, and of the bodies' spins.
+/// All subexpressions of the keys `T` and `L` of the file, and of the spins of bodies.
 Expressions expressions_in_energies(const Model& model) {
   return reachable_expressions(model, filter_roots(model, [](const Root& root) {
                                  const bool is_of_body = root.entity.kind == EntityKind::body;

@@ -178,8 +178,8 @@ void multiply_series(PowerProduct& product, const VanishingFactor& factor) {
   product.multiply_factor({factor.argument, 1, factor.order});
 }
 
-/// The expression and form of a factor sin(a) or 1 - cos(a) of the product, if a is proportional to
-/// the coordinate. A factor of the order `wanted` is preferred.
+/// The node and the parts of a factor sin(a) or X - X cos(a) of `product`, if a is proportional to
+/// `coordinate`; none if no factor matches. A factor of the order `wanted` is preferred.
 std::optional<std::pair<ExpressionId, VanishingFactor>> find_cancelling_factor(
     const PowerProduct& product, std::uint32_t coordinate, int wanted) {
   std::optional<std::pair<ExpressionId, VanishingFactor>> found;
@@ -218,8 +218,8 @@ std::optional<PowerProduct> cancel_divisors(const Model& model, ExpressionId id)
   return result;
 }
 
-/// The terms X and -X cos(a) as X a^2 stumpff(a, 2). None if the terms do not match, or if a
-/// coordinate would remain in the denominator.
+/// The sum of the terms X and -X cos(a) as X a^2 stumpff(a, 2). None if `whole` and `part` are
+/// other terms, or if a coordinate would remain in the denominator.
 std::optional<PowerProduct> merge_pair(const Model& model, ExpressionId whole, ExpressionId part) {
   const auto factor = find_versine(model, whole, part);
   if (!factor) return std::nullopt;

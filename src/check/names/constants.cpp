@@ -99,8 +99,7 @@ EnclosedResult apply_operation(const Expression& node, const Operands& x,
   }
 }
 
-/// The result of an operation; unknown if a float overflows. The float may be an error bound, which
-/// has few digits.
+/// The result of an operation; unknown if a float overflows, in the value or in the error bound.
 EnclosedResult try_operation(const Expression& node, const Operands& x,
                              const EnclosedArithmetic& with) {
   try {

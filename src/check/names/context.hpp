@@ -137,7 +137,7 @@ struct Context {
   Span lagrangian_span = {};  ///< the key `L`
   std::vector<WrittenExpression> roots = {};
   std::vector<ParameterBounds> bounds = {};  ///< by parameter array
-  /// declared units, by prescribed function
+  /// Declared units, by prescribed function.
   std::vector<std::optional<Unit>> prescribed_units = {};
 };
 

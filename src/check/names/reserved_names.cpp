@@ -45,7 +45,8 @@ bool has_macro_prefix(std::string_view name) {
   return std::ranges::any_of(macro_prefixes, starts);
 }
 
-/// True if the word occurs in a line that has no unit: `J` is also the joule.
+/// True if `word` occurs in a line without the text "unit" before `word`. After "unit", `J` is the
+/// joule.
 bool is_in_file(const SourceText* source, std::string_view word) {
   if (source == nullptr) return false;
   const std::string_view text = source->text;

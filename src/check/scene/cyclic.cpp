@@ -16,7 +16,7 @@ namespace elgen {
 
 namespace {
 
-/// Finds the entries that act on a coordinate, and the entries of other coordinates that contain
+/// Finds the inputs and forces that act on a coordinate, and the forces, laws and D that contain
 /// the coordinate.
 class ObstacleSearch {
  public:
@@ -64,7 +64,8 @@ class ObstacleSearch {
     }
   }
 
-  /// Checks the components of a force, and the position components along which the force is not 0.
+  /// Adds an obstacle if `components`, or the entries of `place` (a position or a spin) along which
+  /// the component is not 0, contain the coordinate.
   void check_force_position(const Force& force, const Vector3& place, const Expressions& components,
                             const std::string& name) {
     Expressions all = components;

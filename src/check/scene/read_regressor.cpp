@@ -1,5 +1,5 @@
-// read_regressor: the parameters for which the regressor has columns. All forces are affine in
-// them.
+// read_regressor: the parameters for which the regressor has columns. All forces must be affine in
+// these parameters.
 #include <fmt/format.h>
 
 #include <algorithm>

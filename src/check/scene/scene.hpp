@@ -11,8 +11,9 @@
 
 namespace elgen {
 
-/// Reads the scene, except for the starts and laws, which are already read. E103, E105, E112, E518,
-/// E601–E611, E620, E505, E108. An option overrides the scene.
+/// Reads the scene, except for the starts and laws, which are already read. An option overrides the
+/// scene. E112, E204, E205, E319, E518, E602, E603, E606, E609, and the errors of require_request()
+/// and of the functions below up to read_independent_velocities().
 void read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& options,
                 Scene& scene);
 

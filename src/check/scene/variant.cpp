@@ -96,7 +96,7 @@ class ModelReducer {
     if (model_.uses_time) model_.may_drift = true;
   }
 
-  /// Adds the energy 1/2 J (ds/dt)^2 of the armature J of a locked coordinate that moves.
+  /// Adds the energy 1/2 J (ds/dt)^2 of a locked coordinate s(t) with the armature J to L or T.
   void add_armature(const Coordinate& coordinate, std::uint32_t rate) {
     const ExpressionId speed = append_expression(
         {.kind = ExpressionKind::named, .named = NamedKind::prescribed, .index = rate});
@@ -139,8 +139,8 @@ class ModelReducer {
     }
   }
 
-  /// Replaces the rate or acceleration of a held variable; for a rotation by 0, since rotations are
-  /// locked at constants.
+  /// Replaces `node`, the rate or acceleration of a held variable, by a prescribed function; for a
+  /// rotation, by 0, since rotations are locked at constants.
   void rewrite_rate(Expression& node) const {
     const Velocity& velocity = whole_.velocities[node.index];
     if (velocity.rotation) {
