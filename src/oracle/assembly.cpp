@@ -5,7 +5,7 @@
 // Here dq/dt = N v, and A is the Jacobian of the constraints f. The error of an equation is f
 // divided by the length of its row of A: a distance in coordinates. Rows that depend linearly on
 // earlier rows are dropped, so redundant but consistent equations can be solved. Every step is
-// rounded to floats, since exact rationals would double in length with each step.
+// rounded to floats, since exact rationals would need twice as many digits after each step.
 #include <numeric>
 #include <utility>
 
@@ -22,8 +22,8 @@ using cln::cl_R;
 constexpr unsigned most_newton_steps = 60;
 constexpr unsigned most_halvings = 10;
 
-/// A row is dependent if the length of its component orthogonal to the earlier rows is at most this
-/// share of the length of the row.
+/// The tolerance of independent_rows(): a row is dependent if its component orthogonal to earlier
+/// rows has at most this share of the length of the row.
 const cl_R& dependence_tolerance() {
   static const cl_R share = power_of_ten(-12);
   return share;
@@ -65,7 +65,7 @@ LinearisedConstraints independent_rows(const LinearisedConstraints& all,
   return kept;
 }
 
-/// The Newton step x with s = 1 (head of file); empty if the linear equations have no solution.
+/// The Newton step x (head of file); empty if the linear equations for x have no solution.
 std::optional<Direction> newton_step(const Model& model, const State& state,
                                      const LinearisedConstraints& shortage,
                                      const std::vector<bool>& fixed) {
@@ -128,8 +128,8 @@ std::optional<State> damped_newton_step(const Model& model, const State& state,
   return std::nullopt;
 }
 
-/// Corrects the rates by at most one Newton step, because r is affine in v. Sets `has_rates` to
-/// true if the rates then satisfy the constraints, else to false.
+/// Corrects the rates by at most one Newton step, because the constraints on rates are affine in v.
+/// Sets `has_rates` of `at` to true if the rates then satisfy the constraints, else to false.
 void assemble_rates(const Model& model, Assembly& at, const std::vector<bool>& fixed) {
   const LinearisedConstraints shortage = linearise_rates(model, at.state);
   if (!is_satisfied(shortage, at.state.v)) {

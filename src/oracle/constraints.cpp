@@ -351,7 +351,7 @@ Values constrained_inverse_dynamics(const Model& model, const State& state) {
   for (std::size_t i = 0; i < n; ++i) force.push_back(inverse_dynamics(at, at.unit(i)));
   const Values answer = solve_constrained(system, force, still).x;
   Values matrix(inputs * (inputs + 1));
-  Values free;  // scales of the pivots: diagonal of B^T M^-1 B without constraints
+  Values free;  // scales of the pivots: the diagonal of B^T M^-1 B, which ignores A
   for (std::size_t j = 0; j <= inputs; ++j) {
     const Values response =
         j == inputs ? answer : solve_constrained(system, column_of(b, j, inputs), still).x;

@@ -42,8 +42,8 @@ namespace elgen::oracle {
                                                const Direction& w, const Direction& x,
                                                const std::vector<cln::cl_R>& multipliers);
 
-/// x and y with M x = r + A^T y, A x = s, for M n x n and A m x n. Solved by Gaussian elimination
-/// of the whole matrix with pivoting; OutsideDomain if the matrix is singular.
+/// Solution of M x = r + A^T y, A x = s, for M n x n and A m x n. solve_constrained() eliminates
+/// the whole matrix with pivoting; OutsideDomain if the matrix is singular.
 struct ConstrainedMotion {
   std::vector<cln::cl_R> x = {};
   std::vector<cln::cl_R> y = {};
@@ -82,7 +82,7 @@ struct LinearisedConstraints {
 [[nodiscard]] LinearisedConstraints linearise_rates(const Model& model, const State& state);
 
 /// The solution x of A x = s with the least 1/2 x.M x, and with x_i = 0 for each `fixed` velocity
-/// i. The other rows satisfy M x = A^T y.
+/// i. For every other velocity i, row i of M x = A^T y holds.
 [[nodiscard]] Direction least_energy_correction(const Model& model, const State& state,
                                                 const LinearisedConstraints& constraints,
                                                 const std::vector<bool>& fixed = {});

@@ -160,8 +160,8 @@ Values state_matrices(Mechanics& at) {
   return values;
 }
 
-/// w.A y (field 0) or w.B y (field 1). w has position components, then velocity components. For A,
-/// y has the same order.
+/// w.A y (field 0) or w.B y (field 1), with A and B of state_matrices(). w has position components,
+/// then velocity components. For A, y has the same order.
 cl_R state_contraction(Mechanics& at, const Contraction& by) {
   const auto middle = static_cast<std::ptrdiff_t>(at.size());
   const Direction w_position(by.w.begin(), by.w.begin() + middle);

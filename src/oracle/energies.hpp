@@ -2,10 +2,10 @@
 //
 //     T = [energy].T + sum 1/2 m |dp/dt|^2 + sum 1/2 w.I w + sum 1/2 J v_i^2
 //     V = [energy].V - sum m gravity.p
-//     L = T - V, or [energy].L (+ armatures) if the file gives L
+//     L = T - V, or [energy].L + sum 1/2 J v_i^2 if the file gives L
 //
-// With [routh] the Routhian R of the whole model replaces L. The coefficients of two further
-// generators are dL/dv_c and M_cc = d2L/dv_c2 for the cyclic velocities v_c:
+// With [routh] the Routhian R of the whole model replaces L. Two further generators give
+// dL/dv_c and M_cc = d2L/dv_c2 for the cyclic velocities v_c:
 //
 //     R = L0 - 1/2 w.v_c,   M_cc v_c = w = p - dL/dv_c,   L0, dL/dv_c and M_cc at v_c = 0
 #pragma once
@@ -26,7 +26,7 @@ namespace elgen::oracle {
 /// `motion`, extended to the coordinates of the unreduced model: locked coordinates follow their
 /// functions of time; cyclic coordinates and their rates are 0.
 [[nodiscard]] Motion whole_motion(const Model& model, const Motion& motion);
-/// v_c, in the order of Variant::cyclic. OutsideDomain if M_cc is singular.
+/// v_c, in the order of ModelReduction::cyclic. OutsideDomain if M_cc is singular.
 [[nodiscard]] std::vector<Jet> cyclic_rates(const Evaluation& at);
 [[nodiscard]] Jet dissipation(Evaluation& at);
 

@@ -6,8 +6,8 @@
 //
 //     q(s) = q + v s + a s^2/2,    v(s) = v + a s,    t(s) = t + s,
 //
-// and for a quaternion e + 1/2 e w s + 1/2 (1/4 e w w + 1/2 e dw/dt) s^2 with quaternion products.
-// The coefficient of e_1 is d/dt along the motion, the coefficient of e_1 e_2 is d2/dt2.
+// and e + 1/2 e w s + 1/2 (1/4 e w w + 1/2 e dw/dt) s^2 for a quaternion e at angular velocity w,
+// in quaternion products. The coefficients of e_1 and e_1 e_2 are d/dt and d2/dt2 along the motion.
 //
 // An open function at x + d, d nilpotent, is f + f_i d_i + 1/2 f_ij d_i d_j. The state supplies f,
 // f_i and f_ij.

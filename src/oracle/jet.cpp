@@ -146,8 +146,8 @@ void Jet::depend_on(const Jet& x, const Jet& y) {
   order_ = std::min(x.order_, y.order_);
 }
 
-/// A deviation of first order is a stored term or an unknown coefficient. If neither exists, the
-/// order is at least 2.
+/// 2 if `order_` is 1 and neither a term nor an unknown coefficient is of first order; otherwise
+/// `order_`.
 unsigned Jet::deviation_order() const {
   const auto is_first = [](Generators g) { return std::has_single_bit(g & all_generators); };
   if (order_ != 1 || std::ranges::any_of(unknown_coefficients_, is_first)) return order_;

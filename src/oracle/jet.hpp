@@ -79,7 +79,7 @@ class Jet {
   /// displacements d along dependencies().
   [[nodiscard]] unsigned deviation_order() const;
 
-  /// The derivative along the generator `one`, its coefficient: a jet in the other generators.
+  /// The coefficient of the generator `one`, which is the derivative along `one`.
   [[nodiscard]] Jet tangent(Generators one) const { return part(one, one); }
 
   /// The jet without the terms that contain any of these generators.
@@ -132,7 +132,7 @@ class Jet {
   static constexpr unsigned constant_order = 255;
 
   std::vector<Term> terms_ = {};  ///< ascending by generators, no exact zeros
-  /// Generators of coefficients that do not exist.
+  /// The generators of each coefficient that is unknown, because the derivative does not exist.
   std::vector<Generators> unknown_coefficients_ = {};
   Generators dependencies_ = 0;
   unsigned order_ = constant_order;

@@ -246,8 +246,8 @@ cl_R Mechanics::dissipation_force(const Direction& w) {
   return energy_at(dissipation, motion).coefficient(first_generator);
 }
 
-/// exact_force_along() without an expansion point. Otherwise the expanded forces: to the order of
-/// the equations along small coordinates, to one order more along all others.
+/// If no expansion point exists, exact_force_along(). Otherwise the force, expanded to the order of
+/// the equations along small coordinates, and to one order more along all others.
 Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   if (!expansion_point_) return exact_force_along(motion, w);
   Direction small = w;

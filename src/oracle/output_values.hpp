@@ -38,7 +38,7 @@ namespace elgen::oracle {
 // forward dynamics also needs a solve with M. Each output has a function for all its entries, field
 // by field, and a function for the contraction w.X y of one field.
 
-/// Derivatives of accelerations and multipliers along a change of state and inputs.
+/// Derivatives of accelerations and multipliers along a change `along` of (q, v) and `inputs` of u.
 [[nodiscard]] ConstrainedMotion motion_slope(Mechanics& at, const Displacement& along,
                                              const Direction& inputs);
 

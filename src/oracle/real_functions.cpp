@@ -129,7 +129,7 @@ cl_R base_stumpff_value(const cl_F& x, bool is_odd, bool is_hyperbolic) {
 
 /// c_k(x) = sum over n of (-1)^n x^(2 n)/(2 n + k)!, k = |order|; without the signs (-1)^n if order
 /// < 0. For small x the sum is evaluated, with additional digits for its largest term. For large x
-/// the recurrence c_(n+2) = (1/n! - c_n)/x^2 (-x^2 if order < 0) is used, which loses no digits.
+/// c_(n+2) = (1/n! - c_n)/s is used, s = x^2 (-x^2 if order < 0); this recurrence loses no digits.
 cl_R stumpff_sum(const cl_R& x, const cl_R& order) {
   const bool is_hyperbolic = cln::minusp(order);
   const unsigned k = cln::cl_I_to_uint(cln::round1(cln::abs(order)));

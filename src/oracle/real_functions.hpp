@@ -42,8 +42,8 @@ struct NumberTooLarge : OutsideDomain {
 
 /// Rationals of more bits become floats, because their gcds would dominate all other costs.
 inline constexpr unsigned max_rational_bits = 4096;
-/// The same limit for leaves of a state. Decimals of 14 digits and the rationals of exact states
-/// are shorter. Random doubles have about 106 bits and become floats: as rationals they would make
+/// Rational leaves of a state with more bits become floats. Decimals of 14 digits and the rationals
+/// of exact states are shorter. Random doubles have about 106 bits: as rationals they would make
 /// sums and products 2 to 4 times slower.
 inline constexpr unsigned max_leaf_bits = 96;
 
@@ -57,7 +57,7 @@ inline constexpr unsigned max_leaf_bits = 96;
 /// x / y; OutsideDomain if y = 0.
 [[nodiscard]] cln::cl_R quotient(const cln::cl_R& x, const cln::cl_R& y);
 
-/// x ^ exponent for x > 0 and rational exponents; exact if a square root is rational.
+/// x ^ exponent for x > 0; exact if the exponent is n/2, n odd, and sqrt(x) is rational.
 [[nodiscard]] cln::cl_R real_power(const cln::cl_R& x, const cln::cl_RA& exponent);
 
 /// Memoises every value, because all directions of a derivative use the same arguments.

@@ -136,7 +136,7 @@ cl_R force_by_reference(Mechanics& at, Mechanics& at_reference, const Direction&
          at.applied_force(w);
 }
 
-/// A parameter of a body in a frame; moments are about the frame's origin.
+/// The parameter `component` of a body in a frame; moments are about the origin of the frame.
 cl_R parameter_of_framed_body(Evaluation& at, const Body& body, std::uint32_t component) {
   const auto value = [&at](ExpressionId id) { return at.value(id).real(); };
   const LocalBody& local = *body.local;

@@ -49,7 +49,7 @@ double size_in_digits(const cl_R& x) {
   return std::max(decimal_exponent(cln::numerator(r)), decimal_exponent(cln::denominator(r)));
 }
 
-/// A state has 100 digits. The difference to 100 must exceed the 20 digits of zero_shrink_ratio().
+/// A state has 100 digits. Rounding must remove more than the 20 digits of zero_shrink_ratio().
 constexpr unsigned digits_of_rounded_state = 60;
 
 /// A value is taken for rounding errors if it shrinks by at least this factor from one trial to the
@@ -73,8 +73,8 @@ std::optional<State> round_floats(const State& state) {
   return has_floats ? std::optional(result) : std::nullopt;
 }
 
-/// The digits needed to show eighth powers of the leaves, of the literals, and of their
-/// differences.
+/// The digits needed to show eighth powers of the leaves and the literals: 8 times the largest
+/// size_in_digits() of these numbers; at most 1e6.
 unsigned digits_of_powers(const Model& model, const State& state) {
   double most = 0;
   const auto look = [&most](const cl_R& x) { most = std::max(most, size_in_digits(x)); };
@@ -157,7 +157,7 @@ StableValues evaluate_until_stable(const Model& model, const State& state,
                                    const Computation& values) {
   const StableValues undecided{.is_decided = false};
   const unsigned needed_digits = digits_of_powers(model, state);
-  // With too few digits, both trials may agree on the wrong value 1 for 1 + (1 - cos(e))/e^2.
+  // For small e, 1 + (1 - cos(e))/e^2 is 3/2. With too few digits, both trials may agree on 1.
   unsigned digits = first_trial_digits;
   while (2 * digits < last_trial_digits && working_digits + digits < needed_digits) digits *= 2;
   PrecisionTrial before = evaluate_with_digits(values, state, digits);

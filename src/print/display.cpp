@@ -40,7 +40,8 @@ Glyphs equation_row(Glyphs left, Glyphs right) {
   return left;
 }
 
-/// Breaks a right side into lines. A left side that takes more than half the width is broken too.
+/// Breaks a right side into lines. If the equation exceeds the width and the left side takes more
+/// than half of the width, both sides are broken.
 DisplayedEquation lines_display(const Glyphs& left, const Glyphs& right, const PageMetrics& shape) {
   const double first = left_width(left, shape);
   if (first > shape.width / 2 && first + shape.measure(right) > shape.width) {

@@ -1,5 +1,5 @@
 // equation_of_motion: the terms of the whole model, even if a scene requests only some of them. If
-// no requested function depends on motion, the equation holds at rest. Rates are named only if a
+// no requested function depends on motion, rates and accelerations are 0. Rates are named only if a
 // function depends on them. Conserved quantities follow from entries that are 0. Constraints add
 // multipliers; both sides of a constraint are printed as expressions of the model, with names
 // unexpanded.

@@ -208,7 +208,7 @@ std::vector<std::string> readable_names(const Program& program, const Function& 
   return names;
 }
 
-/// `function` with the entry x for each entry x + 0/y or x + 0*y, which guards a pivot against
+/// `function` with x in place of each entry x + 0/y or x + 0*y, which guards a pivot against
 /// M_ii = 0. The instructions remain, so that names are the same as in code.
 Function remove_pivot_guards(const Program& program, Function function) {
   const std::vector<Instruction>& all = function.instructions;

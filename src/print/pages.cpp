@@ -192,7 +192,7 @@ std::string latex_text(const std::string& text) {
   return escape_markup(text, escapes);
 }
 
-/// Blocks of more lines may break across pages; a block in `aligned` cannot.
+/// The most lines of a block in `aligned`, which cannot break across pages. Longer blocks can.
 constexpr std::size_t longest_block = 10;
 
 std::string latex_equations(const DisplayBlock& block) {

@@ -33,7 +33,7 @@ struct Heading {
 /// A table of the constraints: multipliers with units, equations, gains.
 [[nodiscard]] PageSection constraint_section(const Model& model);
 
-/// True if the function has a closed form for readers in program.readable[index].
+/// True if program.readable[index] is a closed form, for readers, of program.functions[index].
 [[nodiscard]] bool has_readable_form(const Program& program, std::size_t index);
 
 /// True if all kinetic energy belongs to bodies and points in frames and to armatures, so that a

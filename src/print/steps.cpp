@@ -63,7 +63,7 @@ class DerivationOutline {
     return is_zero(function, field_index(line));
   }
 
-  /// True if a multiplier acts on the velocity of the function.
+  /// True if the force in Lagrange's equation, a field of `function`, contains a multiplier.
   [[nodiscard]] bool has_multiplier(std::size_t function) const {
     const Function& read = readable_function(function);
     const std::vector<bool> needed =
@@ -244,8 +244,8 @@ class DerivationOutline {
     const std::size_t count = model_.velocities.size();
     std::vector<std::string> long_rows;
     for (std::size_t i = 0; i < count; ++i) {
-      // Without a readable form, definitions of several functions may share a name, so the row has
-      // its own section.
+      // Without a readable form, definitions of several functions may share a name, so the row is
+      // omitted here: add_velocity_equations() prints the row in a section of its own.
       if (has_readable_form(steps_.program, first + i)) {
         add_lagrange_equation(first + i);
       } else {

@@ -67,9 +67,8 @@ std::string field_error(const Function& function) {
   return "";
 }
 
-/// True if the operand `now` is `before`, the same operand in the previous repetition, plus
-/// `length`. If `before` lies before the repetitions, `now` may be any value before the
-/// repetitions.
+/// True if now = before + length, with `before` the same operand in the previous repetition. If
+/// before < first (before the repetitions), true if now < first.
 bool is_shifted(std::uint32_t before, std::uint32_t now, std::size_t first, std::uint32_t length) {
   return before < first ? now < first : now == before + length;
 }

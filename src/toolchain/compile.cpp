@@ -62,7 +62,7 @@ class LoadedModel final : public CompiledModel {
   std::vector<LoadedFunction> functions_;
 };
 
-/// The functions that a driver wraps. A pointer is null if the driver lacks the scalar.
+/// The functions of a driver. `in_double` or `in_float` is null if the driver lacks this scalar.
 std::vector<LoadedFunction> functions_of(const Driver& driver, const SharedLibrary& library,
                                          const Program& program) {
   std::vector<LoadedFunction> functions;

@@ -23,7 +23,7 @@ constexpr std::array<const char*, 4> flags_of_builds{
     "-O3 -march=native -ffp-contract=fast -fPIC -shared",
     "-O2 -march=native -ffp-contract=fast -fPIC -shared"};
 
-/// Eigen's folder on Debian and other systems. On all other systems the user's $CPATH must name it.
+/// Eigen's folder on Debian and most other systems. Elsewhere the user's $CPATH must name it.
 constexpr const char* eigen_folder = "/usr/include/eigen3";
 
 CompilerCommand language_flags(const std::filesystem::path& source) {
@@ -61,8 +61,8 @@ Diagnostic no_compiler_error(const ProcessResult& last) {
   return {Code::E704, {}, "tried " + tried};
 }
 
-/// A source that compiles if the compiler has what every source needs: the language, its library,
-/// and no reassociation of sums. Also checks that an object can be written.
+/// A source that compiles if the compiler supports the language and its library, does not
+/// reassociate sums, and can write an object.
 std::string probe_text(const SourceFile& source) {
   std::string headers =
       "#include <math.h>\n#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__)\n#error\n"

@@ -71,7 +71,7 @@ struct DriverUnit {
 /// with more than 4096 entries.
 [[nodiscard]] bool is_wrapped(const Driver& driver, const Function& function);
 
-/// The symbol that wraps Program::functions[function] in the driver of this name:
+/// The symbol of the function that wraps Program::functions[function] in the driver of this name:
 /// "elgen_driver_eigen_double_3". The index after the last function gives the symbol of
 /// sine_and_cosine.
 [[nodiscard]] std::string driver_symbol(std::string_view driver, std::string_view scalar,

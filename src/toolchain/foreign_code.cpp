@@ -92,7 +92,7 @@ std::vector<double> written_numbers(const double* first, std::size_t count) {
 }
 
 /// Memory into which the child process writes. Each result has a slot with spare numbers around it.
-/// `refusal`: why nothing was called, a text that ends with 0.
+/// `refusal`: the reason if nothing was called, as text that ends with 0.
 struct LibraryMemory {
   SharedArray<double> results;
   SharedArray<std::atomic<std::size_t>> answered;
@@ -128,8 +128,8 @@ void call_library(const ForeignCalls& calls, std::size_t slot, LibraryMemory& me
   }
 }
 
-/// The results of the calls that returned. A number written before a result is a failure, even if
-/// the call that did not return wrote the number.
+/// The results of the calls that returned. A written spare number before a result is a
+/// failure, even if the call that wrote the number did not return.
 ForeignResults collect_answers(const LibraryMemory& memory, std::size_t slot,
                                std::size_t answered) {
   ForeignResults answers;

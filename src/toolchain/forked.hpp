@@ -52,8 +52,8 @@ class Child {
   bool has_ended_ = false;
 };
 
-/// A descriptor that becomes readable when a child ends or an interrupt arrives. Both signals must
-/// be blocked.
+/// A descriptor that becomes readable when a child ends or an interrupt arrives. SIGCHLD and the
+/// termination signals must be blocked.
 [[nodiscard]] FileDescriptor open_signal_descriptor();
 
 /// Reads one signal. An interrupt is raised again, so that it is delivered when signals are
@@ -87,8 +87,8 @@ class SharedArray {
   std::size_t size_;
 };
 
-/// How the forks ended: exit code 0 if all succeeded, otherwise the ending of the first fork that
-/// failed.
+/// The common ending of the forks: exit code 0 if all succeeded, otherwise the ending of the first
+/// fork that failed.
 struct ForkResult {
   ProcessEnding ending = ProcessEnding::exited;
   int status = 0;  ///< as in ProcessResult

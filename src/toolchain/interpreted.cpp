@@ -231,9 +231,9 @@ class InterpretedModel final : public CompiledModel {
   Texts names_ = {};
 };
 
-/// Why the code cannot be called; "" if it can. E705 if the module is refused. Sets the declared
-/// numbers. The driver prints a line before it imports the module, so that a missing interpreter
-/// differs from a refused module.
+/// The reason why the code cannot be called; "" if it can. E705 if the module is refused. Sets the
+/// declared numbers in `all`. The driver prints a line before it imports the module, so that a
+/// missing interpreter differs from a refused module.
 Result<std::string> check_first_run(const InterpretedModel& model,
                                     std::vector<DeclaredNumber>& all) {
   const ProcessResult process = model.run_driver("");

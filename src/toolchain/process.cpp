@@ -168,7 +168,7 @@ std::size_t skip_escape_sequence(std::string_view text, std::size_t position) {
     const bool ends = kind == '[' ? text[i] >= '@' && text[i] <= '~' : text[i] == bell;
     if (ends) return i + 1;
     if (text[i] == '\n') return i;
-    if (kind == ']' && text[i] == escape) return i + 2;  // ESC \\ also ends the text
+    if (kind == ']' && text[i] == escape) return i + 2;  // ESC \ also ends the text
   }
   return text.size();
 }

@@ -31,7 +31,7 @@ struct Compiler {
 /// otherwise c++, g++, clang++.
 [[nodiscard]] std::vector<CompilerCommand> compiler_candidates();
 
-/// The first candidate that answers `--version`. E704 if none answers.
+/// The first candidate that answers `--version`. E704 if none answers; E909 after `seconds`.
 [[nodiscard]] Result<Compiler> find_compiler(std::uint64_t seconds);
 
 /// Compiles `source` as C++17, or a `.c` file as C99. BuildFlags::as_written turns the warnings
@@ -46,7 +46,7 @@ struct Compiler {
 [[nodiscard]] bool accepts_probe(const Compiler& compiler, BuildFlags build,
                                  const std::filesystem::path& directory, const SourceFile& source);
 
-/// The error of a failed compilation: E909 if it exceeded its time; E705 if the compiler refuses
+/// The error of a failed compilation: E909 if the time ran out; E705 if the compiler refuses
 /// the source but accepts the probe; otherwise E709. E705 and E709 contain the compiler's output.
 [[nodiscard]] Diagnostic compile_error(const Compiler& compiler, const ProcessResult& compiled,
                                        const std::filesystem::path& directory,
@@ -111,7 +111,7 @@ class CompilerSession {
                                                     const std::vector<SourceFile>& sources,
                                                     const Limits& limits);
 
-  /// Compiles and loads one of the sources. E705, E709 and E909 as in compile_error().
+  /// Compiles and loads a source. Errors: compile_error(), or E709 if the object cannot be loaded.
   [[nodiscard]] Result<SharedLibrary> build(const SourceFile& source, BuildFlags build) const;
 
   /// accepts_probe() in this directory: true if the compiler accepts the flags of the build.

@@ -1,5 +1,5 @@
-// claims: scope and completeness of equilibria. An angle acos(n/d) or asin(n/d) exists if |n| <=
-// |d|.
+// claims: sentences on the scope and completeness of a list of equilibria. An angle acos(n/d) or
+// asin(n/d) exists if |n| <= |d|.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -128,7 +128,7 @@ Formula parameter_value_clause(Formulas special) {
   return row_of({enumeration(std::move(special)), prose("computed at the parameters' values")});
 }
 
-/// The searched ranges, and the coordinates without a range: "r in [0.3, 3]; theta modulo 2*pi".
+/// Appends searched ranges, then coordinates without a range: "r in [0.3, 3]; theta modulo 2*pi".
 void add_search_clauses(Formulas& clauses, const PageForms& known, const Equilibria& equilibria) {
   std::ranges::move(searched_ranges(known, equilibria), std::back_inserter(clauses));
   Formulas turns;

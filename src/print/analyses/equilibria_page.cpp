@@ -43,7 +43,7 @@ Formula coordinate_cell(PageForms& known, const RestCoordinate& at, bool is_pair
                   with_sign(six_digit_formula(is_pair ? cln::abs(at.value) : at.value)));
 }
 
-/// "the chart is singular at beta = +-pi/2"
+/// Appends "the chart is singular at beta = +-pi/2" to `lines`, unless `breaks` is empty.
 void add_chart_breaks(Formulas& lines, PageForms& known,
                       const std::vector<ChartSingularity>& breaks) {
   Formulas places;

@@ -67,7 +67,7 @@ PageEquation closed_matrix(const PageForms& known, std::string_view left,
                            const std::vector<cln::cl_R>& numbers) {
   PageEquation matrix = matrix_equation(left, numbers, known.model.velocities.size());
   for (std::size_t i = 0; i < forms.size(); ++i) {
-    // Most entries of a long chain are 0, and reading a form takes time, so zeros are skipped.
+    // A matrix of a long chain is mostly 0, and reading a form takes time, so zeros are skipped.
     if (forms[i].numerator.empty()) continue;
     if (auto form = known.to_formula(forms[i])) matrix.entries[i] = std::move(*form);
   }
@@ -219,7 +219,7 @@ void add_modes(Page& page, const PageForms& known, const std::vector<NormalMode>
                                    fmt::join(equal, ", ")))}});
 }
 
-/// True if there is one mode and one cyclic rate, and their squares agree to 40 digits.
+/// True for one mode and one cyclic rate if w^2 of the mode equals the rate squared to 40 digits.
 bool have_equal_periods(const std::vector<NormalMode>& modes, const std::vector<cln::cl_R>& rates) {
   if (modes.size() != 1 || rates.size() != 1) return false;
   const cln::cl_R& square = modes[0].omega_squared;

@@ -64,7 +64,7 @@ Formula latex_symbol(std::string text, std::string_view latex) {
 Formula wide_blank() { return latex_symbol(" ", "\\quad"); }
 
 Formula six_digit_formula(const cln::cl_R& value) {
-  // Newton's method stops at 58 digits of the largest coordinate, so smaller numbers are noise.
+  // Newton's method ends with a relative step of 1e-58, so numbers below 1e-40 are noise.
   static const cln::cl_R noise = power_of_ten(-40);
   return digits_formula(cln::abs(value) < noise ? "0" : short_number_text(value));
 }

@@ -47,7 +47,7 @@ struct PageForms {
 /// stability at the parameters' values; theta modulo 2*pi".
 [[nodiscard]] Formula scope_claim(PageForms& known, const Equilibria& equilibria);
 
-/// Whether the list of points is complete: "these are all at the parameters' values (proved)".
+/// The verdict on the completeness of the list: "these are all at the parameters' values (proved)".
 [[nodiscard]] Formula completeness_claim(const Model& model, const Equilibria& equilibria);
 
 [[nodiscard]] const char* name_of(SymmetryKind kind);

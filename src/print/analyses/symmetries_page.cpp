@@ -64,7 +64,7 @@ Formula turn_vector(const PageForms& known, const Symmetry& symmetry, std::size_
   return tuple_of(std::move(parts));
 }
 
-/// "attitude rotated by R^T (0, 0, 1)"
+/// Appends "attitude rotated by R^T (0, 0, 1)" to `changes`, if `symmetry` turns the rotation.
 void add_rotation_change(Formulas& changes, const PageForms& known, const Symmetry& symmetry,
                          std::size_t rotation) {
   const GeneratorLayout all(known.model);

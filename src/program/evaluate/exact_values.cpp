@@ -34,7 +34,7 @@ ExactValues::ExactValues(const SystemUnderTest& subject, State state)
     const std::vector<Real> values = evaluate_instructions(subject_.program, function, arguments_);
     const Real here = largest_magnitude(values);
     // Functions that are undefined at this state do not contribute, so that the floor stays
-    // defined. Only rows of an undefined function fail or are skipped.
+    // defined. Only the verification rows of an undefined function fail or are skipped.
     if (here.is_defined()) largest = max(largest, here);
     values_[{function.kind, function.user}] = entries_of(function, values);
   }

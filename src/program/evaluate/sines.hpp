@@ -6,7 +6,7 @@
 //     sin(r - rest) = r - (rest - r^3 s(r^2))
 //     cos(r - rest) = (1 - r^2/2) + (r^4 c(r^2) + r rest + the rounding error of 1 - r^2/2)
 //
-// The last two bits of k select one of these values as the sine of x, and its sign. pi/2 is a sum
+// The last two bits of k select sin(x) from +-sin(r - rest) and +-cos(r - rest). pi/2 is a sum
 // of parts, so that the product of k and every part except the last is exact. In functions of
 // single numbers (not of packs), errors are at most 1.5 ulp (0.9 in float), and 0.5 ulp next to
 // multiples of pi/2.

@@ -88,8 +88,8 @@ std::vector<AngleTerms> collect_angles(const Expressions& expressions) {
 /// More angles are not searched, because the search takes cubic time.
 constexpr std::size_t most_angles = 40;
 
-/// `angle` as first + second or first - second; none if terms would cancel: (q1 + q2) - (q2 - q3)
-/// for q1 + q3 would contain the rounding error of q2.
+/// `angle` as first + second or first - second; none if `angle` is neither, or terms would cancel:
+/// (q1 + q2) - (q2 - q3) for q1 + q3 would contain the rounding error of q2.
 std::optional<AngleSplit> try_split(const AngleTerms& angle, const AngleTerms& first,
                                     const AngleTerms& second, ExpandedAngles which) {
   if (first.size + second.size != angle.size) return std::nullopt;
@@ -150,7 +150,7 @@ class AngleSumRule {
   }
 
  private:
-  /// The argument `id` in the new graph, built on demand: `id` may come later in the old graph.
+  /// The argument `id` in the new graph. Built on demand: `id` may come after `step.old_node`.
   SignedNode rebuild_argument(Graph& graph, const RebuildStep& step, NodeId id) {
     if (is_built_[id]) return arguments_[id];
     for (const Operand& operand : step.old_graph.node(id).operands) {

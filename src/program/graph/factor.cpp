@@ -131,7 +131,7 @@ class FactorRule {
     return graph.sum(finished);
   }
 
-  /// common * inner. If inner is a product, its factors may be common to other terms.
+  /// common * inner. The factors of a product `inner` stay separate: other terms may share them.
   static FactoredTerm product_term(Graph& graph, NodeId common, SignedNode inner) {
     FactoredTerm result{inner.is_negative, {{{common, false}, 1}}, true};
     const Node& node = graph.node(inner.node);

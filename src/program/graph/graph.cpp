@@ -134,8 +134,8 @@ std::optional<SignedNode> Graph::fold_kinked_call(FunctionId function,
   return (*order < 0) == (function == FunctionId::min) ? x : arguments.back();
 }
 
-/// The value of the call, if it is a number that is known without rounding or an argument of the
-/// call; else none.
+/// The value of the call, if the value is plus or minus an argument, or a number known without
+/// rounding; else none.
 std::optional<SignedNode> Graph::fold_exact_call(FunctionId function,
                                                  const std::vector<SignedNode>& arguments) {
   if (is_kinked(function)) return fold_kinked_call(function, arguments);

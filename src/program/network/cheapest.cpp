@@ -1,4 +1,4 @@
-// networks_by_cost: makes a network from each form, two if numbers can be joined; sorts by cost.
+// networks_by_cost: makes a network of each form, without and with joined numbers; sorts by cost.
 #include "program/network/cheapest.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// cheapest: the form of a function's values with the lowest cost.
+// cheapest: finds the form of lowest cost for the values of a function.
 //
 // Factoring sums saves products but can destroy common subexpressions of two sums. Expanding
 // products lets factors meet but splits shared products. The sine of a sum of angles can be a call,

@@ -1,5 +1,5 @@
-// Common-subexpression elimination: see network.hpp. The count of users may be too high, so a pair
-// is recounted when it leaves the queue.
+// Common-subexpression elimination: see network.hpp. A pair may lose users while it is queued, so
+// the users are counted again when the pair leaves the queue.
 #include <algorithm>
 #include <optional>
 #include <queue>

@@ -1,6 +1,6 @@
 // named_intermediates: gives unnamed instructions the names of intermediate values. Passes change
-// the instructions that derive produced, so the values that derive named are found again by their
-// numbers at random leaves. The new names begin with intermediate_mark.
+// the instructions that derive produced, so the quantities that derive named are found again by
+// their values at random leaves. The new names begin with intermediate_mark.
 //
 //     derived      moment_link5_y = m*l*cos(a + b)
 //     after passes l*(cos(a)*cos(b) - sin(a)*sin(b))*m   is named   ~moment_link5_y

@@ -16,8 +16,8 @@ namespace {
 /// are computed by repeated squaring.
 constexpr std::int32_t most_repeated_factors = 4;
 
-/// Constants with more nodes are not joined: their forms are trees, which grow, and a person would
-/// not join them either.
+/// Constants with more nodes are not joined: the form of a constant is a tree, which would grow
+/// with each joining, and a person would not join long constants either.
 constexpr std::uint32_t largest_joined_constant = 64;
 
 /// The operands of a sum or product: operands with leaves, and all constants as one number.
@@ -70,8 +70,8 @@ class NetworkBuilder {
     return it->second;
   }
 
-  /// True if `sum` is a sum with at most one exact coefficient, so that scaling it costs no digits:
-  /// x - y keeps digits that 0.7 x - 0.7 y loses.
+  /// True if `sum` is a sum with at most one exact coefficient (n/2^k), so that scaling costs no
+  /// digits. x - y has two exact coefficients, and keeps digits that 0.7 x - 0.7 y loses.
   bool can_scale_sum(NodeId sum) const {
     const auto is_exact = [this](SignedNode term) {
       const ConstantForm number = split_number(term).first;
@@ -249,7 +249,7 @@ class NetworkConverter {
                                                           : OperationKind::sum;
     operation.name = node.name;
     const bool is_sum = node.kind == NodeKind::sum;
-    // The constant of a sum takes the place of its first constant term: the front.
+    // Constant terms come first in a sum, so their sum, the folded constant, comes first, too.
     if (is_sum && operands_of(id).constant) {
       operation.operands.push_back({*operands_of(id).constant, operands_of(id).is_negative});
     }

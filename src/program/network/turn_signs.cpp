@@ -1,5 +1,5 @@
-// flip_signs: see network.hpp. A value is turned only if this saves an executed negation: at
-// results, in calls and in roots.
+// flip_signs: see network.hpp. -x replaces x only if this saves an executed negation: of a result,
+// or of an operand of a call or root.
 #include <algorithm>
 
 #include "program/network/network.hpp"
@@ -50,8 +50,8 @@ class SignFlipper {
     }
   }
 
-  /// Negates the operation if that costs nothing: reverses a difference, or turns a factor of a
-  /// product or quotient that has no other use. Otherwise returns false.
+  /// Negates the operation if that costs nothing: reverses a difference; in a product or quotient,
+  /// negates an operand that has no other use. Returns false if negation would cost an operation.
   bool try_flip(NodeId id) {
     Operation& operation = network_.operations[id];
     std::vector<SignedNode>& operands = operation.operands;

@@ -1,5 +1,5 @@
-// compose_outputs: calls the parts, first for M and the forces, then for the derivatives at the
-// resulting accelerations.
+// compose_outputs: calls the function of the parts (compose.hpp), first for M and the forces, then
+// for the derivatives at the resulting accelerations.
 #include "elgen/compose.hpp"
 
 #include <algorithm>
