@@ -187,8 +187,6 @@ std::vector<Arguments<double>> make_starts(const Domain& domain) {
   return all;
 }
 
-}  // namespace
-
 /// Starts for a sum of one coordinate: minima of |sum| and changes of its sign, found by a scan of
 /// the range in equal steps. From other starts, Newton's method may diverge to a region in which a
 /// potential decays to 0.
@@ -223,6 +221,8 @@ std::vector<Arguments<double>> scan_starts(const Program& program, const Functio
   }
   return starts;
 }
+
+}  // namespace
 
 SumZeros find_sum_zeros(const Program& program, const Domain& domain) {
   SumZeros zeros;
