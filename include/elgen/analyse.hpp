@@ -30,8 +30,8 @@ namespace elgen {
 struct AnalysisInput {
   const CheckedModel& checked;
   const Program& recursive;  ///< recursive forms of the outputs of AnalysisRow::outputs
-  /// The name of an [[equilibrium]]: only this point is analysed. An empty name means the start of
-  /// the coordinates. None: find all equilibria.
+  /// The name of the only [[equilibrium]] to analyse. An empty name means the point at the start of
+  /// the coordinates. None: all equilibria are analysed.
   const std::optional<std::string>& equilibrium_name;
   const Limits& limits;
 };
@@ -147,10 +147,10 @@ struct Equilibria {
 [[nodiscard]] std::vector<OutputRequest> outputs_for_equilibria(const Model& model);
 
 /// All equilibria with a regular M at the parameter values of the scene, or only the given point.
-/// `recursive` has the functions of outputs_for_equilibria(). Inputs are 0 or the values of their
-/// laws. Errors: E530, E531, E606 (a law that is no number at rest), E910 (more than 256
+/// input.recursive has the functions of outputs_for_equilibria(). Inputs are 0 or the values of
+/// their laws. Errors: E530, E531, E606 (a law is no number at rest), E910 (more than 256
 /// equilibria). For a given point: E201, and E532 if the point has no value or the forces do not
-/// balance. Cost: at most limits.boxes boxes and limits.enclosures.
+/// balance. Cost: at most limits.boxes boxes and limits.enclosures interval operations.
 [[nodiscard]] Result<Equilibria> find_equilibria(const AnalysisInput& input);
 
 /// A motion x = shape sin(w t + phase) about a point of rest. If w^2 < 0, the motion grows or
@@ -172,7 +172,8 @@ struct LinearMotions {
   std::vector<std::complex<double>> poles = {};  ///< poles in 1/s, by descending magnitude
   std::vector<double> a = {};                    ///< A, 2n x 2n for n velocities, row-major
   std::vector<double> b = {};                    ///< B, 2n x inputs, row-major
-  /// The least rank of [A - pole 1, B] over the poles. If it is 2n, the system is controllable.
+  /// The least rank of [A - p I, B] over the poles p, with the 2n x 2n unit matrix I. The system is
+  /// controllable if and only if this rank is 2n. 0 if the model has no inputs.
   std::size_t controllable_rank = 0;
 };
 
@@ -193,14 +194,15 @@ enum class SymmetryKind : std::uint8_t {
   translation,    ///< only b: several coordinates shift by constants
   boost,          ///< only c: coordinates shift by constants times t
   rotation,       ///< only A, which is skew
-  body_rotation,  ///< only s and b of rotation variables
+  body_rotation,  ///< only s and sigma of rotation variables
   other,          ///< any other combination
   time,           ///< only dt
 };
 
 /// A change dq = A q + b + c t of the coordinates, with a constant dt, for which dL = dF/dt. A
-/// rotation variable, with the matrix R from body to world axes, turns by R^T s + b in body axes: s
-/// is a constant turn in world axes, b a constant turn in body axes. By Noether's theorem,
+/// rotation variable, with the matrix R from body to world axes, turns by R^T s + sigma in body
+/// axes: s is a constant turn in world axes, sigma a constant turn in body axes. By Noether's
+/// theorem,
 ///
 ///     I = dL/dv.dq - E dt - F,   dI/dt = (dq - v dt).(B u + Q - dD/dv)
 ///
@@ -208,11 +210,11 @@ enum class SymmetryKind : std::uint8_t {
 /// `momentum_form`, `velocity_form`, `gauge_function`, `unforced_rate` and `rate`.
 struct Symmetry {
   SymmetryKind kind = SymmetryKind::other;
-  std::vector<Fraction> generator = {};        ///< A by rows; c; b; s and b of each rotation; dt
+  std::vector<Fraction> generator = {};        ///< A by rows; c; b; s, sigma of each rotation; dt
   std::vector<Fraction> displacement = {};     ///< dq, one entry per velocity
   Fraction momentum_form = {};                 ///< I + F, over the leaves p and E instead of v
   std::optional<Fraction> velocity_form = {};  ///< I + F in closed form; none if no form is known
-  /// F (for `time` -F); none if it has no closed form.
+  /// F of dL = dF/dt; -F for the kind `time`; none if F has no closed form.
   std::optional<Fraction> gauge_function = {};
   std::optional<Fraction> unforced_rate = {};  ///< dI/dt at u = 0; none if it has no closed form
   std::optional<Fraction> rate = {};           ///< dI/dt; none if it has no closed form
@@ -243,15 +245,15 @@ struct Symmetries {
 /// The requests of the functions that find_symmetries() needs.
 [[nodiscard]] std::vector<OutputRequest> outputs_for_symmetries(const Model& model);
 
-/// A basis of the symmetries of L; forces, dissipation and inputs are ignored. `recursive` has the
-/// functions of outputs_for_symmetries(). E910: a generator has more than 500 entries. Cost: 3 n +
-/// 1 derivatives of the residual of Lagrange's equations; closed forms within budgets of 4e6 term
-/// products; samples at up to four sets of parameters.
+/// A basis of the symmetries of L; forces, dissipation and inputs are ignored. input.recursive has
+/// the functions of outputs_for_symmetries(). E910: a generator has more than 500 entries. Cost for
+/// n velocities: 3 n + 1 derivatives of the residual of Lagrange's equations; closed forms within
+/// budgets of 4e6 term products; samples at up to four sets of parameters.
 [[nodiscard]] Result<Symmetries> find_symmetries(const AnalysisInput& input);
 
-/// The evidence for a claim.
+/// The result of the check of a claim.
 enum class ClaimStatus : std::uint8_t {
-  proved,   ///< by closed forms, for all values of the parameters
+  proved,   ///< true for all values of the parameters, by closed forms
   sampled,  ///< true at random values of the parameters
   wrong,
   undecided,  ///< undecided: the claim has no value at any tried values of the parameters

@@ -5,9 +5,9 @@
 //
 //     Y pi = sum over kept columns k of  Y_k (pi_k + sum_j factor_kj pi_j)
 //
-// The factors are the reduced row echelon form of the stacked Y, which is unique for the order of
-// pi. Each parameter of an eliminated column is thus regrouped into parameters nearer to the base
-// of the robot (Khalil, Dombre, Modeling, Identification and Control of Robots, 2002, chapter 9).
+// The factors are entries of the reduced row echelon form of the stacked Y, which is unique for the
+// order of pi. Each parameter of an eliminated column is thus regrouped into parameters nearer to
+// the robot's base (Khalil, Dombre, Modeling, Identification and Control of Robots, 2002, ch. 9).
 #pragma once
 
 #include <cln/real.h>
@@ -40,8 +40,8 @@ struct BaseParameters {
   std::vector<BaseParameter> base = {};
   std::vector<std::uint32_t> unidentifiable = {};  ///< indices k of parameters with Y_k = 0
   std::size_t states = 0;                          ///< number of states at which Y was evaluated
-  /// True: all factors are rational. False: all factors are floats, and entries below 1e-100 of
-  /// the largest entry in a row of Y count as 0.
+  /// True: all factors are rational. False: all factors are floats; each row of Y is scaled to the
+  /// largest entry 1, and entries below 1e-100 count as 0.
   bool is_exact = false;
 };
 
@@ -49,8 +49,8 @@ struct BaseParameters {
 [[nodiscard]] std::vector<OutputRequest> outputs_for_base_parameters(const Model& model);
 
 /// The base parameters, from Y at random states with the geometric parameters of the model. Y is
-/// computed in the finite field of 2^521 - 1 elements, in which ranks are exact. There the sine and
-/// cosine of an angle are a random point of the unit circle. If Y contains an irrational
+/// computed in the finite field of 2^521 - 1 elements, in which ranks are exact. In this field, the
+/// sine and cosine of an angle are a random point of the unit circle. If Y contains an irrational
 /// constant, a root or a function besides sine and cosine, or if a factor is not rational, Y is
 /// computed in 160 digits instead. E603: the model has no regressor. E521: the regressor has no
 /// value at more than 95 % of the drawn states.

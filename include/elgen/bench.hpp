@@ -33,9 +33,10 @@ struct SingleOutputModel {
   }
 };
 
-/// The model and scene of `inputs`, reduced to `output`. If `output` is empty, the output is
-/// inverse_dynamics or, if missing, the first output of the scene; the diagnostics then contain the
-/// warnings and notes on the model. Errors: E601, E606, E630, E633, and the errors of check().
+/// The model and scene of `inputs`, reduced to `output`. If `output` is empty, the result has
+/// inverse_dynamics, or the first output of a scene without inverse_dynamics; the diagnostics then
+/// contain the warnings and notes on the model. Errors: E601, E606, E630, E633, and the errors of
+/// check().
 [[nodiscard]] Result<SingleOutputModel> read_single_output_model(
     const PipelineSources& inputs, const std::string& output,
     const std::vector<SourcePointer>& ranges, const Limits& limits);

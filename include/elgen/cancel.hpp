@@ -5,10 +5,10 @@
 //     after     0 = parameter m                                                        result = 0
 //
 // In a recursive form, terms that cancel symbolically may stay in separate definitions; code then
-// computes 1e-14 instead of 0. A value is a candidate if, at a random point in 60 digits, it is
-// below 1e-40 of its error bound. A candidate is replaced if its closed form is the empty sum. It
-// is also replaced if it is analytic (program/network/analytic.hpp) and vanishes at 64 points; in
-// this case Function::sampled_zeros lists the entries that depend on it.
+// computes 1e-14 instead of 0. A value is a candidate if its magnitude at a random point, in 60
+// digits, is at most 1e-40 times its error bound. A candidate is replaced if its closed form is the
+// empty sum. An analytic candidate (program/network/analytic.hpp) that vanishes at 64 points is
+// also replaced; Function::sampled_zeros lists the entries that depend on such candidates.
 #pragma once
 
 #include "elgen/program.hpp"

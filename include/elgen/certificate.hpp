@@ -58,11 +58,12 @@ struct CertificateRow {
   Evidence evidence = Evidence::states;
   std::size_t samples = 0;                  ///< number of states (or numbers) that were compared
   std::vector<SkippedStates> skipped = {};  ///< number of skipped states for each reason
-  std::size_t skipped_in_ranges = 0;  ///< number of skipped states inside the ranges, in double
-  /// max |x - x*| / (u R) over the entries x, at most 10^(digits of the scalar). R is |x*| plus the
-  /// effect of the rounding of inputs and parameters on x.
+  std::size_t skipped_in_ranges = 0;  ///< number of skipped states inside the ranges; double only
+  /// max |x - x*| / (u R) over the entries x, at most 10^(digits of the scalar). x* is the exact
+  /// entry, u the unit roundoff, and R is |x*| + the effect of rounded inputs and parameters on x.
   std::optional<double> loss = {};
-  /// max |x - x*| / (u max |x*|), with the largest exact entry |x*| of the field of x.
+  /// max |x - x*| / (u X) over the entries x with exact values x*. u is the unit roundoff, X the
+  /// largest |x*| of the field of x.
   std::optional<double> loss_of_field = {};
   /// The worst value as text, or the reason why nothing was compared.
   std::string worst_value = {};
@@ -102,9 +103,9 @@ struct VerifyOptions {
 
 /// The result of verify(), which compares oracle, program and compiled code, and checks the
 /// structure of M, C and the energies. If `compiled` is empty (quick), the certificate has no rows
-/// on compiled code. Headers of BuildFlags::user_flags must agree with the program within its
-/// running errors, all other headers bit by bit. Lost digits never fail a check; they are only
-/// reported. A value fails if it is NaN or infinite although all exact intermediate values are
+/// on compiled code. Headers of BuildFlags::user_flags must agree with the program within the
+/// running errors of the program, all other headers bit by bit. Lost digits are reported, but never
+/// fail a check. A value fails if it is NaN or infinite although all exact intermediate values are
 /// inside the range of the scalar. Each wrong [[expect]] has a diagnostic with a state as witness.
 struct Verification {
   Certificate certificate;

@@ -35,11 +35,11 @@ struct FormCosts {
   /// None: the closed form is over budget, or far more expensive than the recursive form.
   std::optional<OperationCounts> closed = {};
   /// The largest loss E / max(E0, |x|) of the recursive form at points at which sums cancel. E is
-  /// the error of an entry in u, E0 the least error of all known rewritings
-  /// (choose/text_errors.hpp). x is the largest entry of the field; for V and its derivatives x is
-  /// the entry. None if the loss was not computed.
+  /// the error of an entry, E0 the least error of its known rewritings, both in units of the unit
+  /// roundoff (choose/text_errors.hpp). x is the largest entry of the field; for V and its
+  /// derivatives x is the entry. None if the loss was not computed.
   std::optional<double> recursive_loss = {};
-  /// The same loss of the closed form.
+  /// The largest loss of the closed form, defined as `recursive_loss`.
   std::optional<double> closed_loss = {};
   /// The index, over all fields, of the first entry that every closed form computes inaccurately
   /// although the recursive form keeps the digits of the entry (choose/text_errors.hpp).
@@ -94,8 +94,8 @@ struct RewrittenPotential {
 /// each state, the values of V and its derivatives follow the open values of the model.
 [[nodiscard]] Domain with_open_potential(Domain domain, const Program& potential);
 
-/// Replaces the open values of V in the functions of `open_choice` by V and its derivatives. These
-/// functions then replace the functions of the same names in `choice`, except their readable forms.
+/// Inserts V and its derivatives into copies of the functions of `open_choice`, in which V is open.
+/// The copies replace the functions of the same names in `choice`, but not the readable forms.
 /// `choice` does not change if a new function would lose digits that the old function keeps, for
 /// example if V cancels the weight of bodies.
 void insert_potential(const RewrittenPotential& potential, const FormChoice& open_choice,

@@ -114,7 +114,7 @@ struct ClosedFormBudget {
 [[nodiscard]] ClosedForms present_for_proofs(const Program& program,
                                              const ClosedFormBudget& budget = {});
 
-/// True if the function is an opaque atom in present() but not in present_for_proofs().
+/// True if calls of `function` are opaque atoms for present(), but not for present_for_proofs().
 [[nodiscard]] bool is_rewritten_for_proofs(FunctionId function);
 
 /// The sums of a program that may stay unexpanded, each a function of one entry, without
@@ -125,9 +125,9 @@ struct ClosedFormBudget {
 ///     after     (x - 1)^2 + (y - 3/10)^2,   x - 1,   y - 3/10
 [[nodiscard]] Program unexpanded_sums(const Program& program);
 
-/// Closed forms in which the sums `unexpanded_sums` (functions that unexpanded_sums() returned)
-/// stay unexpanded. A combination of several such sums is expanded if the expansion is shorter, as
-/// 2 x is for (x + r) + (x - r).
+/// Closed forms in which the sums of `unexpanded_sums`, the program that unexpanded_sums() returns,
+/// stay unexpanded. A combination of several of these sums is expanded if the expanded form has
+/// fewer terms: (x + r) + (x - r) becomes 2 x.
 [[nodiscard]] ClosedForms present(const Program& program, Program unexpanded_sums,
                                   const ClosedFormBudget& budget = {});
 
@@ -156,7 +156,7 @@ enum class ZeroProof : std::uint8_t {
 /// dq_i/dt = (N(q) v)_i, one entry per coordinate; empty if the model has no rotation (N = 1).
 [[nodiscard]] std::vector<Fraction> coordinate_rates(ClosedForms& forms, const Model& model);
 
-/// The term f_i dx_i/dt of the rate of an open value f: f_i is its derivative by argument x_i.
+/// The term f_i dx_i/dt of df/dt: f is an open value, and f_i is df/dx_i for the argument x_i of f.
 struct OpenValueRateTerm {
   std::uint32_t derivative = 0;  ///< number of the leaf f_i
   Fraction argument = {};        ///< x_i

@@ -8,8 +8,8 @@
 // substitution, which skip the zeros of L. The substitutions are the repetitions of the function
 // (Repetition in elgen/program.hpp); emitted code runs them as a loop over the columns.
 //
-// For each of these outputs, the stage derive makes a function that computes the matrices of the
-// right-hand sides above, the parts. compose_outputs() turns this function into the output.
+// For each of these outputs, the stage derive makes a function that computes the parts: M and the
+// right-hand sides of these equations. compose_outputs() turns this function into the output.
 #pragma once
 
 #include "elgen/program.hpp"
@@ -26,12 +26,13 @@ inline constexpr std::string_view velocity_part = "by_velocity";
 inline constexpr std::string_view input_part = "by_input";
 inline constexpr std::string_view rate_part = "rates";
 
-/// The least number of velocities of a model whose derivatives of accelerations and linearization
-/// are composed. For smaller models, and for models with constraints, these outputs have closed
-/// forms.
+/// The least number of velocities at which the derivatives of the accelerations and the
+/// linearization are composed. For models with fewer velocities or with constraints, the stage
+/// derive makes the functions of these outputs directly.
 inline constexpr std::size_t min_composed_velocities = 10;
 
-/// `program`, with every function that computes the parts of an output replaced by the output.
+/// Returns `program` after each function that computes parts (mass_part, …) is replaced by a
+/// function that computes the output from these parts.
 [[nodiscard]] Program compose_outputs(Program program);
 
 }  // namespace elgen

@@ -48,7 +48,7 @@ struct ConstantOperand {
 /// the factors.
 [[nodiscard]] ConstantForm negated_form(ConstantForm x);
 
-/// The value of `form`, and a bound of the error. The value is exact, or a float of at least 220
+/// The value of `form`, with a bound of its error. The value is exact, or a float of at least 220
 /// digits with |error| <= 1e-200 |value| (|error| <= 1e-200 if even 1760 digits cancel). None if
 /// the form has no real value, or if 1760 digits do not decide whether the value is real.
 [[nodiscard]] std::optional<EnclosedNumber> enclosed_value(const ConstantForm& form);
@@ -76,7 +76,7 @@ struct Constant {
 
 [[nodiscard]] bool is_rational(const Constant& constant);
 
-/// The position of `wanted` in `constants`; appends it if it is missing.
+/// The index of `wanted` in `constants`. If `wanted` is missing, appends `wanted`.
 [[nodiscard]] std::uint32_t intern_constant(const Constant& wanted,
                                             std::vector<Constant>& constants);
 

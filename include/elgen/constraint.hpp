@@ -50,7 +50,7 @@ struct Constraint {
 inline constexpr std::uint32_t quaternion_size = 4;
 inline constexpr std::uint32_t axis_count = 3;
 
-/// A coordinate or rotation whose motion a scene prescribes or eliminates.
+/// A coordinate or rotation that a scene locks, or a coordinate that `[routh]` eliminates.
 struct HeldCoordinate {
   std::uint32_t coordinate = 0;  ///< index of the coordinate, or of the rotation's first coordinate
   std::uint32_t velocity = 0;    ///< index of the velocity, or of the rotation's first velocity
@@ -92,10 +92,10 @@ struct ModelReduction {
   std::shared_ptr<const Model> unreduced = {};  ///< null if no variable is held
 };
 
-/// The new positions of the entries of a list after some entries are removed.
+/// The new indices of the entries of a list after some entries are removed.
 class RemainingIndices {
  public:
-  /// The positions in a list of `size` entries; at first no entry is removed.
+  /// Gives entry i of a list of `size` entries the index i.
   explicit RemainingIndices(std::size_t size) : places_(size, 0) { remove(0, 0); }
 
   void remove(std::uint32_t first, std::uint32_t count) {
@@ -106,7 +106,7 @@ class RemainingIndices {
     }
   }
 
-  /// The new position of entry `i`; none if the entry is removed.
+  /// The new index of entry `i`; none if the entry is removed.
   [[nodiscard]] const std::optional<std::uint32_t>& operator[](std::size_t i) const {
     return places_[i];
   }
@@ -121,7 +121,7 @@ class RemainingIndices {
     list = std::move(left);
   }
 
-  /// A list of the old size: the entries of `left` at their old positions, 0 for each removed
+  /// A list of the old size: the entries of `left` at their old indices, and 0 for each removed
   /// entry.
   template <class List>
   [[nodiscard]] List with_zeros(const List& left) const {
@@ -136,7 +136,7 @@ class RemainingIndices {
   std::vector<std::optional<std::uint32_t>> places_;
 };
 
-/// The new positions of the entries of q, v and u after variables are removed.
+/// The new indices of the entries of q, v and u after variables are removed.
 struct RemainingVariables {
   RemainingIndices coordinates;
   RemainingIndices velocities;

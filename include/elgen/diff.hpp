@@ -54,7 +54,7 @@ struct PathComponent {
   friend bool operator==(const PathComponent&, const PathComponent&) = default;
 };
 
-/// "vector[2]", "start.value"
+/// `path` as text: "vector[2]", "start.value".
 [[nodiscard]] std::string text_of(const std::vector<PathComponent>& path);
 
 /// One changed key. Spans point into the version that has the key.
@@ -215,8 +215,9 @@ struct DiffReport {
 [[nodiscard]] std::string to_markdown(const DiffReport& report);
 
 /// Workflow commands of GitHub. First an error, with its reason, for every system that breaks, is
-/// removed or is unreadable; then the changed keys, each with its effect. GitHub shows ten commands
-/// per step of a job, so the tenth counts the rest.
+/// removed or is unreadable; then the changed keys, each with its effect. GitHub shows only ten
+/// commands per step of a job: if more than ten keys changed, nine keys are shown, and a last
+/// command counts all other keys.
 [[nodiscard]] std::string to_annotations(const DiffReport& report);
 
 /// `report` as JSON for programs. Every change has a stable id: the path of the key in the file, or

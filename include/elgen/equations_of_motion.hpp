@@ -21,7 +21,7 @@ struct FieldEquations {
 struct OutputEquations {
   OutputRequest request = {};
   std::vector<FieldEquations> fields = {};
-  ExpressionMap<std::string> value_names = {};  ///< symbol -> name of a definition
+  ExpressionMap<std::string> value_names = {};  ///< symbol of a definition -> its name
   /// If the fields are the parts of an output (elgen/compose.hpp): the velocities in the order in
   /// which M is eliminated.
   std::vector<std::uint32_t> elimination_order = {};
@@ -32,9 +32,9 @@ struct EquationsOfMotion {
   LeafNames leaves = {};
   Definitions definitions = {};
   std::vector<OutputEquations> outputs = {};  ///< in the order of the scene, if has_equations()
-  /// Forward dynamics by the articulated-body algorithm, with separate definitions, if this code
-  /// may be shorter. If this code is certainly shorter, `outputs` does not contain forward
-  /// dynamics.
+  /// Forward dynamics by the articulated-body algorithm, with separate definitions, if this
+  /// algorithm may give shorter code than elimination of M. If the code is certainly shorter,
+  /// `outputs` does not contain forward dynamics.
   std::vector<EquationsOfMotion> alternatives = {};
 };
 
@@ -58,9 +58,9 @@ struct PotentialEquations {
 [[nodiscard]] std::optional<PotentialEquations> derive_potential(const Lagrangian& lagrangian,
                                                                  bool has_second);
 
-/// `lagrangian` with V of [energy] replaced by an open value. V and its derivatives are
-/// numbered after the open values of the model, in the order of PotentialEquations. Third
-/// derivatives are 0, so no output may use them.
+/// `lagrangian` with V of [energy] replaced by an open value with the arguments `variables`. V and
+/// its derivatives are numbered after the open values of the model, in the order of
+/// PotentialEquations. Third derivatives are 0, so no output may use them.
 [[nodiscard]] Lagrangian with_open_potential(Lagrangian lagrangian,
                                              const std::vector<GiNaC::ex>& variables);
 

@@ -30,7 +30,8 @@ enum class ExpressionKind : std::uint8_t {
   time_derivative,  ///< d/dt operands[0] along the motion: q -> v, v -> a, t -> 1
 };
 
-/// The kinds of entries to which an expression refers by name. `component` selects one number.
+/// The kinds of entries to which an expression refers by name. `component` (Expression::component)
+/// selects one number of a point, body or frame.
 enum class NamedKind : std::uint8_t {
   prescribed,  ///< prescribed[index].value, a function of t
   definition,  ///< definitions[index].value

@@ -28,9 +28,9 @@ struct ForeignOptions {
   std::uint64_t seconds = 60;  ///< wall-clock limit for one function, in s
 };
 
-/// Returns one row for each claim. Values are compared with the oracle's at states in the declared
-/// ranges: at rest; at rest with inputs and accelerations; moving; moving with inputs and
-/// accelerations; and with other parameters.
+/// Returns one row for each claim. The values of the code are compared with the oracle's values at
+/// states in the declared ranges: at rest; at rest with inputs and accelerations; moving; moving
+/// with inputs and accelerations; and with other parameters.
 /// If the model has constraints, Newton's method first moves each state onto the constraints; a
 /// state at which the method fails is skipped. The number of results selects the fields. The first
 /// choice that fits is used: the first field; all fields without pivots and remainders; all fields;

@@ -21,7 +21,8 @@ enum class FunctionUse : std::uint8_t { anywhere, forces_only };
 
 enum class Parity : std::uint8_t { none, even, odd };
 
-/// src/base/functions.cpp explains these enumerations and the columns of FunctionRow.
+/// The arguments at which a function is analytic. src/base/functions.cpp explains the words of all
+/// enumerations here, and the columns of FunctionRow.
 enum class Smoothness : std::uint8_t {
   entire,
   entire_positive,
@@ -48,7 +49,7 @@ struct FunctionRow {
   FunctionDomain domain;
   FunctionUnits units;
   std::uint32_t roundings;    ///< error bound of the library's value, in u = epsilon/2
-  std::string_view own_name;  ///< "sign_of": its name if emitted code defines the function; else ""
+  std::string_view own_name;  ///< name of a function that emitted code defines: "sign_of"; else ""
   std::string_view latex;     ///< "\\sin"
   int exact_argument;
   int exact_value;

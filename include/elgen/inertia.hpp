@@ -12,7 +12,7 @@ using InertiaTensor = std::array<cln::cl_R, 6>;
 
 /// True if a rigid body can have this inertia I, that is, if its second moments
 ///
-///     S = 1/2 tr(I) 1 - I = integral of x x^T dm
+///     S = 1/2 tr(I) E - I = integral of x x^T dm,   E the unit matrix
 ///
 /// are positive semidefinite. Each principal inertia is then non-negative and at most the sum of
 /// the other two. The diagonal of S is first raised by 1/1000 of the trace, because the inertia of

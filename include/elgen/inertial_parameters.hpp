@@ -1,5 +1,5 @@
 // InertialParameter: one entry of pi in tau = Y(q, v, a) pi + rest, with `rest` independent of pi.
-// The entries are, in this order:
+// The entries are, in this order (m: mass, c: centre of mass, I: inertia):
 //
 //     bodies in frames, in file order   m, m c, I_xx I_yy I_zz I_xy I_xz I_yz about the frame's
 //                                       origin; planar: m, m c_x, m c_y, I_zz
@@ -32,7 +32,7 @@ inline constexpr std::uint32_t body_component_count = 10;
 struct InertialEntry {
   InertialOwner owner = InertialOwner::body;
   std::uint32_t index = 0;      ///< index in Model::bodies, points, coordinates or parameters
-  std::uint32_t component = 0;  ///< component of a body (see above); 0 for other owners
+  std::uint32_t component = 0;  ///< component of a body, 0 to 9; 0 for other owners
 
   [[nodiscard]] bool is_mass() const {
     return owner == InertialOwner::point || (owner == InertialOwner::body && component == 0);

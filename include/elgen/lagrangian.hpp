@@ -102,7 +102,7 @@ struct Label {
 /// the symbol of an equal definition; else the symbol of a new definition.
 GiNaC::ex define(Definitions& definitions, const GiNaC::ex& value, Label label = {});
 
-/// Adds the symbol of a leaf of this kind to `definitions.places`, after the leaves added before.
+/// Adds `symbol`, a leaf of this kind, to `definitions.places` with the next rank among leaves.
 void add_leaf(Definitions& definitions, const GiNaC::ex& symbol, Opcode kind);
 
 /// The kinds of leaves that `value` depends on, directly or through definitions.

@@ -25,9 +25,10 @@ template <class T, class F, class Single>
   return leaves;
 }
 
-/// The names of leaves: "m", "l[2]", "theta", "q[1]". Velocities and accelerations have the name
-/// inside dot(), momenta the names of their velocities. Momenta, reference velocities and h have
-/// names only in programs with functions that take them; E has no name.
+/// The names of leaves: "m", "l[2]", "theta", "q[1]". The name of a velocity or an acceleration is
+/// the text that leaf_text() prints inside dot(); a momentum has the name of its velocity. Momenta,
+/// reference velocities and h have names only in programs with functions that take them; E has no
+/// name.
 struct LeafNames : LeafValues<std::string> {
   bool uses_time = false;
   std::vector<Assumption> assumptions = {};  ///< one for each parameter; empty: no assumptions
@@ -58,7 +59,7 @@ void name_optional_leaves(LeafSet takes, LeafNames& leaves);
 /// The number of leaves of a kind.
 [[nodiscard]] std::size_t leaf_count(const Model& model, Opcode kind);
 
-/// The unit of the entry that owns the leaf, not of the leaf; none if the entry has no unit.
+/// The unit of the entry that owns the leaf, not of the leaf itself; none if the entry has none.
 [[nodiscard]] std::optional<Unit> declared_unit(const Model& model, Opcode kind,
                                                 std::uint32_t number);
 

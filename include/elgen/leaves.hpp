@@ -54,7 +54,7 @@ void for_each_leaf(const F& f, First&& first, Others&&... others) {
 #undef ELGEN_LEAF
 }
 
-/// Calls f(row, list) for every kind that has a list of leaves.
+/// Calls f(leaf_row(kind), list) for every kind that has a list of leaves.
 template <class F, class Leaves>
 void for_each_list(const F& f, Leaves&& leaves) {
 #define ELGEN_LEAVES(kind, member, ...) f(leaf_row(Opcode::kind), leaves.member);
@@ -105,8 +105,8 @@ template <class T>
   return list != nullptr ? list->size() : 1;
 }
 
-/// True if emitted functions may take leaves of this kind (see ArgumentRule). For the kinds if_any
-/// and if_used: true if the list is not empty. True for h, which is a single leaf; functions take h
+/// True if emitted functions may take leaves of this kind (see ArgumentRule). If the rule is if_any
+/// or if_used: true if the list is not empty. True for h, which is a single leaf; functions take h
 /// only if h has a name.
 template <class T>
 [[nodiscard]] bool may_be_argument(const LeafValues<T>& leaves, Opcode kind) {

@@ -19,7 +19,8 @@ struct Limits {
   std::uint64_t decimal_exponent = 400;
   std::uint64_t integer_power = 64;
   std::uint64_t coordinates = 1024;
-  /// Entries except coordinates, after repetitions are expanded; also elements of one array.
+  /// Number of entries except coordinates, after repetitions are expanded; also the number of
+  /// elements of one array.
   std::uint64_t definitions = 20'000;
   std::uint64_t derived_nodes = 2'000'000;
   std::uint64_t seconds = 60;  ///< processor time of one command on one model

@@ -44,7 +44,7 @@ struct Coordinate {
   std::string unit_text = {};     ///< text of `unit` in the file
   std::optional<Interval> range = {};
   cln::cl_R start_value = 0;
-  bool wraps = false;  ///< an angle that may make full turns; it is compared modulo 2 pi
+  bool wraps = false;  ///< true: an angle that may make full turns and is compared modulo 2 pi
   /// Index of dq/dt in Model::velocities; for a component of a rotation, index of the first
   /// velocity of the rotation.
   std::uint32_t velocity = 0;
@@ -62,7 +62,7 @@ struct Coordinate {
 struct Velocity {
   std::string name;
   std::string identifier;
-  std::uint32_t coordinate = 0;  ///< index of q_i with v_i = dq_i/dt, or of w of a rotation
+  std::uint32_t coordinate = 0;  ///< index of q_i with v_i = dq_i/dt, or of a rotation's NAME_w
   /// For an angular velocity: index in Model::rotations.
   std::optional<std::uint32_t> rotation = {};
   std::optional<Unit> unit = {};  ///< unit of the velocity; none: units are not checked
@@ -245,7 +245,7 @@ struct UserOutput {
   std::string name;
   std::vector<ExpressionId> values = {};  ///< row-major
   std::optional<std::uint32_t> frame = {};
-  bool is_in_world = true;               ///< the twist is in world axes; false: in frame axes
+  bool is_in_world = true;               ///< true: the twist is in world axes; false: frame axes
   std::vector<ExpressionId> twist = {};  ///< (angular velocity, velocity of the origin)
   bool has_jacobian = false;
   bool solves_motion = false;  ///< true: a, lambda solve the equations of motion; false: a is given
@@ -343,7 +343,7 @@ struct Model {
   /// Indices of the parameters in pi; the forces are jointly affine in these parameters.
   std::vector<std::uint32_t> affine_parameters = {};
 
-  bool is_quadratic = true;   ///< T - V (or L) is at most quadratic in the rates
+  bool is_quadratic = true;   ///< true: T - V (or L) is at most quadratic in the rates
   bool omits_pivots = false;  ///< true: forward_dynamics has no pivots unless a scene adds them
   /// True if t occurs in the equations of motion or in an output, so that functions take t.
   bool uses_time = false;
@@ -374,9 +374,9 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
                                    : std::vector<std::uint32_t>{};
 }
 
-/// The new positions of the variables of `whole` after the held variables are removed.
-/// Inputs that act only on locked variables are removed too. An input that does no work is removed
-/// if another input of the same wrench is removed. Inputs in a requested output are kept.
+/// The new indices in q, v and u of `whole` after its held variables are removed. Inputs that act
+/// only on locked variables are also removed, except inputs that a requested output contains. An
+/// input that does no work is removed if another input of the same wrench is removed.
 [[nodiscard]] RemainingVariables remaining_variables(const Model& whole);
 
 /// True if the Lagrangian is Routh's function R: cyclic coordinates are eliminated.

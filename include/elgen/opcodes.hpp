@@ -115,7 +115,7 @@ struct LeafUse {
   LeafUnit unit;
   ArgumentRule argument_rule;
   bool is_zero_at_rest;  ///< true for rates and causes of motion, which are 0 at rest
-  bool is_settable;      ///< true if `--state` can set the leaf, which is not part of a start
+  bool is_settable;      ///< true: `--state` can set the leaf, but a start has no value for it
 };
 
 struct LeafRow : LeafNotation, LeafUse {

@@ -50,8 +50,8 @@ using OracleValues = std::optional<std::vector<cln::cl_R>>;
 [[nodiscard]] OracleValues oracle_values(const Model& model, const OutputRequest& output,
                                          const State& state);
 
-/// Values whose first 60 digits do not change if they are recomputed with more digits. A value that
-/// is pure rounding error at the highest precision is set to 0.
+/// Values whose first 60 digits are the same after a computation with more digits. A value that is
+/// pure rounding error at the highest precision is set to 0.
 struct StableValues {
   OracleValues values = {};
   /// False: at the highest precision a value cannot be distinguished from 0, or a number is too
@@ -116,7 +116,7 @@ struct FixedVariables {
 [[nodiscard]] std::optional<Assembly> oracle_assembly(const Model& model, const State& state,
                                                       const FixedVariables& kept = {});
 
-/// The assembled state; none if it does not satisfy the constraints.
+/// The state that oracle_assembly() finds from `state`; none if it violates the constraints.
 [[nodiscard]] std::optional<State> oracle_assembled_state(const Model& model, State state);
 
 /// The relative pivots D_i / M_ii of a symmetric n x n matrix M = L D L^T, eliminated from the

@@ -37,8 +37,8 @@ struct FunctionEquations {
 /// values. Without a readable form, the equations have the names of the emitted code.
 [[nodiscard]] FunctionEquations equations(const Program& program, std::size_t index);
 
-/// As above, but in the symbols of the model, for pages. Definitions of at most three operations
-/// are substituted; definitions without a name are called xi_1, xi_2, ….
+/// The equations of program.functions[index] in the symbols of the model, for pages. Definitions of
+/// at most three operations are substituted; definitions without a name are called xi_1, xi_2, ….
 [[nodiscard]] FunctionEquations equations(const Model& model, const Program& program,
                                           std::size_t index);
 
@@ -60,10 +60,10 @@ struct ConservedQuantity {
   std::string name = {};
   Formula definition = {};
 };
-/// The quantities that are constant along every motion, as far as the outputs of the program prove
-/// it. The energy function: if L does not contain t, no input, force or dissipation acts, and
-/// constraints do no work. A momentum: if L does not contain the coordinate, and no input, force,
-/// dissipation or constraint acts on the coordinate. Empty if the scene expands the equations.
+/// The quantities that the outputs of the program prove to be constant along every motion. The
+/// energy function: if L does not contain t, no input, force or dissipation acts, and constraints
+/// do no work. A momentum: if L does not contain the coordinate, and no input, force, dissipation
+/// or constraint acts on the coordinate. Empty if the scene expands the equations.
 [[nodiscard]] std::vector<ConservedQuantity> conserved_quantities(const Model& model,
                                                                   const Program& program);
 
@@ -157,8 +157,8 @@ struct PageOptions {
 [[nodiscard]] Page derivation_page(const Model& model, const Scene& scene,
                                    const ReadableDerivation& steps, std::string_view title = {});
 
-/// The titles of two sections of the steps: the energies, and the system of all equations with its
-/// solution.
+/// The titles of two sections of derivation_sections(): the energies, and the system of all
+/// equations with its solution.
 inline constexpr std::string_view energies_title = "Energies";
 inline constexpr std::string_view equations_title = "Equations of motion";
 

@@ -95,7 +95,7 @@ struct StageTime {
 /// The results of the stages. The result of a stage that did not run is empty.
 struct Products {
   std::optional<CheckedModel> checked = {};
-  std::optional<Program> lowered = {};  ///< the derived functions, not yet cancelled
+  std::optional<Program> lowered = {};  ///< the result of the stage lower, before the stage cancel
   std::optional<ClosedForms> closed_forms = {};
   std::optional<Program> program = {};  ///< every function in its chosen form
   std::vector<FormCosts> costs = {};

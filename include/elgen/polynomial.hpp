@@ -24,7 +24,7 @@ struct AtomPower {
   friend auto operator<=>(const AtomPower&, const AtomPower&) = default;
 };
 
-/// Factors by ascending atom; no exponent is 0.
+/// A product of powers of atoms, by ascending atom; no exponent is 0.
 class Monomial {
  public:
   using value_type = AtomPower;

@@ -76,8 +76,8 @@ struct Field {
 
 /// The last `length * count` instructions are `count` repetitions of the same `length` instructions
 /// with other operands; emitted code has a loop. An operand is in the same repetition, or precedes
-/// all repetitions. In the second case it is the same instruction in all repetitions, or a
-/// different one in each.
+/// all repetitions. A preceding operand is either the same instruction for all repetitions, or
+/// another instruction for each repetition.
 ///
 ///     5 = multiply 0 1     6 = subtract 2 5     7 = multiply 0 3     8 = subtract 4 7
 ///     length 2, count 2; operands 1 and 2 in the first repetition, 3 and 4 in the second
@@ -251,9 +251,9 @@ enum class FallbackName : std::uint8_t { hash, number };
                                                        const Function& function,
                                                        FallbackName last = FallbackName::hash);
 
-/// For each instruction the name of its temporary if this name is of a sine or cosine ("sin_theta")
-/// or is in function.names without intermediate_mark; else "". Hashes and names spelt from operands
-/// are excluded, because a caller may replace the operands.
+/// For each instruction the name of its temporary; "" unless the instruction is a sine or cosine
+/// ("sin_theta") or has a name without intermediate_mark in function.names. Hashes and names spelt
+/// from operands are excluded, because a caller may replace the operands.
 [[nodiscard]] std::vector<std::string> context_free_names(const Program& program,
                                                           const Function& function);
 

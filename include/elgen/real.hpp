@@ -70,8 +70,8 @@ class Real {
 [[nodiscard]] inline bool operator>(const Real& x, const Real& y) { return y < x; }
 [[nodiscard]] bool is_zero(const Real& x);
 
-/// True if |x - y| < 10^-digits. 40 of 64 digits are enough to suspect that two closed forms are
-/// equal.
+/// True if |x - y| < 10^-digits. Two closed forms that agree to 1e-40, in arithmetic of 64 digits,
+/// are candidates for a proof that they are equal.
 [[nodiscard]] bool is_near(const Real& x, const Real& y, long digits = 40);
 
 #define ELGEN_REAL_1(name) [[nodiscard]] Real name(const Real& x);
@@ -94,7 +94,8 @@ namespace interpreter {
 #include "elgen/functions.def"
 #undef ELGEN_FUNCTION
 
-/// Kinked functions for built-in floats. sign(0) = 0, and NaN propagates.
+/// Kinked functions for built-in floats. sign(0) = 0 and sign(NaN) = NaN. min and max return x if x
+/// or y is NaN.
 template <class Scalar>
 requires std::is_floating_point_v<Scalar>
 [[nodiscard]] Scalar sign(Scalar x) {

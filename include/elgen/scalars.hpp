@@ -57,7 +57,7 @@ inline constexpr std::array inner_scalar_table{
   return loss > 1 ? std::min<double>(std::log10(loss), decimal_digits(kind)) : 0;
 }
 
-/// The ScalarKind of a type.
+/// The ScalarKind of `Scalar`: long_double unless `Scalar` is float or double.
 template <std::floating_point Scalar>
 inline constexpr ScalarKind scalar_kind = ScalarKind::long_double;
 template <>

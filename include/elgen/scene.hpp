@@ -37,7 +37,7 @@ struct LanguageRow {
   std::string_view name;
   LanguageScalars scalars;
   std::string_view file_extension;  ///< extension of source files: "cpp"
-  bool has_more_headers;            ///< scenes may request headers on Eigen types and for batches
+  bool has_more_headers;            ///< scenes may request headers with Eigen types and for batches
   bool is_interpreted;              ///< the language computes in doubles with its own sin, cos, …
 };
 
@@ -189,7 +189,8 @@ struct Scene {
   /// Index in Model::outputs -> kind of values, for each output that is added for an animation.
   std::map<std::uint32_t, ShownValues> page_outputs = {};
   bool has_options = false;  ///< true: --outputs, --fix, --size or --language is set
-  /// Text of the scene file and of these options; stamps contain a hash of this text; "": `full`.
+  /// Text of the scene file and of the options of `has_options`; stamps contain a hash of the text.
+  /// "" for the built-in scene `full` without options.
   std::string canonical_text = {};
   /// The texts of options, into which spans of the model and the scene point.
   std::vector<SourcePointer> option_sources = {};
@@ -225,8 +226,8 @@ struct Purpose {
   bool shows_motion = false;
   /// `[approximate]` of the scene is ignored.
   bool ignores_expansion = false;
-  /// Closed forms of more than 4096 nodes are kept. False: they are read up to this size, to report
-  /// mistakes, and then dropped.
+  /// Closed forms of [[expect]] with more than 4096 nodes are kept. False: their first 4096 nodes
+  /// are checked for mistakes, and the forms are then dropped.
   bool keeps_large_forms = false;
 };
 

@@ -21,7 +21,7 @@ namespace elgen {
 /// relative error.
 struct SimulationOptions {
   std::string method = "dopri5";            ///< a method of run/steps/methods.cpp
-  std::optional<std::uint32_t> order = {};  ///< order of the step; none: order without composition
+  std::optional<std::uint32_t> order = {};  ///< order of the step; none: order of `method` alone
   double from = 0;
   double duration = 0;  ///< the run ends at `from` + `duration`
   /// Largest step; equal steps fill each interval between rows or holds.
@@ -43,7 +43,7 @@ struct Drift {
   std::string name = {};
   std::string measure = {};  ///< the quantity whose largest value is `scale`: "|T| + |V|"
   double worst = 0;          ///< largest magnitude of the deviation
-  double secular = 0;        ///< mean deviation in the last tenth of the run minus in the first
+  double secular = 0;        ///< mean deviation in the last tenth - mean in the first tenth
   double scale = 1;
 };
 
@@ -74,7 +74,7 @@ struct ConstraintAccuracy {
   ConstraintViolation largest = {};
   /// Unit of f; "" if the constraints have no common unit. None if no constraint is on positions.
   std::optional<std::string> unit = {};
-  std::string rate_unit = {};               ///< unit of r; "" if there is no common unit
+  std::string rate_unit = {};               ///< common unit of r; "" if the units of r differ
   std::vector<StartCorrection> start = {};  ///< changes of more than 1e-9 max(|x|, 1)
 };
 
@@ -92,7 +92,7 @@ struct Trajectory {
   std::string method = {};  ///< "verlet of order 8"
   std::string path = {};    ///< the point whose path is drawn; "": none
   double from = 0;
-  std::vector<TrajectoryColumn> columns = {};  ///< t, q, v, u with laws, lambda, x, y of `path`, E
+  std::vector<TrajectoryColumn> columns = {};  ///< t; q; v; u with laws; lambda; x, y of `path`; E
   std::vector<std::vector<double>> rows = {};
   std::vector<double> work = {};  ///< work done up to each row, in J; empty if no force does work
   std::vector<double> last = {};  ///< the row at the end of the run
@@ -104,7 +104,7 @@ struct Trajectory {
   /// The last integral is present only for constraints that contain t.
   Drift energy = {};
   bool loses_energy = false;        ///< true: `energy` drifts by > 10 % of the scale of E648
-  std::vector<Drift> momenta = {};  ///< drifts of dL/dv of cyclic q without forces and constraints
+  std::vector<Drift> momenta = {};  ///< drift of p of each cyclic q without force or constraint
   /// Drifts of `conserved` entries of the model, which are constant at u = 0. Empty if the scene
   /// locks variables or expands the equations.
   std::vector<ConservedDrift> conserved = {};
@@ -141,10 +141,11 @@ struct Trajectory {
 /// Runs from the assembled start of the model (assemble_start()), by `compiled` or, if `compiled`
 /// is null, in the interpreter. E624: M or the constraints lose rank, the motion slides along a
 /// kink, or a number is not finite. Other errors: E201 of `--show` and `--path`, E538, E620, E621,
-/// E623, E647. Warning E518: a constant law is beyond the limits of its input. Warning E648: the
-/// energy balance (Trajectory::energy) deviates by more than the tolerance allows; or, with a fixed
-/// step, by more than 1 % of max |T| + (max V - min V), or an entry of `conserved` drifts. Cost per
-/// step: one `step` or a few calls of the equations of motion, and one call of the energies.
+/// E623, E647. Warning E518: a constant law is beyond the limits of its input. Warning E648, if
+/// `tolerance` is set: the energy balance (Trajectory::energy) deviates by more than the tolerance
+/// allows. Warning E648, with a fixed step: the energy balance deviates by more than 1 % of
+/// max |T| + (max V - min V), or an entry of `conserved` drifts. Cost per step: one `step` or a few
+/// calls of the equations of motion, and one call of the energies.
 [[nodiscard]] Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
                                           const CompiledModel* compiled,
                                           const SimulationOptions& options);

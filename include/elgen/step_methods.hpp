@@ -26,8 +26,8 @@ enum class StepMethod : std::uint8_t {
 
 enum class StepDomain : std::uint8_t { any, separable, quadratic };
 
-/// An implicit step that has not converged after 20 iterations needs a shorter h, not more
-/// iterations.
+/// The most iterations of an implicit step. A step that has not converged after 20 iterations needs
+/// a shorter h, not more iterations.
 inline constexpr std::uint32_t max_step_iterations = 20;
 
 struct StepMethodRow {

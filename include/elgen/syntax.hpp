@@ -21,7 +21,7 @@ namespace elgen {
 
 enum class SyntaxKind : std::uint8_t {
   number,    ///< the number `value`
-  name,      ///< text; operands = {index} if the name has an index
+  name,      ///< the name `text`; operands = {index} if the name has an index
   call,      ///< text = name of the function, operands = arguments
   negate,    ///< operands = {e}
   add,       ///< n-ary, as a + b + c; a - b is a + (negate b)
@@ -32,8 +32,8 @@ enum class SyntaxKind : std::uint8_t {
 
 /// An expression as typed. `span` covers the expression with its brackets, `token` only its
 /// operator or name. limits.expression_depth limits the nesting: brackets, calls, indices, signs,
-/// powers and quotients count one level each, but not the terms of a sum or product. The height of
-/// the tree is at most a few times this limit.
+/// powers and quotients count one level each; terms of a sum and factors of a product count none.
+/// The height of the tree is at most a few times this limit.
 struct ExpressionSyntax {
   SyntaxKind kind = SyntaxKind::number;
   std::string text = {};
@@ -84,8 +84,9 @@ struct FileSyntax {
   std::vector<EntrySyntax> entries = {};  ///< the tables of the file, in file order
 };
 
-/// The first entry `name` of `file`; the key `key` of the first entry `entry`; all keys of the
-/// first entry `entry`. Null or empty if the entry or key is missing, or if `file` is null.
+/// find_entry: the first entry `name` of `file`. find_key: the key `key` of the first entry
+/// `entry`. entry_keys: all keys of this entry. Null or empty if `file` is null, or if the entry or
+/// key is missing.
 [[nodiscard]] const EntrySyntax* find_entry(const FileSyntax* file, std::string_view name);
 [[nodiscard]] const KeySyntax* find_key(const FileSyntax* file, std::string_view entry,
                                         std::string_view key);
@@ -100,7 +101,7 @@ enum class KeyType : std::uint8_t {
   expression_or_list,   ///< an expression, or a list of expressions
   expression_or_table,  ///< a parameter: an expression, or a table (rows `<entry>.<key>`)
   closed_form,          ///< expression, list, matrix, or a table {for, value}
-  name,         ///< string: a name, perhaps with an index: an expression of SyntaxKind::name
+  name,         ///< string with a name, perhaps with an index: an expression of SyntaxKind::name
   text,         ///< free text
   choice,       ///< text, one of the words of choice_table()
   choice_list,  ///< list of words of choice_table()
@@ -122,7 +123,7 @@ enum class KeyType : std::uint8_t {
   latex_symbol,           ///< string: LaTeX of a symbol
 };
 
-/// A default that is no constant: "made from the name".
+/// The description of a default that is no constant: "made from the name".
 struct DefaultInWords {
   std::string_view text;
 };

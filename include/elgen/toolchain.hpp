@@ -63,7 +63,7 @@ using FunctionResults = std::vector<std::vector<std::vector<Scalar>>>;
 class CompiledModel {
  public:
   virtual ~CompiledModel() = default;
-  /// A pointer to `function`, valid while the CompiledModel lives; null if not compiled for double.
+  /// A pointer to `function`, valid while *this lives; null if the code is not compiled for double.
   /// The function writes the entries of all fields, in the order of Function::fields.
   [[nodiscard]] virtual DriverFunction<double> find(std::string_view function) const = 0;
   /// Calls `function`. Returns the entries of all fields, in the order of Function::fields.

@@ -46,7 +46,7 @@ struct Design {
   /// The max_error of the sine polynomials, or library_sines; "": the accuracy of the scalar.
   std::string trigonometry = {};
   bool is_fixed = false;                  ///< true: all parameters are numbers in the code
-  InnerScalar inner = InnerScalar::same;  ///< not `same` only for functions of one state in double
+  InnerScalar inner = InnerScalar::same;  ///< may differ from `same` only for one state in double
   std::string order = {};                 ///< order of an expansion, or "exact": no expansion
   std::optional<StepSpec> step = {};      ///< step emitted instead of the output; none: the output
   std::string doc = {};                   ///< value of `doc` in the scene; "": no `doc`
@@ -114,12 +114,12 @@ struct TwoDoubleNumber {
 
 /// The states of a measurement, with the exact value of every entry at each state.
 struct TradeoffStates {
-  /// A design in float rounds the states; this rounding is part of its error.
+  /// A design in float rounds the states; this rounding is part of the error of the design.
   std::vector<Arguments<double>> states = {};
   std::vector<std::size_t> field_sizes = {};
   std::vector<std::vector<TwoDoubleNumber>> exact = {};  ///< exact[i][k]: entry k at states[i]
   Arguments<double> low = {};   ///< lower ends of the ranges from which states are drawn
-  Arguments<double> high = {};  ///< upper ends of these ranges
+  Arguments<double> high = {};  ///< upper ends of the ranges from which states are drawn
   std::uint64_t seed = 1;       ///< seed of the search for worse states
 };
 
@@ -163,7 +163,7 @@ struct FoundErrors {
 [[nodiscard]] FoundErrors find_errors(const CheckedModel& exact, const Program& program,
                                       const TradeoffStates& states, const DesignEvaluator& design);
 
-/// A table shows the worst error found, times this factor.
+/// The factor by which a table multiplies the worst error found, because worse states may exist.
 inline constexpr double search_margin = 1.5;
 
 /// Costs or errors within this factor count as equal: a table shows two digits of an error, and
@@ -215,8 +215,9 @@ struct PlannedRun {
   std::size_t steps = 0;
 };
 
-/// The runs to measure: all methods and orders, each for one state and in packs. Step lengths are
-/// integer fractions of `time` near `lengths`, or a few defaults if `lengths` is empty.
+/// The runs to measure: all methods and orders, each for one state and in packs. A step length is
+/// `time` / n, n an integer: n is `time` / length, rounded, for each length in `lengths`. If
+/// `lengths` is empty, n has a few default values.
 [[nodiscard]] std::vector<PlannedRun> plan_runs(double time,
                                                 const std::vector<double>& lengths = {});
 
@@ -244,8 +245,8 @@ struct TradeoffRow {
   Quartiles call_cost = {};  ///< cost of a call with one state; in packs, the state fills one lane
   DesignErrors error = {};
   std::string failure = {};  ///< why cost and error are missing; "": they are present
-  /// True: the error is below the error of the reference run, and `error` is the error of the
-  /// reference run.
+  /// True: the measured error is below the error of the reference run, and `error` holds the error
+  /// of the reference run instead.
   bool is_below_reference = false;
   /// The rank by cost, from 1; 0 if the row failed. All rows whose cost equals the cheapest cost of
   /// the remaining rows get the next rank.

@@ -30,9 +30,10 @@ namespace elgen {
 /// True if some entry has a closed form that is short enough to be read.
 [[nodiscard]] bool has_short_entry(const ClosedFunction& function);
 
-/// `derived`, the program of elgen/steps.hpp, with the summands of each field added up to one
-/// entry. `functions` of the result use the definitions of the derivation, and `readable` has the
-/// functions as in books. The function of a velocity has the fields of LagrangeStepField.
+/// Returns `derived`, the program of elgen/steps.hpp, in which one entry, the sum, replaces the
+/// summands of each field. Program::functions keep the definitions of the derivation, and
+/// Program::readable has the same functions as books write them. The function of a velocity has the
+/// fields of LagrangeStepField.
 ///
 /// A last function is added, with one field per velocity: the equation of motion, solved for the
 /// acceleration of the velocity. The field has no rows if the scene expands the equations,
@@ -52,8 +53,9 @@ enum class LagrangeStepField : std::uint8_t {
   left
 };
 
-/// A function of the leaves whose only entry is `form`, as in books. If the book form is too long,
-/// the entry has the shortest form. If both forms are too long to read, the function has no fields.
+/// A function of the leaves whose only entry is `form`, written as in books. If the book form is
+/// too long, the entry has the shortest form. If both forms are too long to read, the function has
+/// no fields. New constants are added to `program`.
 [[nodiscard]] Function typeset_value(const Model& model, const Algebra& algebra,
                                      const Fraction& form, Program& program);
 
