@@ -67,7 +67,7 @@ std::vector<Segment> split_segments(const Glyphs& row, double (*measured)(const 
   return all;
 }
 
-/// The segment at which to break the line that begins with segment `first`.
+/// The index behind the last segment of the line that begins with segment `first`.
 std::size_t next_break(const std::vector<Segment>& all, std::size_t first, double widest) {
   double filled = all[first].width;
   std::size_t best = first + 1;

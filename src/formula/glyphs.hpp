@@ -102,8 +102,8 @@ struct GlyphPiece {
 
 [[nodiscard]] std::string trim_blanks(std::string text);
 
-/// Breaks a long row before its signs, inside as few brackets as possible, and completes growing
-/// brackets on both sides. Lines are at most about `widest` letters wide, if possible.
+/// Breaks a long row before its signs, inside as few brackets as possible. A break closes growing
+/// brackets and opens these again. Lines are at most about `widest` letters wide, if possible.
 [[nodiscard]] GlyphRows break_lines(const Glyphs& row, double widest,
                                     double (*measure)(const Glyphs&) = &width);
 

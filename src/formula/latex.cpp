@@ -134,7 +134,7 @@ class LatexReader {
     return {is_bracket ? GlyphKind::bracket : GlyphKind::sign, std::string(1, c)};
   }
 
-  /// Reads one character, and all following characters for which `continues` is true.
+  /// Reads one character, then further characters until `continues` is false.
   std::string read_while(const auto& continues) {
     const std::size_t begin = at_++;
     while (at_ < text_.size() && continues(text_[at_])) ++at_;
@@ -158,7 +158,7 @@ class LatexReader {
     return {is_function_command(name) ? GlyphKind::function : GlyphKind::command, std::move(name)};
   }
 
-  /// Reads the arguments. Moves parts: copies on each level would cost the square of the depth.
+  /// The glyph of `row` and its arguments. Parts are moved: copies would cost depth squared.
   Glyphs read_arguments(const CommandRow& row, int depth) {
     Glyphs glyphs{row.kind, std::string(row.letter)};
     for (std::size_t i = 0; i < row.parts; ++i) glyphs.parts.push_back(read_argument(depth));

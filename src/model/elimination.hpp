@@ -8,15 +8,15 @@
 namespace elgen {
 
 /// The least number of velocities for the articulated-body algorithm. With fewer velocities, M = L
-/// D L^T needs fewer operations; for a chain of hinges, the numbers are equal at about ten
+/// D L^T needs fewer operations; for a chain of hinges, both need equally many at about ten
 /// velocities.
 inline constexpr std::size_t min_articulated_velocities = 10;
 
-/// The order in which velocities are eliminated: true from the last to the first, false from the
-/// first to the last. The order determines the relative pivots of forward dynamics. True if a frame
-/// carries at least two other frames: then there is no fill-in between branches of the tree. True
-/// if a model with frames has at least min_articulated_velocities velocities: the articulated-body
-/// algorithm has this order.
+/// True if velocities are eliminated from the last to the first, false if from the first to the
+/// last. The order determines the relative pivots of forward dynamics. True for models with frames
+/// and at least min_articulated_velocities velocities, because the articulated-body algorithm has
+/// this order. Also true if a frame carries at least two other frames, because there is then no
+/// fill-in between branches of the tree.
 [[nodiscard]] bool eliminates_backward(const Model& model);
 
 }  // namespace elgen

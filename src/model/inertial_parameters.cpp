@@ -123,7 +123,7 @@ class CouplingSearch {
   std::map<ExpressionId, std::uint32_t> first_ = {};
 };
 
-/// For each parameter: true if the roots contain it, also through names.
+/// For each parameter: true if `roots` contain the parameter, directly or through names.
 std::vector<bool> contained_parameters(const Model& model, const std::vector<ExpressionId>& roots) {
   std::vector<bool> found(model.parameters.size());
   for (const ExpressionId id : reachable_expressions(model, roots)) {

@@ -1,5 +1,5 @@
 // Model: adds coordinates with their velocities, renumbers variables after held variables are
-// removed, and finds open values (by linear search, because a model has few).
+// removed, and finds open values by linear search, because a model has few open values.
 #include "elgen/model.hpp"
 
 #include <algorithm>

@@ -72,8 +72,8 @@ ExpressionId component_of_frame(const Frame& frame, std::uint32_t component) {
   return frame.recursive_spin[component - frame_recursive_spin];
 }
 
-/// Like references(), but a component of a point, or of the pose of a frame, refers to all
-/// components.
+/// Like references(), but a component of a point refers to all components of the point, and a
+/// component of the pose of a frame refers to all components of the pose.
 std::vector<ExpressionId> references_by_entry(const Model& model, ExpressionId expression) {
   const Expression& e = model.expressions[expression];
   if (refers_to_entry(e, NamedKind::point)) {

@@ -28,7 +28,7 @@ std::vector<OutputRequest> all_requests(const Model& model) {
   return result;
 }
 
-/// Sets the independent velocities if the output has this option.
+/// Sets `request.independent` if the output has the option `independent`.
 void set_independent_velocities(const std::vector<std::uint32_t>& velocities,
                                 OutputRequest& request) {
   const EnumSet<OutputOption>& options = output_row(request.kind).options;

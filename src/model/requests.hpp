@@ -38,8 +38,8 @@ struct FieldLine {
   /// "y", "z", "p" (columns) of a pose; "wx" to "vz" of a twist; "" for a single number.
   std::string name = {};
   /// The declared unit of the coordinate, velocity, input or other entry of the line; for the rate
-  /// of a position constraint, the unit of the constraint per second. Lines of accelerations,
-  /// states and pivots also have the unit of their entry.
+  /// of a position constraint, the unit of the constraint per second. A line of an acceleration,
+  /// state or pivot has the unit of the velocity or constraint.
   std::optional<Unit> unit = {};
   std::optional<Opcode> leaf = {};  ///< kind of the leaf; none: the line has no leaf
   std::uint32_t number = 0;         ///< number of the leaf, or index of the entry in its list

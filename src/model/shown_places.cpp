@@ -1,5 +1,5 @@
-// shown_places: the places that a page draws, and the lines between them. A line leads from a place
-// to the places that its position contains, directly or through definitions.
+// shown_places: the places that a page draws, and the lines between them. A line joins places A and
+// B if the position of A contains components of B, directly or through definitions.
 #include "model/shown_places.hpp"
 
 #include <algorithm>

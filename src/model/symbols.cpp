@@ -129,8 +129,8 @@ Glyphs partial_glyphs(const Glyphs& of, const char* order) {
 }
 
 /// The symbol of an open value: V(r), or V'(r) for the derivative of a function of one argument.
-/// For a derivative by one of several arguments, the symbol is \frac{\partial V}{\partial x}; if an
-/// argument has no symbol, \partial_{1} V.
+/// With respect to one of several arguments, the derivative is \frac{\partial V}{\partial x}, or
+/// \partial_{1} V if an argument has no symbol.
 Glyphs open_value_symbol(const Glyphs& function, const std::vector<Glyphs>& arguments,
                          const std::vector<std::uint32_t>& by) {
   const bool have_names =

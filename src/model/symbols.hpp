@@ -68,7 +68,7 @@ class ModelSymbols {
 [[nodiscard]] Formula latex_formula(const Model& model, std::string_view latex);
 /// The glyphs of latex_formula().
 [[nodiscard]] Glyphs latex_glyphs(const Model& model, std::string_view latex);
-/// The symbol of the derivative of `function` by x: "dL/d(dot(q))".
+/// The symbol of the derivative of `function` with respect to x: "dL/d(dot(q))".
 [[nodiscard]] Formula partial_derivative(std::string_view function, const Formula& x);
 /// Replaces every vector `<vector>` in `glyphs` by the glyphs `by`.
 [[nodiscard]] Glyphs replace_vector(Glyphs glyphs, std::string_view vector, const Glyphs& by);

@@ -16,7 +16,7 @@ struct UnmetNeed {
   std::string related_message = {};
 };
 
-/// The first need of the output that the model does not meet; none if the model can provide it.
+/// The first need of the output that the model does not meet; none if all needs are met.
 [[nodiscard]] std::optional<UnmetNeed> find_unmet_need(const Model& model,
                                                        const OutputRequest& request);
 

@@ -13,7 +13,7 @@ namespace elgen {
 
 namespace {
 
-/// The prefix of a scene's entries in the tables: "scene.outputs" and so on.
+/// The prefix of a scene's entries in the entry table and the key table: "scene.outputs".
 constexpr std::string_view scene_prefix = "scene.";
 
 std::string header_text(std::string_view name, bool repeated) {

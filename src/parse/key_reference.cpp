@@ -61,7 +61,7 @@ bool belongs_to_entry(const KeyRow& key, std::string_view entry) {
 }
 
 /// The path of a key within `entry`: "start.value" for the key `value` of "coordinate.start" within
-/// "coordinate", "NAME" for "*".
+/// "coordinate". "NAME" replaces "*".
 std::string path_in_entry(const KeyRow& key, std::string_view entry) {
   std::string path = fmt::format("{}.{}", key.entry, key.key);
   path.erase(0, entry.size() + 1);

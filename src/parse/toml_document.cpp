@@ -113,8 +113,8 @@ std::string short_toml_message(std::string_view description) {
   return message;
 }
 
-/// The word at `offset` or just before it: toml++ stops in or after a number that it cannot
-/// represent.
+/// The word at `offset` or just before `offset`: toml++ stops inside or behind a number that is out
+/// of range.
 Span word_at(const SourceText& source, std::uint32_t offset) {
   std::uint32_t begin = offset;
   std::uint32_t end = offset;

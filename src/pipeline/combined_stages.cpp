@@ -78,7 +78,7 @@ Result<FormChoice> choose_program_forms(const ChoiceInput& input, const Program&
   return choice;
 }
 
-/// The functions that a step calls, in the forms that a scene would choose for them.
+/// The functions that `step` calls, in the forms that a scene with only these functions would have.
 Result<Program> derive_step_callees(const Lagrangian& lagrangian, const CheckedModel& checked,
                                     const OutputRequest& step, const Limits& limits) {
   Scene scene = checked.scene;

@@ -15,8 +15,8 @@
 
 namespace elgen {
 
-/// The program of some outputs of the Lagrangian, before forms are chosen: the stages derive, lower
-/// and cancel, and the composition of outputs. Errors of derive() and lower().
+/// The program of `outputs`, made by the stages derive, lower and cancel and by compose_outputs(),
+/// before forms are chosen. Errors of derive() and lower().
 [[nodiscard]] Result<Program> derive_recursive_program(const Lagrangian& lagrangian,
                                                        const std::vector<OutputRequest>& outputs,
                                                        const Limits& limits);

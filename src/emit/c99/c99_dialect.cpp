@@ -1,6 +1,6 @@
-// c99_dialect: float functions of <math.h> end in f. The header defines sign, min and max: the C
-// code must compute the same values as the C++ code, and fmin drops a NaN. The header also defines
-// the in-line sine and cosine.
+// c99_dialect: functions of <math.h> have the suffix f for float. The emitted header defines sign,
+// min and max, because the C code must compute the same values as the C++ code, and fmin drops a
+// NaN. The emitted header also defines the in-line sine and cosine.
 #include "emit/c99/c99_dialect.hpp"
 
 #include <fmt/ranges.h>
@@ -23,7 +23,7 @@ std::string c99_part_name(const Function& function, std::size_t part) {
   return fmt::format("{}_part_{}", function.name, part + 1);
 }
 
-/// "sine_of": the header's own in-line function for "sin" or "cos"; "" for other names.
+/// "sine_of" for "sin", "cosine_of" for "cos": in-line functions of the header. "" for other names.
 std::string_view inline_sine_name(std::string_view name) {
   return name == "sin" ? "sine_of" : name == "cos" ? "cosine_of" : "";
 }

@@ -1,5 +1,5 @@
-// function_formulas: writes the formula of one instruction. Its operands are names, or formulas
-// with brackets if needed.
+// function_formulas: writes the formula of one instruction. The operands in this formula are names,
+// or formulas with brackets if needed.
 #include "emit/code/function_formulas.hpp"
 
 #include <algorithm>

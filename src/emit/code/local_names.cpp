@@ -12,7 +12,7 @@
 namespace elgen {
 namespace {
 
-/// Characters that remain of a name that is too long; a number and underscores follow them.
+/// A name that is too long keeps this many characters, followed by "_" and a number.
 constexpr std::size_t truncated_name_length = 40;
 
 /// The limit of nested brackets, and the names in use.

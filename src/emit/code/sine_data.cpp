@@ -25,8 +25,8 @@ TemplateData template_list(const std::vector<std::string>& texts, std::size_t fi
 /// The names of x^2, x^4, x^8 in the templates.
 constexpr std::array<std::string_view, 3> powers{"square", "fourth", "eighth"};
 
-/// Combines neighbouring terms to c0 + c1 x^2, then neighbouring sums with the factor x^4, then
-/// with x^8. `polynomial` in program/evaluate/sines.cpp uses the same order.
+/// Combines neighbours: terms to s0 = c0 + c1 x^2, sums to s0 + s1 x^4, and the results with x^8.
+/// `polynomial` in program/evaluate/sines.cpp uses the same order.
 class EstrinPolynomial {
  public:
   EstrinPolynomial(std::vector<std::string> terms, const std::string& name, std::string_view type)

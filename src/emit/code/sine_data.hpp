@@ -17,8 +17,8 @@ enum class SineSpelling : std::uint8_t { names, values };
 /// Writes a number as a literal of the scalar type.
 using LiteralWriter = std::function<std::string(double)>;
 
-/// A template variable for each coefficient, and three lists: the third and later parts of pi/2,
-/// the powers of x^2, and the lines that compute the polynomials `sine` and `cosine`.
+/// A variable for each coefficient, and four lists: all coefficients, the third and later parts of
+/// pi/2, the powers of x^2, and the lines that compute the polynomials `sine` and `cosine`.
 [[nodiscard]] TemplateRow sine_data(const std::vector<SineConstant>& numbers, ScalarKind scalar,
                                     const LiteralWriter& literal, SineSpelling spelling);
 

@@ -19,7 +19,7 @@ class OperandWalk {
   OperandWalk(const Function& function, const std::vector<std::string>& names)
       : function_(function), names_(names) {}
 
-  /// Walks the definition of an instruction, even if the instruction has a name.
+  /// The operands in the definition of the instruction `at`, even if this instruction has a name.
   StatementOperands walk_definition(std::uint32_t at) {
     inline_operand(at);
     return take_operands();

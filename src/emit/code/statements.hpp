@@ -1,4 +1,4 @@
-// statements: the body of a Function in order: the named values, then the entries of its fields.
+// statements: the body of a Function in order: the named values, then the entries of the result.
 // Other instructions are written out at each use.
 //
 //     2 = add 0 1  ; total        total = a + b

@@ -1,6 +1,6 @@
-// batch_header: functions that apply the main header's functions to arrays of states, from the
-// template cpp/batch.hpp.mustache. A pack is a SIMD vector with one number, such as q[1], from each
-// of several states. Each function loads packs, calls the main header and stores the results.
+// batch_header: functions that apply functions of the main header to arrays of states (template
+// cpp/batch.hpp.mustache). A pack is a SIMD vector: one number, such as q[1], of several states.
+// Each function loads packs, calls its namesake in the main header, and stores the results.
 #include <fmt/ranges.h>
 
 #include <algorithm>

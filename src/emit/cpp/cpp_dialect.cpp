@@ -224,7 +224,7 @@ class CppDialect : public CompiledDialect {
   bool is_reserved(const std::string& name) const override { return is_emitted_name(name); }
 
  private:
-  /// Sine and cosine are functions of the header, which computes them in line if it can.
+  /// "detail::Sine<Scalar>::of" for "sin", because the header computes sines in line if possible.
   std::string library_function_name(std::string_view name) const override {
     if (name != "sin" && name != "cos") return std::string(name);
     return helper_function_name(name == "sin" ? "Sine" : "Cosine") + "::of";
@@ -244,8 +244,8 @@ class CppDialect : public CompiledDialect {
   }
 };
 
-/// Arguments are references to the memory of the caller, not copies. A type states its size as a
-/// number (Vector<Scalar, 3>), because several arrays of a model can have the same size.
+/// Writes functions whose arguments are references to the memory of the caller, not copies. A type
+/// states its size as a number (Vector<Scalar, 3>), because several arrays can have the same size.
 class EigenDialect final : public CppDialect {
  public:
   using CppDialect::CppDialect;

@@ -119,7 +119,7 @@ TemplateData sine_cosine_calls_data(const Numerics& numerics) {
   });
 }
 
-/// The built-in scalars for which the predicate is true.
+/// The built-in scalars for which `is_wanted` is true.
 template <class Predicate>
 std::vector<ScalarKind> scalars_if(const Predicate& is_wanted) {
   std::vector<ScalarKind> scalars;
@@ -168,9 +168,9 @@ std::string cpp_header(const EmissionInput& input) {
   return fill_header_template("cpp/header.hpp.mustache", data);
 }
 
-/// Writes the bodies again instead of calling the main header. To call it, Eigen's vectors would
-/// have to be copied to arrays and back (up to a quarter of the time of panda7, g++ -O2), or
-/// reinterpreted as arrays, which is undefined behaviour.
+/// The Eigen header, with its own copy of each body. A call of a function of the main header would
+/// copy Eigen's vectors to arrays and back (up to a quarter of the time of panda7, g++ -O2), or
+/// reinterpret these vectors as arrays, which is undefined behaviour.
 std::string eigen_header(const EmissionInput& input) {
   TemplateData data = header_data(input, *eigen_dialect(input.model, input.program));
   const bool is_row_major = input.scene.emission.storage == Storage::row_major;

@@ -33,8 +33,8 @@ constexpr std::array<std::string_view, 17> more_emitted_names{
     "regressor_names",  "digits_left"};
 constexpr std::array<std::string_view, 5> eigen_names{"eigen", "Eigen", "Argument", "Matrix",
                                                       "Vector"};
-/// Names that are used in the initialisers of Parameters' members. A member with the same name
-/// would hide the name.
+/// Names that the initialisers of the members of Parameters use. A member with one of these names
+/// would hide the used name.
 constexpr std::array<std::string_view, 5> names_in_initialisers{"Parameters", "Scalar", "constant",
                                                                 "detail", "std"};
 constexpr std::string_view constant_prefix = "number_";

@@ -1,6 +1,6 @@
 // wide_header: the functions of the main header in a wider scalar, from the template
-// cpp/wide.hpp.mustache. Each function widens its arguments, calls the main header and rounds the
-// results. A step whose accelerations are in float is written out instead.
+// cpp/wide.hpp.mustache. Each function widens its arguments, calls its namesake in the main header,
+// and rounds the results. A step whose accelerations are in float is written out instead.
 #include <fmt/ranges.h>
 
 #include <algorithm>

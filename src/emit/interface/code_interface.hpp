@@ -145,7 +145,7 @@ struct DeclaredArray {
 ///     2 x 3: a b c d e f   ->   3 x 2: a d b e c f
 [[nodiscard]] Function to_storage_order(const Function& function, Storage storage);
 
-/// An output with more entries is not returned by value: the value could overflow the stack.
+/// Most entries of an output that is returned by value; a larger value could overflow the stack.
 inline constexpr std::size_t max_returned_entries = 4096;
 [[nodiscard]] bool is_returned_by_value(const Function& function);
 

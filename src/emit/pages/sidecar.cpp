@@ -42,7 +42,7 @@ std::string json_text(const Json& json, std::size_t column, std::size_t indent) 
   return brackets[0] + text + "\n" + std::string(indent, ' ') + brackets[1];
 }
 
-/// A JSON list with `json_of` of each element.
+/// The JSON list of json_of(element) for each of `elements`.
 template <class Elements, class F>
 Json json_list(const Elements& elements, const F& json_of) {
   Json list = Json::array();
@@ -57,7 +57,7 @@ Json named_json(const std::string& name, const std::string& unit) {
   return json;
 }
 
-/// Adds the name in each language that spells it differently: {"python": "lambda_"}.
+/// Adds {"spelt": {"python": "lambda_"}} for the languages that spell `name` differently.
 void add_spellings(Json& json, const std::string& name) {
   for (const LanguageRow& language : language_table) {
     const std::string spelt = name_in_language(language.id, name);
@@ -69,7 +69,7 @@ void add_interval(Json& json, const char* key, const std::optional<Interval>& in
   if (interval) json[key] = {exact_text(interval->low), exact_text(interval->high)};
 }
 
-/// Adds the range and the start value of the rate.
+/// Adds "rate_range", if `velocity` has a range, and "start_rate".
 void add_rate(Json& json, const Velocity& velocity) {
   add_interval(json, "rate_range", velocity.rate_range);
   json["start_rate"] = exact_text(velocity.start_rate);
@@ -171,8 +171,8 @@ Json arguments_json(const EmissionInput& input, const Function& function) {
                    [](Opcode argument) { return leaf_row(argument).symbol; });
 }
 
-/// The shape, the names of rows and columns that no list of the model contains, and the entries if
-/// the output has equations.
+/// {"shape": …, "rows": …, "columns": …, "entries": …}. Names of rows and columns are omitted if
+/// another list of the sidecar contains these names; entries, if the output has no equations.
 Json field_json(const Model& model, const OutputRow& row, const FunctionEquations& equations,
                 const Field& field, std::size_t at) {
   Json json{{"shape", {field.rows, field.columns}}};

@@ -41,7 +41,7 @@ std::string magnitude_digits(const cln::cl_R& value) {
   return literal_text(rounded_decimal(cln::abs(value), digits_of_decimals));
 }
 
-/// "(1, 10)", "(1, 2, True)" for a multiple of pi, "'0.8660…'"; "" if the number is a double.
+/// (1, 10) for 1/10, (1, 2, True) for pi/2, "0.8660…" for sqrt(3)/2; "" if the number is a double.
 std::string entry_text(const Constant& constant) {
   const cln::cl_R magnitude = cln::abs(constant.value);
   if (is_rational(constant)) {

@@ -21,8 +21,8 @@ std::string fill_spelling(std::string_view pattern, std::string_view name,
   return fmt::format(fmt::runtime(pattern), name, more);
 }
 
-/// `present`: brackets enclose the value. `needed`: a value on several lines gets brackets, because
-/// lines may break only inside brackets.
+/// `present`: the value is already in brackets. `needed`: a value on several lines gets brackets,
+/// because lines may break only inside brackets.
 enum class BracketNeed : std::uint8_t { present, needed };
 
 std::string statement_text(const SourceSpelling& spelling, const std::string& start,

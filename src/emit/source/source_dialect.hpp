@@ -16,8 +16,8 @@
 
 namespace elgen {
 
-/// How a language writes a C function: the row of the function in `others`, or the name in C if the
-/// library has the function. Otherwise none.
+/// The spelling of `function` in a language: the row of `function` in `others`. Without a row: the
+/// C name `name` if the library of the language has this name, otherwise none.
 [[nodiscard]] constexpr std::optional<FunctionSpelling> function_spelling(
     const SourceSpelling& spelling, FunctionId function, std::string_view name,
     std::span<const FunctionSpelling> others = function_spelling_table) {

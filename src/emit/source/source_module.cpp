@@ -92,7 +92,7 @@ bool is_class_module(const SourceSpelling& spelling) {
   return spelling.own_function.find("{1}") != std::string_view::npos;
 }
 
-/// Names in the module besides its outputs, including the name of the class if there is one.
+/// Names in the module besides its outputs; if the module is a class, also the name of the class.
 std::set<std::string> names_in_module(const Model& model, const Scene& scene,
                                       const Program& program) {
   const SourceSpelling& spelling = source_spelling(scene.emission.language);

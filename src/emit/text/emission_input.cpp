@@ -16,8 +16,8 @@ namespace {
 constexpr std::string_view scene_separator = " of ";
 constexpr std::string_view sources_suffix = ". DO NOT EDIT.";
 
-/// The source files as text: "cart_pole.toml", with a scene "cart_pole_balance.scene.toml of
-/// cart_pole.toml".
+/// The source files as text: "cart_pole.toml" without a scene file, otherwise
+/// "cart_pole_balance.scene.toml of cart_pole.toml".
 std::string sources_text(const SourcePaths& paths) {
   const std::string model = comment_text(paths.model);
   return paths.scene.empty()

@@ -37,8 +37,8 @@ struct EmissionInput {
 /// Sixteen zeros: the placeholder for the hash that a file states of its own text.
 [[nodiscard]] std::string_view blank_hash();
 
-/// Replaces the blank body hash by the hash of `text`, computed with the blank in place. The blank
-/// must be at a position that body_hash() examines.
+/// `text` with the hash of `text` in place of blank_hash(). The hash is computed before this
+/// replacement. The blank must be at a position that body_hash() examines.
 [[nodiscard]] std::string with_body_hash(std::string text);
 
 // The writers. Each text states its body hash.
@@ -55,8 +55,8 @@ struct EmissionInput {
 /// The equations as JSON for other programs: keys in a fixed order, LF, exact numbers as strings.
 [[nodiscard]] std::string sidecar_text(const EmissionInput& input);
 
-/// The equations as a Markdown page. It omits outputs of more than 64 entries; the sidecar has
-/// them.
+/// The equations as a Markdown page, without outputs of more than 64 entries; the sidecar has these
+/// outputs.
 [[nodiscard]] std::string markdown_page_text(const EmissionInput& input);
 
 // E701 for a parameter, function, namespace or module whose name the emitted code or its language

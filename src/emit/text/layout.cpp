@@ -34,8 +34,8 @@ std::optional<int> depth_of_break(std::string_view text, std::size_t space, int 
   return 3 * brackets + (is_product ? 2 : 1);
 }
 
-/// The last of the shallowest breaks in the last two thirds of the first `width` columns. Without a
-/// break there, the last break in the first third; if there is none, the first beyond `width`.
+/// The last of the shallowest breaks in the last two thirds of the first `width` columns. If these
+/// thirds have no break, the last break in the first third, or else the first break beyond `width`.
 std::optional<LineBreak> best_break(std::string_view text, std::size_t width) {
   std::optional<LineBreak> best;
   int brackets = 0;
@@ -51,8 +51,8 @@ std::optional<LineBreak> best_break(std::string_view text, std::size_t width) {
   return best;
 }
 
-/// Prevents a line from ending in a backslash, or in its trigraph `??/` in C99, which would
-/// continue the comment on the next line. A line may end before any space.
+/// `text` in which no word ends in a backslash or in `??/`, the trigraph of a backslash in C99.
+/// Lines end before spaces, and a backslash would continue the comment on the next line.
 std::string remove_continuations(std::string_view text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -148,7 +148,7 @@ std::vector<std::string> member_doc_lines(const std::vector<Member>& members,
   return lines;
 }
 
-/// Aligns arguments below the first one, or indents them if `start` leaves too little room.
+/// Arguments are aligned below the first argument, or indented if `start` leaves too little room.
 std::string signature(const std::string& start, const std::vector<std::string>& arguments,
                       const std::string& end) {
   constexpr std::size_t widest_start = 60;

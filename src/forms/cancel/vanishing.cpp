@@ -28,7 +28,7 @@ Number round_leaf(const cln::cl_RA& value) {
   return running_leaf(value, rounding_constants<double>());
 }
 
-/// For each instruction: true for a call of a function with kinks, which may be 0 in a whole
+/// For each instruction: true for a call of a function with kinks. The call may be 0 in a whole
 /// region. A random number replaces the value of the call. Roots are not marked, but computed.
 std::vector<bool> mark_kinked_calls(const Function& function) {
   std::vector<bool> result;

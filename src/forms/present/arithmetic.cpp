@@ -16,7 +16,7 @@ Fraction fraction_of(const cl_RA& value) { return {constant_polynomial(value), {
 
 namespace {
 
-/// The hash of an atom, without the coefficients of its arguments. Equal atoms have equal hashes.
+/// Equal atoms have equal hashes. Of an argument, only the monomials of the numerator are hashed.
 std::size_t hash_of(const Atom& atom) {
   std::size_t hash = 0;
   const auto mix = [&hash](std::size_t part) { hash = hash * 1'000'003 + part; };
@@ -35,8 +35,8 @@ std::size_t hash_of(const Atom& atom) {
   return hash;
 }
 
-/// The angles of the exponentials in x. The half of an angle precedes the angle if all exponents
-/// are even. Of an angle and its negative, only one is listed.
+/// The angles of the exponentials in x, but only angles with a positive first exponent. If all
+/// exponents of an angle are even, the half of this angle precedes the angle.
 std::vector<Monomial> angles_of(const Polynomial& x, const Algebra& algebra) {
   std::vector<Monomial> angles;
   const auto add = [&](const Monomial& angle) {

@@ -16,7 +16,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// Larger prime factors are not searched; they remain under one root.
+/// Larger prime factors are not searched: their product remains under one root.
 constexpr int largest_prime = 10'000;
 
 /// Larger exponents of exponentials could overflow when powers are multiplied.

@@ -51,7 +51,7 @@ void cancel_common_factors(Fraction& x, const Algebra& algebra, std::size_t& wor
 
 [[nodiscard]] bool is_one(const Polynomial& sum);
 
-/// Applies cosh^2 = 1 + sinh^2 in the direction that gives fewer terms.
+/// `sum` after cosh^2 = 1 + sinh^2 is applied in the direction that gives fewer terms, if any.
 [[nodiscard]] Polynomial reduce_hyperbolic_squares(const Algebra& algebra, Polynomial sum);
 
 /// The product whose square is x; none if an exponent is odd.

@@ -17,7 +17,7 @@ ExponentRange& find_or_insert_range(ExponentBox& box, AtomId atom) {
   return at != box.end() && at->atom == atom ? *at : *box.insert(at, ExponentRange{.atom = atom});
 }
 
-/// The exponents that x / y can have; none if no quotient is possible.
+/// The range of exponents that each atom can have in x / y; none if y cannot divide x.
 std::optional<ExponentBox> quotient_box(const Polynomial& x, const Polynomial& y) {
   ExponentBox box = exponent_ranges(x);
   for (const ExponentRange& divisor : exponent_ranges(y)) {

@@ -30,8 +30,8 @@ int rank_of_rates(const Algebra& algebra, const Monomial& rates, std::optional<s
   return rates.size() == 1 ? 2 : 3;
 }
 
-/// Pairs of a leaf's number and its negated exponent, sorted. Numbers of atoms are no sort key,
-/// because they depend on the order of creation.
+/// Pairs of the index and the negated exponent of each leaf, sorted. Ids of atoms are no sort key,
+/// because ids depend on the order of creation.
 std::vector<std::pair<std::uint32_t, std::int32_t>> rate_sort_key(const Algebra& algebra,
                                                                   const Monomial& rates) {
   std::vector<std::pair<std::uint32_t, std::int32_t>> numbers;

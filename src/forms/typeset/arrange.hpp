@@ -130,9 +130,9 @@ class Arranger {
 
   const Algebra& algebra_;
   const TypedForms& typed_;
-  std::size_t first_typed_ = 0;   ///< number of the first typed sum to try
+  std::size_t first_typed_ = 0;   ///< index in typed_.sums of the first sum to try
   std::size_t work_ = 1'000'000;  ///< budget of term products for divisions
-  /// Memoised by number of the typed sum, because nested sums recur.
+  /// Memoised by index in typed_.sums, because nested sums recur.
   std::shared_ptr<std::map<std::size_t, TextbookFactor>> typed_factors_ =
       std::make_shared<std::map<std::size_t, TextbookFactor>>();
   std::map<RealTermSum, TextbookSum> collected_ = {};  ///< memoised

@@ -116,7 +116,7 @@ TextbookSum Arranger::group_by_coordinates(const RealTermSum& sum) {
 
 /// m (a + b) + c, with m the most frequent parameter that some term lacks; none if m occurs once.
 std::optional<TextbookSum> Arranger::collect_by_parameter(const RealTermSum& sum) {
-  std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // number atoms share a place
+  std::map<std::pair<FactorPlace, AtomId>, std::size_t> parameters;  // pi and sqrt(2) share a place
   for (const RealTerm& term : sum) {
     for (const AtomPower& power : term.powers) {
       const FactorPlace place = atom_factor(power).place;
@@ -156,8 +156,8 @@ const TextbookSum& Arranger::collected_sum(const RealTermSum& sum) {
   return collected_.emplace(sum, collect_terms(sum)).first->second;
 }
 
-/// The shorter result of group_by_coordinates() and collect_by_parameter(). If both are equally
-/// long, the result that contains a typed sum.
+/// The shorter result of group_by_coordinates() and collect_by_parameter(). On a tie, the result of
+/// collect_by_parameter() if this result contains a typed sum, otherwise the other result.
 TextbookSum Arranger::collect_terms(const RealTermSum& sum) {
   TextbookSum best = group_by_coordinates(sum);
   if (sum.size() > 2 && sum.size() <= most_collected_terms) {

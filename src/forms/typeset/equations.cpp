@@ -120,7 +120,7 @@ std::optional<EquationArranger::LinearRow> EquationArranger::split_accelerations
   return result;
 }
 
-/// The acceleration of velocity `own`: each other term of `row` over `inertia`, a single product.
+/// The acceleration of velocity `own`: (force - terms without acceleration)/inertia, term by term.
 TextbookSum EquationArranger::divide_by_inertia(const EquationRow& row, const Fraction& inertia,
                                                 std::uint32_t own) {
   std::vector<Fraction> moving;

@@ -14,7 +14,7 @@
 
 namespace elgen {
 
-/// The equation of one velocity, read from its function (elgen/steps.hpp).
+/// Lagrange's equation of one velocity: sum of `inertia` + sum of `dissipation` = `force`.
 struct EquationRow {
   std::vector<Fraction> inertia = {};  ///< d/dt dL/dv - dL/dq of each summand of L
   std::vector<Fraction> dissipation = {};

@@ -13,7 +13,7 @@ using cln::cl_RA;
 
 namespace {
 
-/// A sum with more factors is written as a name if a definition of the model has the same value.
+/// A sum of more factors than this is written as a name if a definition has the same value.
 constexpr std::size_t longest_unnamed_sum = 12;
 
 bool is_root_of(const Algebra& algebra, const TextbookFactor& factor, const Polynomial& radicand) {
@@ -40,7 +40,7 @@ void Arranger::multiply(TextbookProduct& product, const Monomial& powers) const 
 /// (m1 + m2) g l, unless this parameter is g, as in m R (g - R Omega^2).
 FactorPlace Arranger::place_of_sum(const TextbookSum& sum, std::uint32_t rank) const {
   TextbookFactor first;
-  first.kind = TextbookFactorKind::sum;  // sums of numbers have no parameter
+  first.kind = TextbookFactorKind::sum;  // remains if no term has a parameter
   first.place = {FactorGroup::parameter, UINT32_MAX};
   for (const TextbookProduct& term : sum.terms) {
     for (const TextbookFactor& each : term.factors) {
@@ -75,7 +75,7 @@ void Arranger::multiply_by_sum(TextbookProduct& product, TextbookSum sum) const 
   multiply(product, std::move(sum), 1);
 }
 
-/// Moves powers whose exponent has one sign in all terms to `front`; exponentials stay in `sum`.
+/// Moves to `front` each power whose exponent has the same sign in all terms, except exponentials.
 void Arranger::take_monomial(Polynomial& sum, TextbookProduct& front) const {
   Monomial common;
   for (const ExponentRange& range : exponent_ranges(sum)) {
@@ -220,7 +220,7 @@ void Arranger::divide(TextbookProduct& product, const Fraction& form) {
     const auto root = std::ranges::find_if(product.factors, [&](const TextbookFactor& each) {
       return is_root_of(algebra_, each, shown);
     });
-    if (root != product.factors.end()) {  // sqrt(r)/r
+    if (root != product.factors.end()) {  // sqrt(r)/r^k = 1/(sqrt(r) r^(k - 1))
       TextbookFactor twice = *root;
       twice.exponent = -2;
       add_factor(product, std::move(twice));

@@ -70,7 +70,7 @@ std::optional<TypedSum> typed_sum(ClosedForms& forms, const Model& model,
   }
   const bool is_number = std::ranges::all_of(
       sum.atoms, [&forms](AtomId atom) { return elgen::is_number(forms.algebra.atoms[atom]); });
-  if (sum.terms.size() < 2 || is_number) return std::nullopt;  // numbers are added up
+  if (sum.terms.size() < 2 || is_number) return std::nullopt;  // a sum of numbers is no typed sum
   const bool holds_root = std::ranges::any_of(sum.atoms, [&forms](AtomId atom) {
     return forms.algebra.atoms[atom].kind == AtomKind::root;
   });
@@ -237,7 +237,7 @@ TypedForms typed_forms(Algebra& algebra, const Model& model, const FixedParamete
     if (known == result.sums.end()) {
       result.sums.push_back(std::move(*sum));
     } else if (sum->definition && !known->definition) {
-      *known = std::move(*sum);  // prefer the sum that defines a name
+      *known = std::move(*sum);  // prefer the value of a definition
     }
   }
   algebra = std::move(forms.algebra);

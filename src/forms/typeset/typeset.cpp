@@ -60,8 +60,8 @@ bool is_sum_of_forces(OutputKind kind) {
 }
 
 /// `fields[place]` if this field has the name `name`, which may be empty; otherwise the first field
-/// with this name. Places differ if fields that readers do not see are missing. Throws
-/// TextbookLengthError if no field has the name.
+/// with this name. `place` counts fields of a program, which may lack fields that readers do not
+/// see. Throws TextbookLengthError if no field has the name.
 const ClosedField& find_closed_field(const std::vector<ClosedField>& fields, std::size_t place,
                                      const std::string& name) {
   if (place < fields.size() && fields[place].name == name) return fields[place];
@@ -82,7 +82,7 @@ void add_scalar_field(Function& function, const std::string& name, std::uint32_t
   function.fields.push_back({name, 1, 1, {entry}});
 }
 
-/// Accelerations with more written factors are not easier to read than the rows themselves.
+/// An acceleration of more written factors than this is not easier to read than its equation.
 constexpr std::size_t longest_solution = 40;
 
 class Typesetter {
@@ -159,8 +159,8 @@ class Typesetter {
       const auto rows = equation_rows(equations, first);
       for (std::uint32_t i = 0; i < rows.size(); ++i) {
         Field& field = result.fields.emplace_back(Field{model_.velocities[i].name, 0, 1, {}});
-        // An expanded model has no solution, because a quotient would need the dropped terms. A
-        // model with constraints has no solution, because the multipliers are unknown.
+        // An expanded model gets no accelerations, because a quotient would need the dropped terms.
+        // A model with constraints gets no accelerations, because the multipliers are unknown.
         if (model_.approximation || !model_.constraints.empty()) continue;
         const std::optional<TextbookSum> solution = equations.solve_acceleration(rows, i);
         if (!solution || count_written_factors(*solution) > longest_solution) continue;

@@ -13,10 +13,10 @@ namespace {
 
 using cln::cl_RA;
 
-/// Powers are written as repeated factors. A higher power is too long for a page.
+/// Powers are written as repeated factors. A power above this exponent is too long for a page.
 constexpr std::int32_t highest_exponent = 1000;
 
-/// Shared divisors with fewer factors get no name.
+/// Shared divisors of fewer factors than this get no name.
 constexpr std::size_t fewest_named_factors = 3;
 
 /// The operands of a quotient, and the factors after it.
@@ -180,7 +180,7 @@ std::uint32_t TextbookWriter::write_circular_call(FunctionId function, const Mon
       {.opcode = Opcode::call, .function = function, .a = this->write_angle(angle)});
 }
 
-/// Writes the angle of a monomial: the sum of exponent/divisor * argument over its exponentials.
+/// Writes an angle: the sum of exponent/divisor * argument over the exponentials in `parts`.
 std::uint32_t TextbookWriter::write_angle(const Monomial& parts) {
   const auto known = angles_.find(parts);
   if (known != angles_.end()) return known->second;

@@ -140,7 +140,7 @@ class ClosedGraphBuilder {
   }
 
   /// Collects terms whose factors `key` are equal. Each group gives one product: `key` times the
-  /// sum of the remaining factors.
+  /// sum of the terms without the factors `key`.
   SignedNode sum_of_groups(const std::vector<TermFactors>& terms,
                            std::vector<Power> TermFactors::*key) {
     using Group = std::pair<SignedNode, std::vector<TermFactors>>;

@@ -154,7 +154,7 @@ class RuleMatcher : protected ReplacementBuilder {
   }
 
  private:
-  /// has_parameter_term() after expansion, so that (2 + x)^2 counts.
+  /// True if the expanded `value` has a parameter term, such as 4 in (2 + x)^2.
   bool expands_to_parameter_term(SignedNode value) {
     const auto terms = expanded_terms({value});
     return has_parameter_term(terms ? graph_.sum(*terms) : value);
@@ -176,8 +176,8 @@ class RuleMatcher : protected ReplacementBuilder {
     }
   }
 
-  /// True if `value` calls the function of the pattern, with the argument that the letter already
-  /// has. A letter without a value is set to the argument.
+  /// True if `value` calls the function of `pattern` with the value of the letter as argument; the
+  /// sign is ignored if the function is even. A letter without a value is set to the argument.
   bool match_call(NodeId pattern, NodeId value, PatternSubstitution& letters) const {
     const Node& wanted = rule_patterns().graph.node(pattern);
     const Node& node = graph_.node(value);

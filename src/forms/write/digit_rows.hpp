@@ -53,8 +53,8 @@ struct RulePatternTable {
 /// The functions that a term calls, as a bit set.
 [[nodiscard]] std::uint64_t called_function_bits(const Graph& graph, const ScaledTerm& term);
 
-/// Replaces terms that match a row with calls, or several terms with one call each that share one
-/// constant. False if no row matches.
+/// Applies a row that contains calls: the result of the row replaces the matching terms. Several
+/// terms, with one call each, may share one constant. False if no row matches.
 [[nodiscard]] bool rewrite_terms_by_rule(Graph& graph, RewriteOptions keeping,
                                          std::vector<SignedNode>& terms);
 

@@ -38,7 +38,7 @@ struct RewriteOptions {
 [[nodiscard]] std::optional<SignedNode> rewrite_sum(Graph& graph, RewriteOptions options,
                                                     SignedNode value);
 
-/// Replaces a call by other calls in the expressions if nothing cancels in the replacement; none if
+/// Replaces calls by other calls of `expressions` if nothing cancels in the replacements; none if
 /// no call can be replaced:
 ///
 ///     expm1(a), exp(a)                 exp(a) = 1 + expm1(a)

@@ -164,7 +164,7 @@ class PairRewriter : GraphTermBuilder {
   }
 
   /// a/b - c/d = (a d - b c)/(b d), if this is shorter, or if the pair is 1/b - 1/d or 1 - a/b. The
-  /// numerator is rewritten in the same way.
+  /// numerator is rewritten by rewrite_sum().
   std::optional<SignedNode> combine_quotients(const ScaledTerm& x, const ScaledTerm& y) {
     const TermQuotient first = split_quotient(x);
     const TermQuotient second = split_quotient(y);

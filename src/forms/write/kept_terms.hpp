@@ -40,7 +40,7 @@ namespace elgen {
 ///     before    x^4 - 2*a^2*x^2 + a^4      1/r^2 - 2/(p*r) + 1/p^2
 ///     after     (x^2 - a^2)^2              (r - p)^2/(p^2*r^2)
 ///
-/// The base of each power is rewritten in the same way. None if no factor is repeated.
+/// The base of each power is rewritten by rewrite_sum(). None if no factor is repeated.
 [[nodiscard]] std::optional<SignedNode> factor_square_free(Graph& graph, RewriteOptions keeping,
                                                            const std::vector<SignedNode>& terms);
 

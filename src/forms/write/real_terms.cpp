@@ -160,7 +160,7 @@ class RealTermsBuilder {
  private:
   /// Pairs of a product's number and its coefficient.
   using NumberedSum = std::vector<std::pair<std::size_t, GaussianRational>>;
-  /// Zero coefficients are kept: terms reappear often, and erasing them costs more.
+  /// Zero coefficients are kept, because terms reappear often and erasing terms costs more.
   using RealSum = std::unordered_map<std::size_t, cl_RA>;
 
   [[nodiscard]] bool expands_units() const {

@@ -12,7 +12,7 @@
 //     A + (C - A) cos(theta)^2   ->   A sin(theta)^2 + C cos(theta)^2
 //     1 - cos(theta)             ->   2 sin(theta/2)^2
 //
-// "directions" treat q1 + q2 as one angle; "units" expand it into functions of q1 and q2.
+// "directions" keep functions of q1 + q2; "units" expand these into functions of q1 and q2.
 #pragma once
 
 #include <array>
@@ -41,8 +41,8 @@ inline constexpr std::array trigonometries{
     Trigonometry::directions_by_cosines, Trigonometry::units_by_sines,
     Trigonometry::units_by_cosines};
 
-/// cos(angle)^cosine sin(angle)^sine. The angle is the sum of exponent * argument / divisor over
-/// the circular atoms of the monomial.
+/// cos(x)^cosine sin(x)^sine, with x the sum of exponent * argument / divisor over the exponentials
+/// in `angle`.
 struct CircularPower {
   Monomial angle = {};
   std::int32_t cosine = 0;
@@ -78,7 +78,7 @@ inline constexpr std::size_t multiple_length = 5;
                                                                   const Polynomial& sum,
                                                                   std::size_t most);
 
-/// The terms in a fixed order. None if there are more than `most` terms, or if a power is too high.
+/// The terms of `sum` in the form `trigonometry`; none above `most` terms or for high powers.
 [[nodiscard]] std::optional<std::vector<RealTerm>> real_terms(const Algebra& algebra,
                                                               const Polynomial& sum,
                                                               Trigonometry trigonometry,

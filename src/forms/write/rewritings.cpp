@@ -175,9 +175,9 @@ std::set<NodeSet> rounded_angles(const Graph& graph, SignedNode value) {
   return angles;
 }
 
-/// True if `rewriting` has sines of sums that the reference expands: q1 - q2 is rounded, but q1 and
-/// q2 are not. Few points show this error, because the angles must be large and the other terms
-/// small.
+/// True if `rewriting` has sines of sums that `reference` expands: q1 - q2 is rounded, but q1 and
+/// q2 are not. Few sample points show this rounding, because the angles must be large and the other
+/// terms small.
 bool rounds_more_angles(const Expressions& rewriting, const Expressions& reference) {
   Graph both;
   const SignedNode own = copy_value(both, rewriting);

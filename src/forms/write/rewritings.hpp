@@ -2,12 +2,12 @@
 // form, which pages print, and for the compact form, which code evaluates.
 //
 // Candidates are written in multiple angles, or with sin^2 replaced by cos^2 or the reverse, each
-// with common factors collected. The entry as derived has no terms that cancel on paper; it is a
-// candidate if it is short and loses no digits. The length of a form counts signs, exponents and
-// calls. The readable form is the shortest form, but a form collected by rates, or by rates and
-// coordinates, as in textbooks, counts as 12 to 14 % shorter. On a tie the earlier form is chosen.
-// The compact form is the shortest form that is as precise as the readable form, because readers
-// judge the code by the readable form.
+// with common factors collected. The derived entry is another candidate, if this entry is short and
+// as precise as the others. The length of a form counts signs, exponents and calls. The readable
+// form is the shortest form, but a form collected by rates, or by rates and coordinates, as in
+// textbooks, counts as 12 to 14 % shorter. On a tie the earlier form is chosen. The compact form is
+// the shortest form that is as precise as the readable form, because readers judge the code by the
+// readable form.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ inline constexpr std::size_t most_terms = 400;
 /// One rewriting of a value, with common factors collected.
 struct CollectedForm {
   Expressions expressions = {};
-  std::size_t terms = 0;  ///< number of the trigonometric form; all its groupings have equal errors
+  std::size_t terms = 0;  ///< which trigonometric form; groupings of one form have equal errors
   std::size_t length = 0;
   std::size_t weighted_length = 0;  ///< length times the weight of its grouping
 };
