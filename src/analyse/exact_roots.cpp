@@ -137,7 +137,7 @@ class SingleUnknownRoot {
  private:
   [[nodiscard]] const Real& root_value() const { return root_.q[coordinate_]; }
 
-  /// Of the two angles with this cosine or sine, the angle that equals the root.
+  /// The root as an angle: one of the two angles with this cosine or sine.
   std::optional<RestCoordinate> matching_angle(const KnownSinusoid& sinusoid) {
     const FunctionId inverse = sinusoid.is_cosine ? FunctionId::acos : FunctionId::asin;
     const OptionalFraction square = arithmetic_.multiply(sinusoid.value, sinusoid.value);

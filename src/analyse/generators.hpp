@@ -1,15 +1,15 @@
 // Generators of symmetries: infinitesimal changes of a motion. The unknowns are constants: a matrix
-// A, vectors b and c, a time shift dt, and for each rotation a turn s about world axes and a turn r
-// about body axes.
+// A, vectors b and c, a time shift dt, and for each rotation a turn s about world axes and a turn
+// sigma about body axes.
 //
 //     dq = A q + b + c t,  dv = A v + c,  da = A a     for coordinates other than rotations
-//     eta = C^T s + r,  dw = w x r,  dw' = w' x r      for a rotation: turn eta, angular velocity w
-//                                                      in body axes, matrix C (body to world)
+//     eta = C^T s + sigma,  dw = w x sigma,  dw' = w' x sigma    for a rotation: turn eta, angular
+//                          velocity w in body axes, matrix C (body to world)
 //
 // Let R = d/dt dL/dv - dL/dq (plus [w]x dL/dw for rotations). A change is a symmetry (dL is a total
 // derivative) if and only if
 //
-//     dR + A^T R = 0    for all q, v, a, t;  for a rotation A = -[r]x
+//     dR + A^T R = 0    for all q, v, a, t;  for a rotation A = -[sigma]x
 //
 // because the characteristic Q = dq - dt v satisfies E(X L) = X E(L) + D_Q^* E(L) with Euler's
 // operator E (Olver, Applications of Lie Groups to Differential Equations, 2nd ed., sec. 5.3). No
@@ -24,7 +24,7 @@
 
 namespace elgen {
 
-/// The unknowns in order: A by rows, c, b, then s and r of each rotation, then dt.
+/// The unknowns in order: A by rows, c, b, then s and sigma of each rotation, then dt.
 struct GeneratorLayout {
   explicit GeneratorLayout(const Model& model) : velocity_count(model.velocities.size()) {
     for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
@@ -169,7 +169,7 @@ PointChange<typename Field::Number> apply_generator(Field& field, const Generato
         add(change.position[first + k], world, axis[k]);
         add(change.velocity[first + k], body, velocity[k]);
         add(change.acceleration[first + k], body, acceleration[k]);
-        // A^T R = [r]x R = -(R x r)
+        // A^T R = [sigma]x R = -(R x r)
         add(change.transposed_residual[first + k], field.negate(body), residual[k]);
       }
       add(change.position[first + j], body, field.integer(1));

@@ -212,7 +212,7 @@ void set_verdict_from_poles(const Poles& poles, StabilityVerdict& verdict) {
   if (all_decay) verdict.kind = Stability::decaying;
 }
 
-/// The least rank of [A - pole 1, B] over all poles (Popov, Belevitch, Hautus).
+/// The least rank of [A - p I, B] over all poles p (Popov, Belevitch, Hautus).
 std::size_t controllable_rank(const Matrix& a, const Matrix& b, const Poles& poles) {
   std::size_t least = static_cast<std::size_t>(a.rows());
   for (const std::complex<double>& pole : poles) {

@@ -15,8 +15,7 @@ namespace elgen::oracle {
                                                    const State& state);
 
 /// w.x of a column or w.X y of a matrix. Computed by directional derivatives if the output supports
-/// them, else from the list of entries, of which only the first size(w) * size(y) are used. Throws
-/// OutsideDomain.
+/// them, otherwise from the first size(w) * size(y) entries. Throws OutsideDomain.
 [[nodiscard]] cln::cl_R contract_output(const Model& model, const OutputRequest& output,
                                         const State& state, const Contraction& by);
 

@@ -23,7 +23,7 @@ struct FieldRecord {
   std::vector<double> errors = {};  ///< at nominal states
   std::size_t compared = 0;         ///< number of compared states
   std::map<SkipReason, std::size_t> skipped = {};
-  std::size_t skipped_inside = 0;  ///< number of skipped nominal states; not counted in float
+  std::size_t skipped_inside = 0;  ///< number of skipped states inside the ranges; only for double
   std::string mistake = {};        ///< the first mistake
   std::string mistake_state = {};
 };
