@@ -43,7 +43,7 @@ enum class LeafOwner : std::uint8_t {
   inputs
 };
 
-/// The kinds of leaves without the other opcodes, for exhaustive switches.
+/// The opcodes that are leaves, as a separate enum, so that a switch over them can be exhaustive.
 enum class LeafKind : std::uint8_t {
 #define ELGEN_LEAVES(kind, ...) kind,
 #include "elgen/leaves.def"

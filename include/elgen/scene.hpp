@@ -239,7 +239,8 @@ inline constexpr Purpose rest{.samples_open_functions = true};  ///< for equilib
 inline constexpr Purpose evaluate{.accepts_all_leaves = true, .samples_open_functions = true};
 inline constexpr Purpose simulate{
     .samples_open_functions = true, .keeps_pivots = true, .keeps_large_forms = true};
-/// For runs of `tradeoff --time`, whose table has no conserved quantities: large forms are dropped.
+/// For runs of `tradeoff --time`. Unlike `simulate`, they list no conserved quantities, so they do
+/// not need large forms of [[expect]].
 inline constexpr Purpose time_run{.samples_open_functions = true, .keeps_pivots = true};
 inline constexpr Purpose show_motion{
     .samples_open_functions = true, .keeps_pivots = true, .shows_motion = true};

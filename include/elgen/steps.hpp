@@ -17,16 +17,16 @@ namespace elgen {
 /// constraints.
 ///
 ///     positions, velocities   one field of 3 rows per mass
-///     constraints             one field per constraint: f, or phi; a last field with 0
-///     energies                T, V; or L if it is declared
-///     a function for each     momentum dL/dv, momentum_rate d/dt dL/dv, partial dL/dq,
-///     velocity, by its name   dissipation dD/dv, force Q + B u + A^T lambda
+///     constraints             one field per constraint: f, or phi; then a field for the right side
+///     0 energies                T, V; or L if it is declared (name of a velocity)    one function
+///     per velocity: momentum dL/dv, momentum_rate d/dt dL/dv,
+///                             partial dL/dq, dissipation dD/dv, force Q + B u + A^T lambda
 ///     invariants              E, L_by_t
 ///
 /// `force` has one row. T, V, L and dissipation have one row per typed summand of T, V, L and D.
-/// All fields from momentum to partial, E and L_by_t have one row per summand of L: of T, then of
-/// -V; or of L if it is declared. All points and bodies together contribute one summand of T and
-/// one of V.
+/// momentum, momentum_rate, partial, E and L_by_t have one row per summand of L. If L is not
+/// declared, the summands of T come first, then the summands of -V. All points and bodies together
+/// contribute one summand of T and one of V.
 struct DerivationSteps {
   EquationsOfMotion equations = {};
   std::vector<OutputRequest> requests = {};  ///< the request of each function, in order

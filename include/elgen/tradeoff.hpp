@@ -129,9 +129,9 @@ struct TradeoffSampling {
   std::uint64_t seed = 1;
 };
 
-/// States inside the ranges of the model, in which Numerics::ranges replace ranges of the same
-/// name, and the values of the first function of `program` at these states, in 60 digits with exact
-/// parameters. E521: the function has no value at most states. Cost: one operation of Real per
+/// Draws states inside the ranges of the model; Numerics::ranges replace ranges of the same name.
+/// Evaluates the first function of `program` at these states, with 60 digits and exact parameters.
+/// E521: the function has no value at most states. Cost: one operation of Real per
 /// instruction and state.
 [[nodiscard]] Result<TradeoffStates> sample_tradeoff_states(const CheckedModel& exact,
                                                             const Program& program,

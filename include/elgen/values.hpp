@@ -34,9 +34,9 @@ struct ValueRecord {
   std::string state_name = {};         ///< "start", "rest", "moving", "parameters", "state"
   State state = {};                    ///< contains all parameters, also fixed parameters
   std::vector<cln::cl_R> values = {};  ///< entries of each field in turn, row-major
-  /// For each value, the number of digits that emitted code in double computes correctly, from a
-  /// bound of the rounding error; for a value 0, digits of the largest entry of the field. Empty
-  /// except for test vectors.
+  /// For each value, the number of digits that emitted code in double computes correctly, by a
+  /// bound of the rounding error. For a value 0, the error is relative to the largest entry of the
+  /// field. Empty except for test vectors.
   std::vector<int> digits = {};
 };
 

@@ -33,13 +33,13 @@ struct Unknowns {
 
 /// The general solution of equations that are linear in the unknowns, after powers of unknowns are
 /// cleared from denominators, as for orbits (p^2/(m r^3) = m mu/r^2). Some unknowns are arbitrary,
-/// the others are expressions of the arbitrary unknowns. `is_solvable` is false if no solution
-/// exists. None if the equations are not linear, if a form exceeds the budget, or if a form is 0 in
-/// 64 digits but not the empty sum.
+/// the others are expressions of the arbitrary unknowns.
 struct LinearSolution {
-  bool is_solvable = true;
+  bool is_solvable = true;  ///< false if no solution exists
   std::vector<RestCoordinate> values = {};
 };
+/// None if the equations are not linear, if a form exceeds the budget, or if it is undecided
+/// whether a form is 0: its value is 0 in 64 digits, but it is not the empty sum.
 [[nodiscard]] std::optional<LinearSolution> linear_solution(ClosedForms& forms,
                                                             const std::vector<Fraction>& rows,
                                                             const Unknowns& unknowns,

@@ -85,7 +85,7 @@ class Jet {
   /// The jet without the terms that contain any of these generators.
   [[nodiscard]] Jet without(Generators any) const { return part(any, 0); }
 
-  /// The lowest power of s that occurs, as its grade; 0 if none occurs.
+  /// The grade bits of the lowest power of s in any term; 0 if no term contains s.
   [[nodiscard]] Generators lowest_grade() const;
 
   /// The coefficient of exactly these generators.

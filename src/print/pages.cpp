@@ -33,7 +33,7 @@ TemplateData formula_section(const Formula& formula, const PageSyntax& syntax) {
   return line_section(formula.is_empty() ? "" : syntax.formula(glyphs_of(formula)));
 }
 
-/// A row of prose and formulas.
+/// The text of `row` on the page: its prose is escaped, its formulas have delimiters.
 std::string prose_with_formulas(const Glyphs& row, const PageSyntax& words) {
   std::string text;
   for (const auto& [is_prose, prose, formula] : split_at_prose(row)) {

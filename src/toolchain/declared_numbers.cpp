@@ -47,7 +47,7 @@ constexpr std::array declaration_table{
 static_assert(std::ssize(declaration_table) ==
               std::ranges::count(language_table, false, &LanguageRow::is_interpreted));
 
-/// Builds the text, and the list of the numbers that it must write.
+/// Builds a function that prints declared numbers, and the list of the numbers that it must print.
 class DeclarationText {
  public:
   explicit DeclarationText(const DriverInput& input)

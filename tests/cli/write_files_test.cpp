@@ -1,5 +1,5 @@
-// Files that generate writes or leaves alone. Processes that write to the same folder take turns.
-// Failures in the middle of writing are tested in tests/faults.
+// The files that `generate` writes or leaves unchanged. Processes that write to the same folder
+// take turns. Failures in the middle of writing are tested in tests/faults.
 #include <catch2/catch.hpp>
 
 #include "cli/cli_testing.hpp"

@@ -44,7 +44,7 @@ class Jet {
   static int order;
 
  private:
-  using Key = unsigned;  ///< power of s times 64, plus a bit for each infinitesimal
+  using Key = unsigned;  ///< 64 * exponent of s, plus one bit for each infinitesimal
   std::map<Key, Number> terms_;
 
   [[nodiscard]] int nilpotency() const;

@@ -7,8 +7,8 @@
 
 namespace elgen::test::random {
 
-/// `system` after every removal of a single entry, key or part of an expression that keeps `fails`
-/// true.
+/// Removes entries, keys and parts of expressions from `system`, one at a time, as long as `fails`
+/// remains true.
 [[nodiscard]] System minimised(System system, const std::function<bool(const System&)>& fails);
 
 }  // namespace elgen::test::random

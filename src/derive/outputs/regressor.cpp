@@ -73,8 +73,8 @@ auto* find_owner_entry(List& list, const InertialParameter& parameter) {
   return found == list.end() ? nullptr : &*found;
 }
 
-/// A body on the transform of `body`, with `parameter` = 1 and all other inertial parameters 0. If
-/// the owner is a point, the body stays at the position of the point.
+/// A body with the transform of `body`, in which `parameter` is 1 and all other inertial parameters
+/// are 0. Its centre of mass is the origin, or the point if `parameter` belongs to a point mass.
 RigidBody unit_body(const RigidBody& body, const InertialParameter& parameter) {
   RigidBody unit;
   unit.transform = body.transform;

@@ -306,8 +306,8 @@ std::string ForeignComparison::ignored_parameters_text(
   return names.empty() ? "" : fmt::format("ignores {}", fmt::join(names, ", "));
 }
 
-/// The quotient of the answers by the oracle's values, in words; "" if the quotients of entries or
-/// states differ. The cause may be another unit, sign, length or inertia.
+/// The common factor of the foreign answers, in words: "is 2 times the oracle's value". "" if no
+/// factor fits all entries and states. A factor suggests a different unit, sign or inertia.
 std::string ForeignComparison::common_factor_text() const {
   const ForeignSample& first = samples_.front();
   const auto largest = std::ranges::max_element(first.truth, std::ranges::less(),

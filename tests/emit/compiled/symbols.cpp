@@ -1,6 +1,7 @@
-// Uses a node of an expression as scalar, with the properties of casadi::SXElem: a node is made
-// from a double, a comparison gives an expression, there is no conversion to bool, and
-// std::numeric_limits has no digits. The expressions must have the values of double.
+// Calls an emitted header with nodes of expressions as the scalar type. As for casadi::SXElem, a
+// node is made from a double, a comparison gives an expression, there is no conversion to bool, and
+// std::numeric_limits has no digits. The expressions must have the values of the same functions in
+// double.
 #include <cmath>
 #include <cstdio>
 #include <functional>

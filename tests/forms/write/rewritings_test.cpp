@@ -1,4 +1,4 @@
-// Rewritings of a closed form; some of them keep digits.
+// Rewritings of a closed form: readable rewritings, and precise ones, which lose fewer digits.
 #include "forms/write/rewritings.hpp"
 
 #include <algorithm>
