@@ -100,7 +100,9 @@ constexpr OutputRow drift{
                           R"(\frac{\partial <b>}{\partial <q>} N \right)^{\top} \right) <v> + )"
                           R"(\frac{\partial <b>}{\partial t} + [<omega>]_{\times} <b> - )"
                           R"(N^{\top} \frac{\partial T_{0}}{\partial <q>})"},
-    .doc = "Forces from explicit time and from terms of L that are linear in the rates.",
+    .doc =
+        "Forces from the explicit time dependence of L, from its terms linear in v, and from T0, "
+        "the part of T without v.",
     .needs = {N::quadratic}};
 
 constexpr OutputRow dissipation{.symbol = {"dD/dv", R"(\frac{\partial D}{\partial <v>})"},
@@ -114,7 +116,7 @@ constexpr OutputRow applied_force{
     .argument_kinds = Opcode::velocity,
     .fields = force,
     .equation = {"Q(q, v) = total generalized force at u = 0", ""},
-    .doc = "Non-conservative generalized forces without inputs and without D."};
+    .doc = "Non-conservative generalized forces, except those of the inputs and of D."};
 
 constexpr OutputRow bias{
     .symbol = {"bias", "<bias>"},
@@ -201,9 +203,12 @@ constexpr OutputRow energy_function{
     .argument_kinds = Opcode::velocity,
     .fields = energy,
     .equation = {"E = v.dL/dv - L", R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)"},
-    .doc = "Energy function (Jacobi integral): dE/dt = v.(B u + Q - dD/dv) - dL/dt.",
+    .doc =
+        "Energy function (Jacobi integral): dE/dt = v.(B u + Q - dD/dv) - dL/dt, with the partial "
+        "derivative dL/dt.",
     .constrained_doc =
-        "Energy function (Jacobi integral): dE/dt = v.(B u + A^T lambda + Q - dD/dv) - dL/dt.",
+        "Energy function (Jacobi integral): dE/dt = v.(B u + A^T lambda + Q - dD/dv) - dL/dt, with "
+        "the partial derivative dL/dt.",
     .is_energy = true};
 
 // Forward dynamics, and derivatives.
@@ -237,7 +242,7 @@ constexpr OutputRow inverse_dynamics_derivatives{
     .equation = {"d tau = (dtau/dq) dq + (dtau/dv) dv + M da",
                  R"(\delta<tau> = \frac{\partial <tau>}{\partial <q>} \delta<q> + )"
                  R"(\frac{\partial <tau>}{\partial <v>} \delta<v> + M \delta<a>)"},
-    .doc = "Derivatives of the inverse dynamics.",
+    .doc = "Derivatives of tau(q, v, a) with respect to q and v.",
     .differentiates = true};
 
 constexpr std::array forward_derivative_fields{
@@ -255,7 +260,7 @@ constexpr OutputRow forward_dynamics_derivatives{
                  R"(\delta<a> = \frac{\partial <a>}{\partial <q>} \delta<q> + )"
                  R"(\frac{\partial <a>}{\partial <v>} \delta<v> + )"
                  R"(\frac{\partial <a>}{\partial <u>} \delta<u>)"},
-    .doc = "Derivatives of the forward dynamics.",
+    .doc = "Derivatives of the acceleration a(q, v, u) with respect to q, v and u.",
     .solves_mass_matrix = true,
     .differentiates = true};
 
@@ -293,7 +298,9 @@ constexpr OutputRow coordinate_rates{
     .argument_kinds = Opcode::velocity,
     .fields = coordinate_rate_fields,
     .equation = {"dq/dt = N(q) v", R"(\dot{<q>} = N(<q>) <v>)"},
-    .doc = "Rates of the coordinates; for a rotation 1/2 q w, with w in the axes of the body.",
+    .doc =
+        "Rates of the coordinates. The rate of the quaternion q of a rotation is 1/2 q w, with the "
+        "angular velocity w in the axes of the body.",
     .needs = {N::rotations}};
 
 constexpr std::array coordinate{

@@ -252,16 +252,16 @@ std::vector<PageSection> recursion_sections(const Model& model) {
   bodies.table = writer.bodies_table();
   PageSection motions = recursion_section(
       model,
-      "Motion of frame i in its own axes, accelerations less gravity; s is its angular velocity "
-      "relative to p.",
+      "Motion of frame i in its own axes. omega is its angular velocity, and s the part relative "
+      "to p. nu is the velocity of its origin, gamma the acceleration of its origin minus gravity.",
       motion_rows);
   Formula weight =
       has_weights ? negative_of(writer.vector_formula(*model.gravity)) : number_formula(0);
   motions.equations.push_back({latex_formula("\\gamma_{0}"), 1, 1, {std::move(weight)}});
   PageSection results = recursion_section(
       model,
-      "Derivatives with respect to the velocities k and l: twist V of frame i, its part S relative "
-      "to p, then M.",
+      "V_ik is the derivative of the twist of frame i with respect to velocity k, S_ik that of the "
+      "part relative to p. M and the equations of motion follow.",
       twist_rows);
   const std::vector<PageEquation> last = mass_and_force_equations(model, writer, has_weights);
   results.equations.insert(results.equations.end(), last.begin(), last.end());
