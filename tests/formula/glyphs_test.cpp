@@ -163,9 +163,9 @@ TEST_CASE("LaTeX becomes MathML") {
 
 TEST_CASE("a sum has a sign outside brackets or in front") {
   for (const char* sum : {"a + b", "a - b", "-a", "\\frac{a + b}{c} \\mp d"})
-    CHECK(is_sum(read_latex(sum)));
+    CHECK(is_sum_or_signed(read_latex(sum)));
   for (const char* product : {"a", "a (b + c)", "\\frac{a + b}{c}", "\\left( a - b \\right) c"}) {
-    CHECK_FALSE(is_sum(read_latex(product)));
+    CHECK_FALSE(is_sum_or_signed(read_latex(product)));
   }
 }
 

@@ -85,7 +85,7 @@ TEST_CASE("circular atoms form the angle of a monomial, other atoms its powers")
 TEST_CASE("a direction has no common divisor, and its first component is positive") {
   CHECK(common_divisor({{1, -6}, {2, 4}}) == 2);
   CHECK(common_divisor({}) == 0);
-  CHECK(direction({{1, -6}, {2, 4}}) == Monomial{{1, 3}, {2, -2}});
+  CHECK(primitive_angle({{1, -6}, {2, 4}}) == Monomial{{1, 3}, {2, -2}});
 }
 
 TEST_CASE("(c + i s)(c - i s) = c^2 + s^2") {
