@@ -386,8 +386,8 @@ std::optional<LeadingDerivative> leading_derivative(RestSystem& system, std::uin
   return std::nullopt;
 }
 
-Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block, const Limits& most) {
-  return BlockSearch(system, block)(most);
+Result<BlockRoots> block_roots(RestSystem& system, const RestBlock& block, const Limits& limits) {
+  return BlockSearch(system, block)(limits);
 }
 
 }  // namespace elgen

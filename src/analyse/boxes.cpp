@@ -200,8 +200,8 @@ std::vector<Enclosure> enclose_values(const IntervalEquations& equations, const 
 }
 
 BoxSearchResult search_boxes(const IntervalEquations& equations, const Box& domain,
-                             std::uint64_t most) {
-  return KrawczykSearch(equations, domain)(most);
+                             std::uint64_t max_boxes) {
+  return KrawczykSearch(equations, domain)(max_boxes);
 }
 
 }  // namespace elgen

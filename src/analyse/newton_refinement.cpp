@@ -69,10 +69,10 @@ std::optional<std::vector<Real>> solve_linear(const std::vector<Real>& matrix,
 
 std::vector<Real> position_slopes(const Model& model, const Program& program,
                                   const Function& function, const Arguments<Real>& at,
-                                  const std::vector<std::uint32_t>& along) {
-  return directional_slopes(program, function, at, along.size(),
+                                  const std::vector<std::uint32_t>& velocities) {
+  return directional_slopes(program, function, at, velocities.size(),
                             [&](std::size_t k, Arguments<Real>& direction) {
-                              direction.q = unit_velocity_rates(model, at, along[k]);
+                              direction.q = unit_velocity_rates(model, at, velocities[k]);
                             });
 }
 

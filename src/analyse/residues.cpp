@@ -175,8 +175,8 @@ std::optional<cln::cl_RA> reconstruct_rational(const cl_MI& residue) {
 }
 
 std::vector<Residue> sample_residues(const Model& model, const Program& program,
-                                     const Function& function, Sampler& draw) {
-  const LeafValues<Residue> leaves = draw_leaves(model, program, draw);
+                                     const Function& function, Sampler& sampler) {
+  const LeafValues<Residue> leaves = draw_leaves(model, program, sampler);
   return entries_of(function, fold<Residue>(ResidueRules{leaves}, program, function));
 }
 

@@ -172,15 +172,17 @@ struct OccurrenceRules {
 
 }  // namespace
 
-Result<RestProgram> rest_program(const Program& moving, const std::vector<cln::cl_R>& inputs) {
+Result<RestProgram> rest_program(const Program& motion_program,
+                                 const std::vector<cln::cl_R>& inputs) {
   RestProgram rest;
-  rest.program.leaves = moving.leaves;
+  rest.program.leaves = motion_program.leaves;
   try {
-    append_function(rest.program, moving, OutputKind::bias, residual_of(moving, inputs));
+    append_function(rest.program, motion_program, OutputKind::bias,
+                    residual_of(motion_program, inputs));
     for (const OutputKind kind : {OutputKind::mass_matrix, OutputKind::energy_function}) {
       Expressions expressions;
-      expressions.values = entries_at_rest({expressions.graph, inputs}, moving, kind);
-      append_function(rest.program, moving, kind, expressions);
+      expressions.values = entries_at_rest({expressions.graph, inputs}, motion_program, kind);
+      append_function(rest.program, motion_program, kind, expressions);
     }
   } catch (const NoValueAtRest&) {
     return Diagnostic{Code::E530, {}, "the equations of motion have no value at rest"};

@@ -190,9 +190,10 @@ bool satisfies_conditions(const SampledGenerators& sampled, const std::vector<cl
 }
 
 std::optional<SampledGenerators> sample_generators(const CheckedModel& checked,
-                                                   const Program& moving, const State& resting) {
+                                                   const Program& motion_program,
+                                                   const State& rest_state) {
   return with_digits(sampling_digits,
-                     [&] { return null_space_generators(checked, moving, resting); });
+                     [&] { return null_space_generators(checked, motion_program, rest_state); });
 }
 
 std::vector<SampledGenerators> sample_other_parameters(const CheckedModel& checked,

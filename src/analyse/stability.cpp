@@ -311,19 +311,20 @@ bool is_positive_definite(const std::vector<cl_R>& matrix,
          });
 }
 
-bool is_conservative(const Program& moving, const State& state) {
+bool is_conservative(const Program& motion_program, const State& state) {
   // A test of E is not enough: for a point with a prescribed motion, E may be free of t.
   const bool is_free_of_time = std::ranges::all_of(
       std::array{OutputKind::bias, OutputKind::mass_matrix, OutputKind::energy_function},
       [&](OutputKind kind) {
-        return no_entry_satisfies(moving, kind,
+        return no_entry_satisfies(motion_program, kind,
                                   [](const CoordinateOccurrence& entry) { return entry.has_time; });
       });
   const bool is_driven =
       std::ranges::any_of(state.u, [](const cl_R& u) { return !cln::zerop(u); }) &&
-      !no_entry_satisfies(moving, OutputKind::input_matrix, has_coordinates);
-  return is_free_of_time && !is_driven && is_absent_or_zero(moving, OutputKind::applied_force) &&
-         is_dissipative(moving, state);
+      !no_entry_satisfies(motion_program, OutputKind::input_matrix, has_coordinates);
+  return is_free_of_time && !is_driven &&
+         is_absent_or_zero(motion_program, OutputKind::applied_force) &&
+         is_dissipative(motion_program, state);
 }
 
 StabilityVerdict stability_of(const RestPoint& point, const LagrangeDirichletPremises& conditions) {

@@ -144,14 +144,14 @@ class BasisChange {
 
 }  // namespace
 
-void prefer_common_rotations(ClosedForms& forms, const GeneratorLayout& all,
+void prefer_common_rotations(ClosedForms& forms, const GeneratorLayout& layout,
                              std::vector<Generator>& basis) {
   BasisChange change(forms, basis);
   for (const std::size_t dimension : {std::size_t{3}, std::size_t{2}}) {
-    for (const Generator& rotation : common_rotations(all, dimension))
+    for (const Generator& rotation : common_rotations(layout, dimension))
       change.plan_replacement(dimension, rotation);
   }
-  change.apply(all);
+  change.apply(layout);
 }
 
 Generator without_divisors(ClosedForms& forms, Generator generator) {

@@ -31,21 +31,21 @@ constexpr std::string_view property_escapes = "%\r\n:,";
 
 }  // namespace
 
-std::string shorten_quotations(std::string_view said) {
+std::string shorten_quotations(std::string_view text) {
   constexpr std::size_t longest = 200;
-  const std::string visible = visible_text(said);
+  const std::string visible = visible_text(text);
   std::string_view message = visible;
-  std::string text;
+  std::string shortened;
   for (bool is_quoted = false; !message.empty(); is_quoted = !is_quoted) {
     const std::size_t size = std::min(message.find('`'), message.size());
     std::size_t shown = is_quoted ? std::min(size, longest) : size;
     while (shown < size && !starts_code_point(message[shown])) --shown;
-    text += message.substr(0, shown);
-    if (shown < size) text += "…";
-    if (size < message.size()) text += '`';
+    shortened += message.substr(0, shown);
+    if (shown < size) shortened += "…";
+    if (size < message.size()) shortened += '`';
     message.remove_prefix(std::min(size + 1, message.size()));
   }
-  return text;
+  return shortened;
 }
 
 std::string message_with_hint(const Diagnostic& diagnostic) {

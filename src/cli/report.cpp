@@ -33,8 +33,8 @@ Diagnostics without_notes(Diagnostics diagnostics) {
 
 }  // namespace
 
-ExitCode print(const GlobalOptions& global, const std::string& asked_for) {
-  const std::string text = wants_json(global) ? visible_json(asked_for) : asked_for;
+ExitCode print(const GlobalOptions& global, const std::string& result) {
+  const std::string text = wants_json(global) ? visible_json(result) : result;
   std::fwrite(text.data(), 1, text.size(), stdout);
   std::fflush(stdout);
   if (std::ferror(stdout) == 0) return ExitCode::success;

@@ -54,9 +54,9 @@ std::string text_of(const KeyChange& change) {
   return fmt::format("{}: {} -> {}", place, shorten(change.before), shorten(change.after));
 }
 
-std::string impact_meaning(Impact impact, bool is_told_apart) {
+std::string impact_meaning(Impact impact, bool is_certain) {
   std::string words(impact_row(impact).doc);
-  if (is_told_apart || impact >= Impact::different) return words;
+  if (is_certain || impact >= Impact::different) return words;
   return fmt::format("{}, compared at {} points only (see --strict)", words, zero_sample_count);
 }
 

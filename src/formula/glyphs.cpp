@@ -121,9 +121,10 @@ void add_script(Glyphs& row, std::size_t place, Glyphs script) {
   base.parts[place] = std::move(script);
 }
 
-void append(Glyphs& row, Glyphs pieces, bool is_apart) {
+void append(Glyphs& row, Glyphs pieces, bool has_space_before) {
   if (pieces.kind != GlyphKind::row) pieces = make_row(std::move(pieces));
-  if (!pieces.parts.empty()) pieces.parts.front().has_space_before = is_apart && !row.parts.empty();
+  if (!pieces.parts.empty())
+    pieces.parts.front().has_space_before = has_space_before && !row.parts.empty();
   for (Glyphs& piece : pieces.parts) row.parts.push_back(std::move(piece));
 }
 

@@ -15,13 +15,13 @@ std::string index_suffix(const Constraint& row) {
 
 }  // namespace
 
-std::string equation_hint(const std::vector<Constraint>& rows, const std::vector<bool>& without,
+std::string equation_hint(const std::vector<Constraint>& rows, const std::vector<bool>& is_vacuous,
                           const Constraint& row) {
   std::vector<std::string> equations;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const bool is_part = rows[k].equation_span.begin == row.equation_span.begin &&
                          index_suffix(rows[k]) == index_suffix(row);
-    if (!is_part || without[k] || rows[k].equality.empty()) continue;
+    if (!is_part || is_vacuous[k] || rows[k].equality.empty()) continue;
     equations.push_back("\"" + rows[k].equality + "\"");
   }
   if (equations.empty()) return {};

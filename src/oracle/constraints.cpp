@@ -287,23 +287,23 @@ LinearisedConstraints linearise_rates(const Model& model, const State& state) {
 }
 
 Direction least_energy_correction(const Model& model, const State& state,
-                                  const LinearisedConstraints& shortage,
-                                  const std::vector<bool>& kept) {
+                                  const LinearisedConstraints& constraints,
+                                  const std::vector<bool>& fixed) {
   const Values still(state.v.size());
-  if (shortage.rows.empty()) return still;
+  if (constraints.rows.empty()) return still;
   Mechanics at(model, state);
   ConstrainedSystem system{at.mass_matrix(), {}};
-  for (const Direction& row : shortage.rows) {
+  for (const Direction& row : constraints.rows) {
     system.jacobian.insert(system.jacobian.end(), row.begin(), row.end());
   }
-  const std::size_t n = kept.size();
+  const std::size_t n = fixed.size();
   for (std::size_t k = 0; k < system.jacobian.size() && n > 0; ++k) {
-    if (kept[k % n]) system.jacobian[k] = 0;
+    if (fixed[k % n]) system.jacobian[k] = 0;
   }
   for (std::size_t k = 0; k < n * n; ++k) {
-    if (kept[k / n] || kept[k % n]) system.mass[k] = k / n == k % n ? 1 : 0;
+    if (fixed[k / n] || fixed[k % n]) system.mass[k] = k / n == k % n ? 1 : 0;
   }
-  return solve_constrained(system, still, shortage.right_side).x;
+  return solve_constrained(system, still, constraints.right_side).x;
 }
 
 State displaced_state(const Model& model, State state, const Direction& x) {

@@ -206,12 +206,12 @@ cl_R as_float(const cl_R& x) {
   return is_rational(x) ? cl_R(cln::cl_float(x, working_format())) : x;
 }
 
-cl_R shorten_rationals(const cl_R& x, unsigned longest) {
+cl_R shorten_rationals(const cl_R& x, unsigned max_bits) {
   if (!is_rational(x)) return x;
   const cl_RA rational = cln::the<cl_RA>(x);
   const auto bits = cln::integer_length(cln::numerator(rational)) +
                     cln::integer_length(cln::denominator(rational));
-  return bits <= longest ? x : as_float(x);
+  return bits <= max_bits ? x : as_float(x);
 }
 
 cl_R real_pi() { return cln::pi(working_format()); }

@@ -165,7 +165,7 @@ cl_R parameter_of_body(Evaluation& at, const Body& body, const InertialParameter
 }  // namespace
 
 Values forces_of_parameters(const Model& model, State state, const Values& values,
-                            const std::vector<Direction>& directions, bool by_reference) {
+                            const std::vector<Direction>& directions, bool uses_reference) {
   const ParametrisedModel given(model, values);
   const std::size_t first = values.size() - model.affine_parameters.size();
   for (std::size_t k = 0; k < model.affine_parameters.size(); ++k) {
@@ -177,8 +177,8 @@ Values forces_of_parameters(const Model& model, State state, const Values& value
   Mechanics at_reference(given.model(), moving);
   Values forces;
   for (const Direction& w : directions) {
-    forces.push_back(by_reference ? force_by_reference(at, at_reference, w)
-                                  : inverse_dynamics(at, w));
+    forces.push_back(uses_reference ? force_by_reference(at, at_reference, w)
+                                    : inverse_dynamics(at, w));
   }
   return forces;
 }

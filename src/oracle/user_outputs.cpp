@@ -148,44 +148,45 @@ cl_R contract_entries(const Values& values, const Contraction& by) {
   return sum;
 }
 
-Values user_output_values(const OutputQuery& of) {
-  const Motion motion = make_user_motion(of);
-  Evaluation at(of.model, motion);
+Values user_output_values(const OutputQuery& query) {
+  const Motion motion = make_user_motion(query);
+  Evaluation at(query.model, motion);
   Values values;
-  for (const ExpressionId id : of.user_output().values) values.push_back(at.value(id).real());
+  for (const ExpressionId id : query.user_output().values) values.push_back(at.value(id).real());
   return values;
 }
 
-Values user_output_jacobian(const OutputQuery& of) {
-  return derivatives_by_member(of, of.state.v.size(), of.is_twist() ? velocity_of : position_of);
+Values user_output_jacobian(const OutputQuery& query) {
+  return derivatives_by_member(query, query.state.v.size(),
+                               query.is_twist() ? velocity_of : position_of);
 }
 
-Values user_output_bias(const OutputQuery& of) {
-  Motion motion = make_motion(of.state);
-  motion.a.assign(of.state.v.size(), Jet());
-  Evaluation at(of.model, motion);
+Values user_output_bias(const OutputQuery& query) {
+  Motion motion = make_motion(query.state);
+  motion.a.assign(query.state.v.size(), Jet());
+  Evaluation at(query.model, motion);
   Values values;
-  for (const ExpressionId id : of.differentiated_values()) {
-    values.push_back((of.is_twist() ? at.rate(id) : at.second_rate(id)).real());
+  for (const ExpressionId id : query.differentiated_values()) {
+    values.push_back((query.is_twist() ? at.rate(id) : at.second_rate(id)).real());
   }
   return values;
 }
 
-Values user_output_derivatives(const OutputQuery& of) {
-  return concatenate_fields({user_output_derivative(of, 0), user_output_derivative(of, 1),
-                             user_output_derivative(of, 2), user_output_derivative(of, 3)});
+Values user_output_derivatives(const OutputQuery& query) {
+  return concatenate_fields({user_output_derivative(query, 0), user_output_derivative(query, 1),
+                             user_output_derivative(query, 2), user_output_derivative(query, 3)});
 }
 
-cl_R contract_user_derivatives(const OutputQuery& of, const Contraction& by) {
-  return contract_entries(user_output_derivative(of, by.field), by);
+cl_R contract_user_derivatives(const OutputQuery& query, const Contraction& by) {
+  return contract_entries(user_output_derivative(query, by.field), by);
 }
 
-Values user_operational_dynamics(const OutputQuery& of) {
-  return concatenate_fields(operational_fields(of));
+Values user_operational_dynamics(const OutputQuery& query) {
+  return concatenate_fields(operational_fields(query));
 }
 
-cl_R contract_operational_dynamics(const OutputQuery& of, const Contraction& by) {
-  return contract_entries(operational_fields(of).at(by.field), by);
+cl_R contract_operational_dynamics(const OutputQuery& query, const Contraction& by) {
+  return contract_entries(operational_fields(query).at(by.field), by);
 }
 
 }  // namespace elgen::oracle

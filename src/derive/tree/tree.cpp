@@ -158,30 +158,30 @@ ExVector3 KinematicTree::relative_spin(std::size_t index, Tangent& along) {
   return algebra.define(spin);
 }
 
-void KinematicTree::append_joint_forces(std::size_t index, const SpatialForce& on_step,
+void KinematicTree::append_joint_forces(std::size_t index, const SpatialForce& wrench,
                                         TreeForces& forces) {
   const TreeTransform& s = transform(index);
   const NameScope joint = name_scope("joint", index);
   switch (s.kind) {
     case TransformKind::translation:
       for (std::size_t i = 0; i < 3; ++i)
-        forces.on_variables.push_back({s.vector[i], on_step.force[i]});
+        forces.on_variables.push_back({s.vector[i], wrench.force[i]});
       return;
     case TransformKind::turn:
-      forces.on_variables.push_back({s.angle, algebra.dot(s.vector, on_step.moment)});
+      forces.on_variables.push_back({s.angle, algebra.dot(s.vector, wrench.moment)});
       return;
     case TransformKind::quaternion:
       break;
   }
   if (s.rotation) {
     for (std::uint32_t i = 0; i < 3; ++i) {
-      forces.on_velocities.emplace_back(*s.rotation + i, on_step.moment[i]);
+      forces.on_velocities.emplace_back(*s.rotation + i, wrench.moment[i]);
     }
     return;
   }
   // The transpose of relative_spin(): n.spin = sum over i of force_i dq_i/dt.
   const std::array<ex, 4>& q = s.quaternion;
-  const ExVector3& n = on_step.moment;
+  const ExVector3& n = wrench.moment;
   const ex scale = algebra.define(2 / squared_length(q));
   const ex scalar = algebra.define(-(q[1] * n[0] + q[2] * n[1] + q[3] * n[2]));
   forces.on_variables.push_back({q[0], algebra.define(scale * scalar)});
@@ -206,16 +206,16 @@ SpatialForce KinematicTree::force_to_parent(std::size_t index, const SpatialForc
   return result;
 }
 
-std::vector<SpatialForce> KinematicTree::subtree_wrenches(std::vector<SpatialForce> on_step) {
-  return subtree_sums(*this, std::move(on_step), [this](std::size_t k, const SpatialForce& force) {
+std::vector<SpatialForce> KinematicTree::subtree_wrenches(std::vector<SpatialForce> wrenches) {
+  return subtree_sums(*this, std::move(wrenches), [this](std::size_t k, const SpatialForce& force) {
     return force_to_parent(k, force);
   });
 }
 
-TreeForces KinematicTree::pull_back_wrenches(std::vector<SpatialForce> on_step) {
-  on_step = subtree_wrenches(std::move(on_step));
+TreeForces KinematicTree::pull_back_wrenches(std::vector<SpatialForce> wrenches) {
+  wrenches = subtree_wrenches(std::move(wrenches));
   TreeForces forces;
-  for (std::size_t k = size(); k-- > 0;) append_joint_forces(k, on_step[k], forces);
+  for (std::size_t k = size(); k-- > 0;) append_joint_forces(k, wrenches[k], forces);
   return forces;
 }
 

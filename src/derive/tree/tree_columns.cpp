@@ -155,19 +155,19 @@ Twist TreeColumns::twist_cross(const Twist& twist, const Twist& with) {
 /// R2 = a x S + v x (v x S). With the acceleration b of the origin, a = (w'; b - w x v), and R2 is
 ///     (w' x s + w x (w x s); b x s + 2 v x (w x s))    for turns and rotations, S = (s; 0)
 ///     (0; w' x u + w x (w x u))                        for translations, S = (0; u)
-Twist TreeColumns::second_rate_twist(const TransformQuantities& home,
+Twist TreeColumns::second_rate_twist(const TransformQuantities& quantities,
                                      const TreeVariable& variable) {
-  const ExVector3& w = home.parent_twist.spin;
+  const ExVector3& w = quantities.parent_twist.spin;
   const bool is_shift = is_zero(variable.spin);
   const ExVector3& s = is_shift ? variable.velocity : variable.spin;
   const ExVector3 first = algebra_.cross(w, s);
-  const ExVector3 of_rate = algebra_.cross(home.motion.spin_rate, s);
+  const ExVector3 of_rate = algebra_.cross(quantities.motion.spin_rate, s);
   const ExVector3 of_square = algebra_.cross(w, first);
   Twist result;
   (is_shift ? result.velocity : result.spin) = algebra_.add(of_rate, of_square);
   if (is_shift) return result;
-  const ExVector3 of_acceleration = algebra_.cross(home.motion.acceleration, s);
-  const ExVector3 of_velocity = algebra_.cross(home.parent_twist.velocity, first);
+  const ExVector3 of_acceleration = algebra_.cross(quantities.motion.acceleration, s);
+  const ExVector3 of_velocity = algebra_.cross(quantities.parent_twist.velocity, first);
   result.velocity = algebra_.add(of_acceleration, algebra_.scale(2, of_velocity));
   return result;
 }

@@ -270,10 +270,10 @@ Terms tree_kinetic_energy(KinematicTree& tree, Tangent& along) {
   return terms;
 }
 
-TransformMotion base_motion(KinematicTree& tree, bool with_gravity) {
+TransformMotion base_motion(KinematicTree& tree, bool includes_gravity) {
   TransformMotion motion;
   const auto& g = tree.derivation().lagrangian.gravity;
-  if (with_gravity && g) motion.acceleration = {-(*g)[0], -(*g)[1], -(*g)[2]};
+  if (includes_gravity && g) motion.acceleration = {-(*g)[0], -(*g)[1], -(*g)[2]};
   return motion;
 }
 

@@ -268,9 +268,9 @@ SignedNode express_by_shared_call(Graph& graph, FunctionId function, SignedNode 
 
 }  // namespace
 
-std::optional<SignedNode> rewrite_sum(Graph& graph, RewriteOptions keeping, SignedNode value) {
-  if (keeping.depth == max_rewrite_depth) return std::nullopt;
-  return SumRewriter(graph, {keeping.squares, keeping.depth + 1}).rewrite(value);
+std::optional<SignedNode> rewrite_sum(Graph& graph, RewriteOptions options, SignedNode value) {
+  if (options.depth == max_rewrite_depth) return std::nullopt;
+  return SumRewriter(graph, {options.squares, options.depth + 1}).rewrite(value);
 }
 
 std::optional<Expressions> rewrite_to_keep_digits(const Expressions& expressions,

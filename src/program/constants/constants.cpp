@@ -40,10 +40,10 @@ EnclosedNumber combine_parts(const ConstantForm& form, const std::vector<Enclose
   return total;
 }
 
-EnclosedResult value_of(const ConstantForm& form, const EnclosedArithmetic& with) {
+EnclosedResult value_of(const ConstantForm& form, const EnclosedArithmetic& arithmetic) {
   std::vector<EnclosedNumber> parts;
   for (const ConstantOperand& part : form.operands) {
-    const EnclosedResult value = value_of(part, form.kind == ConstantKind::product, with);
+    const EnclosedResult value = value_of(part, form.kind == ConstantKind::product, arithmetic);
     if (!value.number) return value;
     parts.push_back(*value.number);
   }
@@ -51,13 +51,13 @@ EnclosedResult value_of(const ConstantForm& form, const EnclosedArithmetic& with
     case ConstantKind::rational:
       return EnclosedNumber{form.number, 0};
     case ConstantKind::pi:
-      return with.pi();
+      return arithmetic.pi();
     case ConstantKind::square_root:
-      return with.power(parts.front(), cln::cl_RA(1) / 2);
+      return arithmetic.power(parts.front(), cln::cl_RA(1) / 2);
     case ConstantKind::call:
-      return with.call(form.function, parts.front(), parts.back());
+      return arithmetic.call(form.function, parts.front(), parts.back());
     default:
-      return combine_parts(form, parts, with);
+      return combine_parts(form, parts, arithmetic);
   }
 }
 

@@ -40,10 +40,10 @@ NamedIntermediates::const_iterator find_value(const NamedIntermediates& told, do
 
 }  // namespace
 
-NamedIntermediates named_intermediates(const Expressions& told,
+NamedIntermediates named_intermediates(const Expressions& named,
                                        const std::vector<std::string>& names,
                                        const LeafNames& leaves) {
-  LinearisedNetwork all(make_network(told));
+  LinearisedNetwork all(make_network(named));
   all.program.leaves = leaves;
   const std::vector<double> values =
       entries_of(all.function, sample_values(all.program, all.function));

@@ -116,15 +116,16 @@ PipelineOptions player_pipeline_options(PipelineOptions options) {
   return options;
 }
 
-Result<std::string> player_page(const Products& moving, const Products& read,
+Result<std::string> player_page(const Products& run_products, const Products& shown_products,
                                 const SimulationOptions& options, const Limits& limits) {
-  const Result<CheckedModel> assembled = assemble_start(*moving.checked, exact_value(options.from));
+  const Result<CheckedModel> assembled =
+      assemble_start(*run_products.checked, exact_value(options.from));
   if (!assembled) return assembled.diagnostics;
   const auto& [model, scene] = *assembled;
-  const Program& program = *moving.program;
+  const Program& program = *run_products.program;
   const Result<std::string> functions = emitted_script(model, scene, program);
   if (!functions) return functions.diagnostics;
-  const ReadableTexts texts = make_readable_texts(read);
+  const ReadableTexts texts = make_readable_texts(shown_products);
   const std::string title = page_title(model);
   TemplateData data(TemplateRow{
       {"generated", std::string(generated_marker)},
@@ -133,11 +134,11 @@ Result<std::string> player_page(const Products& moving, const Products& read,
       {"no_places", shown_places(model).empty() ? " hidden" : ""},
       {"functions", *functions},
       {"calls", calls_data(*assembled, program)},
-      {"model", player_model_json(*assembled, program, read, options)},
+      {"model", player_model_json(*assembled, program, shown_products, options)},
       {"equations", texts.equations},
       {"derivation",
        optional_section(!texts.derivation.empty(), TemplateRow{{"text", texts.derivation}})}});
-  set_controls(data, *assembled, program, read);
+  set_controls(data, *assembled, program, shown_products);
   std::string page = fill_template("player/page.html.mustache", data);
   if (page.size() <= limits.page_bytes) return page;
   return Diagnostic{

@@ -70,11 +70,11 @@ cln::cl_R OracleCache::largest_inertial_force() {
   return max_magnitude(*mass) * (max_magnitude(state_.v) + max_magnitude(state_.a));
 }
 
-bool agrees(const RunningValue<Real>& number, const Real& truth, const Real& drowning) {
+bool agrees(const RunningValue<Real>& number, const Real& truth, const Real& scale) {
   static const Real of_error(power_of_ten(-digits_of_error));
   static const Real scale_tolerance(power_of_ten(-digits_of_scale));
   const Real error = number.error.is_defined() ? number.error : Real();
-  const Real allowed = (error + abs(truth)) * of_error + drowning * scale_tolerance;
+  const Real allowed = (error + abs(truth)) * of_error + scale * scale_tolerance;
   return abs(number.value - truth) <= allowed;
 }
 

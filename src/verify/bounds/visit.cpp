@@ -193,7 +193,7 @@ void StateCheck<Scalar>::measure_errors(const ComparedField& place, Finding& fin
 template <class Scalar>
 template <class Reference>
 CodeFinding StateCheck<Scalar>::compare_code(const ComparedField& place,
-                                             const std::vector<Scalar>& values, double most,
+                                             const std::vector<Scalar>& values, double max_error,
                                              const Reference& reference_of) const {
   const std::size_t operations = place.function->instructions.size();
   CodeFinding finding{0.0, {}};
@@ -204,7 +204,7 @@ CodeFinding StateCheck<Scalar>::compare_code(const ComparedField& place,
     const double figure = error_in_roundoffs(error, size, rounding_constants<Scalar>());
     if (figure <= *finding.error) continue;
     finding.error = figure;
-    if (figure <= most) continue;
+    if (figure <= max_error) continue;
     finding.mistake = fmt::format("entry {} is {:.17g} instead of {:.17g}", i + 1, x,
                                   ScalarTraits<Scalar>::from_real(reference.value()));
   }
