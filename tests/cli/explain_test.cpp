@@ -76,7 +76,8 @@ TEST_CASE("an entry is explained with its tables, types of values and choices") 
   eigen          true or false            also emits functions on Eigen types; default: false
                  The key needs C++ (E611).
   batch          true or false            also emits functions on arrays; default: false
-                 The arrays hold states. The key needs C++ (E611), and float or double (E625).
+                 Each array holds the values of many states. The key needs C++ (E611), and float or
+                 double (E625).
   storage        one of                   order of matrix entries in arrays ("row-major", "column-major"); default: "row-major"
                  Interpreted languages use their own matrices, so they exclude this key (E611).
   files          list of                  files that are written ("header", "equations", "page"); default: all

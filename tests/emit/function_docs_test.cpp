@@ -68,7 +68,8 @@ TEST_CASE("a function that compares numbers documents it") {
   subject.program = read_program(
       "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
       "  result 2 1 = 1 1\n");
-  CHECK(mentions(docs(subject, 0).front(), "Needs an ordered Scalar."));
+  const Lines lines = docs(subject, 0);
+  CHECK(mentions(lines.at(0) + lines.at(1), "Needs an ordered Scalar."));
 }
 
 TEST_CASE("a step documents its method") {

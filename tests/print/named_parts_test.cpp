@@ -155,7 +155,7 @@ TEST_CASE("an output without a readable form is printed by its definition, after
                                  "(D, 0, 0) + m_{b} [c_{b}]_{\\times}^{2}"});
   CHECK(latex_of(section(page, "Motion of").equations.back().entries.front()) == "-(0, 0, -g)");
   Formulas last;
-  for (const PageEquation& each : section(page, "velocities k").equations) {
+  for (const PageEquation& each : section(page, "velocity k").equations) {
     last.push_back(each.left);
   }
   CHECK(latex_of(last.back()) == "V_{0}");
