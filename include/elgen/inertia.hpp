@@ -1,4 +1,4 @@
-// Inertia tensors: the test whether a rigid body can have a tensor.
+// Inertia tensors, and a test for tensors that no rigid body can have.
 #pragma once
 
 #include <cln/real.h>

@@ -22,10 +22,10 @@ namespace elgen {
 /// E527, E536 to E538, E603, E613, E614, E616, E619, E627 and E910.
 [[nodiscard]] Diagnostics inspect(const Model& model, const Scene& scene);
 
-/// At most four exact states of rest, at which inspect() checks `equilibrium`. The parameters of
-/// each state meet the condition of `equilibrium`: first the values of the model, unless these
-/// violate the condition, then random values. Empty if no drawn parameters meet the condition, or
-/// if bias or B has no value at the states.
+/// At most four exact states of rest, at which inspect() checks `equilibrium`. The first state has
+/// the parameters of the model, the others have random parameters. Parameters that violate the
+/// condition of `equilibrium` are not used. Empty if no parameters meet the condition, or if bias
+/// or B has no value at the states.
 [[nodiscard]] std::vector<State> sample_equilibrium(const CheckedModel& checked,
                                                     const Equilibrium& equilibrium);
 

@@ -105,9 +105,9 @@ template <class T>
   return list != nullptr ? list->size() : 1;
 }
 
-/// True if emitted functions may take leaves of this kind (see ArgumentRule). If the rule is if_any
-/// or if_used: true if the list is not empty. True for h, which is a single leaf; functions take h
-/// only if h has a name.
+/// True if emitted functions may take leaves of this kind. For the rules if_any and if_used: true
+/// if `leaves` has a leaf of this kind. This includes h, even if h has no name and no function
+/// takes it.
 template <class T>
 [[nodiscard]] bool may_be_argument(const LeafValues<T>& leaves, Opcode kind) {
   const ArgumentRule passed = leaf_row(kind).argument_rule;

@@ -45,11 +45,12 @@ struct Design {
   bool in_packs = false;
   /// The max_error of the sine polynomials, or library_sines; "": the accuracy of the scalar.
   std::string trigonometry = {};
-  bool is_fixed = false;                  ///< true: all parameters are numbers in the code
-  InnerScalar inner = InnerScalar::same;  ///< may differ from `same` only for one state in double
-  std::string order = {};                 ///< order of an expansion, or "exact": no expansion
-  std::optional<StepSpec> step = {};      ///< step emitted instead of the output; none: the output
-  std::string doc = {};                   ///< value of `doc` in the scene; "": no `doc`
+  bool is_fixed = false;  ///< true: all parameters are numbers in the code
+  /// The scalar inside the functions; `same` if `in_packs` is true or `scalar` is float.
+  InnerScalar inner = InnerScalar::same;
+  std::string order = {};             ///< order of an expansion, or "exact": no expansion
+  std::optional<StepSpec> step = {};  ///< step emitted instead of the output; none: the output
+  std::string doc = {};               ///< value of `doc` in the scene; "": no `doc`
   friend bool operator==(const Design&, const Design&) = default;
 };
 

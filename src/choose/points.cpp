@@ -11,7 +11,8 @@ namespace elgen {
 namespace {
 
 /// The number of points of each kind: nominal parameters, scaled parameters, and states of rest.
-constexpr std::size_t nominal_point_count = 4;
+constexpr std::size_t points_per_kind = 4;
+
 constexpr std::size_t max_places = 10;
 constexpr int widest_factor = 3;  ///< parameters are scaled by at most 2^3
 
@@ -69,15 +70,15 @@ class PointMaker {
       : program_(program), text_(text), domain_(domain), places_(std::move(places)) {}
 
   Points make(const SumZeros& zeros) {
-    for (std::size_t i = 0; i < nominal_point_count; ++i) points_.push_back(next_state());
-    for (std::size_t i = 0; i < nominal_point_count; ++i)
+    for (std::size_t i = 0; i < points_per_kind; ++i) points_.push_back(next_state());
+    for (std::size_t i = 0; i < points_per_kind; ++i)
       points_.push_back(with_scaled_parameters(next_state()));
     for (const NearPlace& place : places_) {
       for (const double distance : distances) add_point_near(place, distance);
     }
     add_points_near_all(places_);
     if (depends_on_motion(text_)) {
-      for (std::size_t i = 0; i < nominal_point_count; ++i)
+      for (std::size_t i = 0; i < points_per_kind; ++i)
         add_point_in_range(point_at_rest(next_state()));
     } else {
       for (const std::vector<double>& zero : zeros) add_points_near_zero(zero);

@@ -249,7 +249,7 @@ std::string find_option_value(const std::vector<std::string>& words, const std::
 }
 
 /// The style for errors of read_command_line(), from --color and --format as far as they are valid.
-DiagnosticStyle style_of_mistakes(const std::vector<std::string>& words) {
+DiagnosticStyle command_line_error_style(const std::vector<std::string>& words) {
   const std::string color = find_option_value(words, "--color");
   return style_of(color.empty() ? "auto" : color, find_option_value(words, "--format"));
 }
@@ -304,7 +304,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
 ExitCode run_command_line(const std::vector<std::string>& words, GlobalOptions& global) {
   const auto line = read_command_line(words);
   if (!line) {
-    global.style = style_of_mistakes(words);
+    global.style = command_line_error_style(words);
     return report(global, line.diagnostics);
   }
   global = line->global;

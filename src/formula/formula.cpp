@@ -18,7 +18,7 @@ Formula make_node(FormulaKind kind, Parts... parts) {
   return formula;
 }
 
-Formula unwrap_single(FormulaKind kind, Formulas parts) {
+Formula wrap_unless_single(FormulaKind kind, Formulas parts) {
   if (parts.size() == 1) return std::move(parts.front());
   return make_formula(kind, std::move(parts));
 }
@@ -79,7 +79,7 @@ Formula negative_of(Formula x) { return make_node(FormulaKind::negative, std::mo
 
 Formula sum_of(Formulas terms) {
   for (std::size_t i = 1; i < terms.size(); ++i) terms[i] = extract_sign(std::move(terms[i]));
-  return unwrap_single(FormulaKind::sum, std::move(terms));
+  return wrap_unless_single(FormulaKind::sum, std::move(terms));
 }
 
 Formula with_term(Formula sum, Formula term) {
@@ -89,7 +89,7 @@ Formula with_term(Formula sum, Formula term) {
 }
 
 Formula product_of(Formulas factors) {
-  return unwrap_single(FormulaKind::product, std::move(factors));
+  return wrap_unless_single(FormulaKind::product, std::move(factors));
 }
 
 Formula quotient_of(Formula above, Formula below) {
@@ -122,7 +122,7 @@ Formula relation(Formula left, Formula right, std::string sign) {
   return formula;
 }
 
-Formula list_of(Formulas items) { return unwrap_single(FormulaKind::list, std::move(items)); }
+Formula list_of(Formulas items) { return wrap_unless_single(FormulaKind::list, std::move(items)); }
 
 Formula tuple_of(Formulas items) { return make_formula(FormulaKind::tuple, std::move(items)); }
 
@@ -131,7 +131,7 @@ Formula prose(std::string words) { return {FormulaKind::prose, {}, std::move(wor
 Formula row_of(Formulas parts) {
   Formulas row;
   for (Formula& part : parts) append_part(row, std::move(part));
-  return unwrap_single(FormulaKind::row, std::move(row));
+  return wrap_unless_single(FormulaKind::row, std::move(row));
 }
 
 Formula enumeration(Formulas items) {

@@ -18,8 +18,8 @@ constexpr int largest_denominator = 999;  // fractions with larger denominators 
 std::string readable_number(const cl_R& x) {
   // Smaller numbers are rounding errors of 60-digit terms of magnitude 1 that have cancelled.
   if (cln::abs(x) < power_of_ten(-40)) return "0";
-  // 1e-9 is four digits more than are printed. A random number between 0 and 1 is this close to a
-  // fraction with a denominator up to 999 with a probability below 0.001.
+  // The tolerance 1e-9 checks four digits more than are printed. With a probability below 0.001, a
+  // random number between 0 and 1 is within it of a fraction with a denominator up to 999.
   const auto fraction = simple_fraction(x, largest_denominator, power_of_ten(-9));
   if (fraction) return number_text(*fraction);
   return fmt::format("{:.5g}", cln::double_approx(x));

@@ -74,8 +74,8 @@ class OracleStepper {
     return x;
   }
 
-  /// M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2) in each substep, by `iterations`
-  /// substitutions. The residual belongs to the middle substep.
+  /// In each substep, solves M w = p + h/2 dp/dt - b at (q + h/2 w, w, t + h/2) for w, by
+  /// `iterations` fixed-point iterations. The residual belongs to the middle substep.
   StepState midpoint() {
     Values p = momentum(start_);
     StepState x{start_.q, start_.v};

@@ -117,7 +117,7 @@ Glyphs split_fraction(const Glyphs& fraction) {
 }
 
 /// The display `left` = `right`. Wide fractions are split, so that lines can break inside them.
-DisplayedEquation number_display(const Glyphs& left, const Glyphs& right,
+DisplayedEquation scalar_display(const Glyphs& left, const Glyphs& right,
                                  const PageMetrics& shape) {
   const double widest = std::max(shape.width / 2, shape.width - left_width(left, shape));
   Glyphs row = right;
@@ -177,7 +177,7 @@ std::vector<DisplayedEquation> entry_displays(const TypesetEquation& equation,
     if (is_half && row < column) {
       left = equation_row(std::move(left), entry_name(equation, column * equation.columns + row));
     }
-    all.push_back(number_display(left, equation.entries[i], shape));
+    all.push_back(scalar_display(left, equation.entries[i], shape));
   }
   return all;
 }
@@ -281,7 +281,7 @@ std::vector<DisplayedEquation> lay_out_equation(const TypesetEquation& equation,
     const bool is_defined = std::ranges::any_of(equation.left.parts, [](const Glyphs& part) {
       return part.text == "=" || bracket_depth_change(part) != 0;
     });
-    return {number_display(is_defined ? equation.left : remove_bold(equation.left),
+    return {scalar_display(is_defined ? equation.left : remove_bold(equation.left),
                            equation.entries.front(), shape)};
   }
   if (fits_as_matrix(equation, shape)) {

@@ -258,11 +258,12 @@ std::vector<PageSection> recursion_sections(const Model& model) {
   Formula weight =
       has_weights ? negative_of(writer.vector_formula(*model.gravity)) : number_formula(0);
   motions.equations.push_back({latex_formula("\\gamma_{0}"), 1, 1, {std::move(weight)}});
-  PageSection results = recursion_section(
-      model,
-      "V_ik is the derivative of the twist of frame i with respect to velocity k, S_ik that of the "
-      "part relative to p. M and the equations of motion follow.",
-      twist_rows);
+  PageSection results =
+      recursion_section(model,
+                        "V_ik is the derivative of the twist of frame i with respect to velocity "
+                        "k, S_ik the derivative "
+                        "of the twist relative to p. M and the equations of motion follow.",
+                        twist_rows);
   const std::vector<PageEquation> last = mass_and_force_equations(model, writer, has_weights);
   results.equations.insert(results.equations.end(), last.begin(), last.end());
   return {

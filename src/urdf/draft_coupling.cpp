@@ -1,5 +1,5 @@
-// A joint with one coordinate: its position, damping, friction and rotor. The terms are sums,
-// products and quotients of short expressions.
+// Writes the model text of a joint with one coordinate: its position, damping, friction and rotor.
+// Their expressions are sums, products and quotients of short expressions.
 #include <fmt/format.h>
 
 #include "base/toml_text.hpp"

@@ -151,6 +151,6 @@ T = "1/2*((cos(x) + cos(y))^2 + (sin(x) + sin(y))^2)*dot(x)^2 + 1/2*dot(y)^2"
 V = "3*sqrt((x - 1)^2 + (y - 3/4)^2)"
 )toml";
   const ChosenForms c = chosen(model_text("circles", text));
-  // 4 cos((x - y)/2)^2 costs 24 multiplications; the form with sines of x and of y costs 45.
+  // 4 cos((x - y)/2)^2 costs as much as 24 multiplications; the form with sines of x and y, 45.
   CHECK(cost_of(c, OutputKind::mass_matrix) <= 26 + 4);
 }

@@ -1,4 +1,5 @@
-// Timed functions compute all states of an array. Loops of a step continue from the last result.
+// A timed function computes its values at every state of an array. A timed step continues from its
+// last result.
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>

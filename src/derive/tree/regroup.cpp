@@ -117,9 +117,9 @@ bool is_descendant(const KinematicTree& tree, std::optional<std::uint32_t> trans
 /// Moves the masses of the bodies on the transform `rotation` to a point mass on the parent
 /// transform, at the origin of `rotation`. The term 1/2 m v^2 of the point mass contains no
 /// quaternion (R^T R = 1 is used), so that T, momenta and forces agree with M even if |q| is not 1.
-/// Bodies on descendants of `rotation` keep their masses; the sum of these masses is subtracted as
-/// a point mass at the origin in the child frame, and added as a point mass at the origin in the
-/// parent frame.
+/// Bodies on descendants of `rotation` keep their masses. Instead, a point mass with the negative
+/// sum of these masses is added on `rotation`, at its origin, and a point mass with the sum on the
+/// parent transform.
 void lift_masses(KinematicTree& tree, std::uint32_t rotation, std::vector<RigidBody>& bodies) {
   ex own = 0;
   ex behind = 0;

@@ -171,7 +171,7 @@ std::vector<std::string> element_literals(const DeclaredArray& array, std::strin
   return elements;
 }
 
-bool needs_unbounded(const DeclaredArray& array) {
+bool has_unbounded_element(const DeclaredArray& array) {
   const auto is_open = [](const std::optional<Interval>& range) {
     return !range || exceeds_double(range->low) || exceeds_double(range->high);
   };

@@ -34,7 +34,7 @@ void set_pivot_data(TemplateData& data, const EmissionInput& input);
 
 /// True if a bound is missing, or a number or bound is too large for double, so that
 /// element_literals() writes `unbounded`.
-[[nodiscard]] bool needs_unbounded(const DeclaredArray& array);
+[[nodiscard]] bool has_unbounded_element(const DeclaredArray& array);
 
 /// " step is omitted: it has more than 4096 entries."
 [[nodiscard]] std::string omission_note(const Function& function);

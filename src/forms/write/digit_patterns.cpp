@@ -24,7 +24,7 @@ RulePattern parse_rule(Graph& graph, const RewriteRule& row) {
   const bool is_sum = graph.node(from.node).kind == NodeKind::sum;
   for (const SignedNode term :
        is_sum ? reader.terms_of(from.node) : std::vector<SignedNode>{from}) {
-    pattern.terms.push_back(reader.split_term(with_sign(term, is_sum && from.is_negative)));
+    pattern.terms.push_back(reader.split_term(negate_if(term, is_sum && from.is_negative)));
   }
   // The number of calls if all factors are calls; otherwise 0.
   const auto calls = [&graph](const ScaledTerm& term) {

@@ -52,11 +52,11 @@ class ReplacementBuilder : protected GraphTermBuilder {
   SignedNode substitute_letters(SignedNode pattern, const PatternSubstitution& letters,
                                 bool is_kept) {
     const Node& node = rule_patterns().graph.node(pattern.node);
-    if (node.kind == NodeKind::leaf) return with_sign(*letters[node.index], pattern.is_negative);
+    if (node.kind == NodeKind::leaf) return negate_if(*letters[node.index], pattern.is_negative);
     if (node.kind == NodeKind::product || node.kind == NodeKind::rational) {
       std::vector<Power> powers;
       append_powers({pattern.node, 1}, letters, is_kept, powers);
-      return with_sign(graph_.product(powers), pattern.is_negative);
+      return negate_if(graph_.product(powers), pattern.is_negative);
     }
     std::vector<SignedNode> operands;
     for (const Operand& operand : node.operands) {
@@ -69,7 +69,7 @@ class ReplacementBuilder : protected GraphTermBuilder {
       value = short_sum(operands);
       if (is_kept) value = rewrite_sum(graph_, options_, value).value_or(value);
     }
-    return with_sign(value, pattern.is_negative);
+    return negate_if(value, pattern.is_negative);
   }
 
   void append_powers(const Operand& pattern, const PatternSubstitution& letters, bool is_kept,

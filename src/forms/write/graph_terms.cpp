@@ -94,7 +94,7 @@ std::vector<SignedNode> GraphTermBuilder::terms_of(NodeId sum) const {
     const bool is_sum = graph_.node(operand.node).kind == NodeKind::sum;
     const std::vector<SignedNode> parts =
         is_sum ? terms_of(operand.node) : std::vector<SignedNode>{{operand.node, false}};
-    for (const SignedNode part : parts) terms.push_back(with_sign(part, operand.weight < 0));
+    for (const SignedNode part : parts) terms.push_back(negate_if(part, operand.weight < 0));
   }
   return terms;
 }
@@ -169,7 +169,7 @@ std::optional<SignedNode> GraphTermBuilder::exact_root(ScaledTerm term, std::int
     if (factor.weight % degree != 0) return std::nullopt;
     factor.weight /= degree;
   }
-  return with_sign(product(root, term.factors), is_negative);
+  return negate_if(product(root, term.factors), is_negative);
 }
 
 SignedNode GraphTermBuilder::product(const cl_RA& coefficient,

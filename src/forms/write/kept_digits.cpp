@@ -90,7 +90,7 @@ class ConjugateRewriter : GraphTermBuilder {
     if (graph_.node(radicand.node).kind != NodeKind::sum) return multiply(common, radicand);
     std::vector<SignedNode> terms;
     for (const SignedNode part : terms_of(radicand.node)) {
-      terms.push_back(multiply(common, with_sign(part, radicand.is_negative)));
+      terms.push_back(multiply(common, negate_if(part, radicand.is_negative)));
     }
     return graph_.sum(terms);
   }
@@ -114,7 +114,7 @@ class SumRewriter : GraphTermBuilder {
     if (!better) better = ConjugateRewriter(graph_, keeping_)(terms);
     if (!better && is_hidden) better = rewrite_triangle(terms);
     if (!better && is_hidden) better = rewrite_expanded_terms(terms);
-    return better ? std::optional(with_sign(*better, value.is_negative)) : std::nullopt;
+    return better ? std::optional(negate_if(*better, value.is_negative)) : std::nullopt;
   }
 
   /// log(1 + x) = log1p(x), log(a/b) = log1p((a - b)/b), and log(a) = log1p(a - 1) if a - 1 can be
@@ -225,7 +225,7 @@ SignedNode rewrite_node(Graph& graph, const RebuildStep& step, RewriteOptions ke
   }
   if (!better) return same;
   is_rewritten = true;
-  return with_sign(*better, same.is_negative);
+  return negate_if(*better, same.is_negative);
 }
 
 /// The calls that can be computed from another call in the same expressions.
@@ -291,7 +291,7 @@ std::optional<Expressions> replace_redundant_calls(const Expressions& expression
     if (!calls.contains(step.old_node)) return copy_node(graph, step);
     const Node& node = step.old_graph.node(step.old_node);
     const Operand& argument = node.operands[0];
-    const SignedNode renewed = with_sign(step.renewed[argument.node], argument.weight < 0);
+    const SignedNode renewed = negate_if(step.renewed[argument.node], argument.weight < 0);
     return express_by_shared_call(graph, node.function, renewed);
   };
   return rebuild(expressions, rule);

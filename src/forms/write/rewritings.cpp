@@ -49,7 +49,7 @@ class WrittenLengths {
     return std::min(total, 2 * longest_written);
   }
 
-  /// The extra length of multiples of leaves in the argument of a call.
+  /// The length added for each term with a constant factor in the argument of a call: for 2 x.
   [[nodiscard]] std::size_t multiples_length(NodeId argument) const {
     if (graph_.is_constant(argument)) return 0;
     const Node& node = graph_.node(argument);

@@ -56,14 +56,14 @@ bool has_inexact_point(const Equilibria& equilibria, const Wanted& wanted) {
   });
 }
 
-bool has_sinusoid(const RestPoint& point) {
+bool has_arc_angle(const RestPoint& point) {
   return std::ranges::any_of(point.coordinates, [](const RestCoordinate& coordinate) {
     return coordinate.inverse_argument.has_value();
   });
 }
 
-std::size_t count_sinusoid_points(const Equilibria& equilibria) {
-  return static_cast<std::size_t>(std::ranges::count_if(equilibria.points, has_sinusoid));
+std::size_t count_points_with_arc_angle(const Equilibria& equilibria) {
+  return static_cast<std::size_t>(std::ranges::count_if(equilibria.points, has_arc_angle));
 }
 
 /// True if a form is a product of a positive number, even powers, and parameters that are assumed
@@ -109,8 +109,8 @@ std::optional<Fraction> common_sinusoid(ClosedForms& forms, const Equilibria& eq
 
 /// "the last two exist if |g| <= R*Omega^2"
 Formula existence_condition(PageForms& known, const Equilibria& equilibria) {
-  const std::size_t count = count_sinusoid_points(equilibria);
-  const bool are_last = std::ranges::is_partitioned(equilibria.points, std::not_fn(has_sinusoid));
+  const std::size_t count = count_points_with_arc_angle(equilibria);
+  const bool are_last = std::ranges::is_partitioned(equilibria.points, std::not_fn(has_arc_angle));
   const std::string subject = count == equilibria.points.size() ? "they exist"
                               : !are_last                       ? "angles exist"
                               : count == 1                      ? "the last one exists"
@@ -166,7 +166,7 @@ Formula scope_claim(PageForms& known, const Equilibria& equilibria) {
   if (has_inexact_point(equilibria, &RestCoordinate::is_arbitrary))
     special.push_back(prose("\"any\""));
   Formulas clauses;
-  if (count_sinusoid_points(equilibria) > 0) {
+  if (count_points_with_arc_angle(equilibria) > 0) {
     clauses.push_back(existence_condition(known, equilibria));
   } else if (special.empty()) {
     clauses.push_back(prose("exact for all values of the parameters"));

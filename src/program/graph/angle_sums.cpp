@@ -146,7 +146,7 @@ class AngleSumRule {
       return copy_node(graph, step);
     const SignedNode value = sine_or_cosine(graph, step, node.function, node.operands[0].node);
     const bool negative = node.function == FunctionId::sin && node.operands[0].weight < 0;
-    return with_sign(value, negative);
+    return negate_if(value, negative);
   }
 
  private:
@@ -174,7 +174,7 @@ class AngleSumRule {
     const SignedNode sine1 = sine_or_cosine(graph, step, FunctionId::sin, first);
     const SignedNode cosine1 = sine_or_cosine(graph, step, FunctionId::cos, first);
     const SignedNode sine2 =
-        with_sign(sine_or_cosine(graph, step, FunctionId::sin, second), sign < 0);
+        negate_if(sine_or_cosine(graph, step, FunctionId::sin, second), sign < 0);
     const SignedNode cosine2 = sine_or_cosine(graph, step, FunctionId::cos, second);
     if (function == FunctionId::sin) {
       const SignedNode left = graph.product({{sine1}, {cosine2}});

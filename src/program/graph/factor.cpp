@@ -63,7 +63,7 @@ class FactorRule {
  private:
   FactoredTerm make_term(const Graph& graph, const RebuildStep& step,
                          const Operand& operand) const {
-    const SignedNode value = with_sign(step.renewed[operand.node], operand.weight < 0);
+    const SignedNode value = negate_if(step.renewed[operand.node], operand.weight < 0);
     FactoredTerm result{value.is_negative, {}, true};
     const Node& node = graph.node(value.node);
     if (node.kind == NodeKind::product && uses_[operand.node] == 1) {
@@ -126,7 +126,7 @@ class FactorRule {
       terms.push_back(product_term(graph, *common, factor_terms(graph, std::move(inner))));
     }
     for (const FactoredTerm& term : terms) {
-      finished.push_back(with_sign(graph.product(term.factors), term.is_negative));
+      finished.push_back(negate_if(graph.product(term.factors), term.is_negative));
     }
     return graph.sum(finished);
   }
@@ -172,7 +172,7 @@ class FlattenRule {
   SignedNode sum(Graph& graph, const RebuildStep& step) const {
     std::vector<SignedNode> terms;
     for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
-      const SignedNode renewed = with_sign(step.renewed[operand.node], operand.weight < 0);
+      const SignedNode renewed = negate_if(step.renewed[operand.node], operand.weight < 0);
       if (!is_spliced(graph, step, operand)) {
         terms.push_back(renewed);
         continue;
@@ -199,7 +199,7 @@ class FlattenRule {
         factors.push_back({{factor.node, false}, factor.weight * operand.weight});
       }
     }
-    return with_sign(graph.product(factors), negative);
+    return negate_if(graph.product(factors), negative);
   }
 
   std::vector<std::uint32_t> uses_;

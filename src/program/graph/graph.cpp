@@ -126,7 +126,7 @@ std::optional<SignedNode> Graph::fold_kinked_call(FunctionId function,
   if (arguments.size() == 1) {
     const auto sign = constant_sign(x);
     if (!sign) return std::nullopt;
-    return function == FunctionId::sign ? rational(*sign) : with_sign(x, *sign < 0);
+    return function == FunctionId::sign ? rational(*sign) : negate_if(x, *sign < 0);
   }
   if (!is_constant(x.node) || !is_constant(arguments.back().node)) return std::nullopt;
   const auto order = constant_sign(sum({x, -arguments.back()}));
@@ -156,7 +156,7 @@ SignedNode Graph::call(FunctionId function, std::vector<SignedNode> arguments) {
   if (commutes(function) && less(arguments[1].node, arguments[0].node)) {
     std::swap(arguments[0], arguments[1]);
   }
-  if (const auto exact = fold_exact_call(function, arguments)) return with_sign(*exact, negative);
+  if (const auto exact = fold_exact_call(function, arguments)) return negate_if(*exact, negative);
   Node node{.kind = NodeKind::call, .function = function};
   for (const SignedNode x : arguments) node.operands.push_back({x.node, x.is_negative ? -1 : 1});
   return {intern(std::move(node)), negative};
@@ -168,14 +168,14 @@ SignedNode Graph::constant(const ConstantForm& form) {
   std::vector<SignedNode> parts;
   for (const ConstantOperand& part : form.operands) {
     const SignedNode value = constant(part.form);
-    const SignedNode term = with_sign(value, part.weight < 0);
+    const SignedNode term = negate_if(value, part.weight < 0);
     factors.push_back({value, part.weight});
     if (form.kind != ConstantKind::sum || node(value.node).kind != NodeKind::sum) {
       parts.push_back(term);
       continue;
     }
     for (const Operand& operand : node(value.node).operands) {
-      parts.push_back(with_sign({operand.node, operand.weight < 0}, term.is_negative));
+      parts.push_back(negate_if({operand.node, operand.weight < 0}, term.is_negative));
     }
   }
   switch (form.kind) {

@@ -31,9 +31,9 @@ struct SignedNode {
 
 [[nodiscard]] inline SignedNode operator-(SignedNode x) { return {x.node, !x.is_negative}; }
 
-/// x or -x.
-[[nodiscard]] inline SignedNode with_sign(SignedNode x, bool negative) {
-  return {x.node, x.is_negative != negative};
+/// -x if `condition`, else x.
+[[nodiscard]] inline SignedNode negate_if(SignedNode x, bool condition) {
+  return {x.node, x.is_negative != condition};
 }
 
 enum class NodeKind : std::uint8_t { rational, pi, leaf, product, square_root, call, sum };

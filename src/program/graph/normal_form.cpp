@@ -98,7 +98,7 @@ SignedNode Graph::build_product(Factors factors) {
   if (cln::zerop(factors.coefficient)) return rational(0);
   const bool negative = cln::minusp(factors.coefficient);
   const SignedNode coefficient = rational(cln::abs(factors.coefficient));
-  if (factors.powers.empty()) return with_sign(coefficient, negative);
+  if (factors.powers.empty()) return negate_if(coefficient, negative);
   const bool has_coefficient = cln::abs(factors.coefficient) != 1;
   if (!has_coefficient && factors.powers.size() == 1 && factors.powers[0].weight == 1) {
     return {factors.powers[0].node, negative};

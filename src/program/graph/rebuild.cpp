@@ -15,7 +15,7 @@ std::vector<SignedNode> renewed_terms(const RebuildStep& step) {
   std::vector<SignedNode> terms;
   terms.reserve(step.old_graph.node(step.old_node).operands.size());
   for (const Operand& operand : step.old_graph.node(step.old_node).operands) {
-    terms.push_back(with_sign(step.renewed[operand.node], operand.weight < 0));
+    terms.push_back(negate_if(step.renewed[operand.node], operand.weight < 0));
   }
   return terms;
 }
@@ -59,7 +59,7 @@ SignedNode copy_value(Graph& graph, const Expressions& from) {
     renewed[id] = copy_node(graph, {from.graph, id, renewed});
   }
   const SignedNode value = from.values[0];
-  return with_sign(renewed[value.node], value.is_negative);
+  return negate_if(renewed[value.node], value.is_negative);
 }
 
 Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
@@ -72,7 +72,7 @@ Expressions rebuild(const Expressions& expressions, const RebuildRule& rule) {
     result.graph.set_name(renewed[id], old_graph.node(id).name);
   }
   for (const SignedNode value : expressions.values) {
-    result.values.push_back(with_sign(renewed[value.node], value.is_negative));
+    result.values.push_back(negate_if(renewed[value.node], value.is_negative));
   }
   return result;
 }

@@ -197,7 +197,7 @@ class NetworkConverter {
       if (!converted_[id]) converted_[id] = convert_node(id);
     }
     const SignedNode result = *converted_[value.node];
-    return with_sign(result, value.is_negative && !graph_.is_zero(value.node));
+    return negate_if(result, value.is_negative && !graph_.is_zero(value.node));
   }
 
   /// Operands with all constants folded into one: 1/2*pi*x multiplies x by one number. Memoised.
@@ -254,7 +254,7 @@ class NetworkConverter {
       operation.operands.push_back({*operands_of(id).constant, operands_of(id).is_negative});
     }
     for (const Operand& operand : is_sum ? operands_of(id).rest : node.operands) {
-      const SignedNode value = with_sign(*converted_[operand.node], operand.weight < 0);
+      const SignedNode value = negate_if(*converted_[operand.node], operand.weight < 0);
       std::vector<SignedNode> terms{{value.node}};
       // Joining numbers may have turned the product into a sum.
       const Operation& made = builder_.network.operations[value.node];
@@ -262,7 +262,7 @@ class NetworkConverter {
           is_sum && has_single_use(operand.node) && made.kind == OperationKind::sum;
       if (is_spliced) terms = made.operands;
       for (const SignedNode term : terms)
-        operation.operands.push_back(with_sign(term, value.is_negative));
+        operation.operands.push_back(negate_if(term, value.is_negative));
     }
     if (is_sum && !uses_.empty()) builder_.merge_like_terms(operation.operands);
     return {builder_.add(std::move(operation))};

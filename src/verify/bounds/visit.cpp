@@ -20,13 +20,13 @@ namespace {
 constexpr unsigned first_run_digits = 64;
 constexpr unsigned last_run_digits = 1024;
 
-/// The largest number of digits of a repeated run. Irrational constants have 200 digits, so more
-/// digits decide nothing.
+/// The largest number of digits of a repeated run. Only 200 digits of an irrational constant are
+/// correct, so with such constants a run beyond 256 digits decides nothing more.
 unsigned max_run_digits(const Program& program) {
-  constexpr unsigned digits_of_constants = 256;
+  constexpr unsigned enough_for_constants = 256;
   const auto is_exact = [](const Constant& constant) { return is_rational(constant); };
   const bool are_exact = std::ranges::all_of(program.constants, is_exact);
-  return are_exact ? last_run_digits : digits_of_constants;
+  return are_exact ? last_run_digits : enough_for_constants;
 }
 
 /// The number of digits from which two agreeing runs prove a difference. With fewer digits, 1 -

@@ -232,7 +232,7 @@ std::string difference_text(const ExpectedEntry& entry, ExpectationProver& proof
   }
   const std::optional<Fraction> written = proofs.written_form(entry.expectation, entry.index);
   if (!written) return {};
-  if (entry.expectation.claims_conservation()) return difference_from_conserved(proofs, *written);
+  if (entry.expectation.claims_conservation()) return difference_from_constant(proofs, *written);
   if (entry.expectation.claims_equations()) return difference_from_motion(proofs, *written);
   const std::optional<Fraction> derived = proofs.derived_form(entry.expectation, entry.index);
   if (!derived) return {};

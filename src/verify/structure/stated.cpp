@@ -254,7 +254,7 @@ std::string difference_from_motion(const ExpectationProver& proofs, const Fracti
 
 /// The sum becomes constant if t (1 - r/r_t) replaces its term t; r is the rate of the sum, r_t the
 /// rate of t. Each term t with a rational r/r_t is reported.
-std::string difference_from_conserved(const ExpectationProver& proofs, const Fraction& written) {
+std::string difference_from_constant(const ExpectationProver& proofs, const Fraction& written) {
   Algebra& algebra = *proofs.algebra();
   Arithmetic arithmetic(algebra);
   const OptionalFraction divisor = full_denominator(algebra, written);

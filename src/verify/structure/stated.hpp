@@ -20,11 +20,11 @@ namespace elgen {
 [[nodiscard]] std::string difference_from_motion(const ExpectationProver& proofs,
                                                  const Fraction& equation);
 
-/// In which term the form differs from a quantity that is constant at u = 0: "compared with a
-/// conserved quantity: the term m*g*l*cos(theta) has the opposite sign". "" if no change of one
-/// term's factor makes the form constant, or if the form contains momenta.
-[[nodiscard]] std::string difference_from_conserved(const ExpectationProver& proofs,
-                                                    const Fraction& written);
+/// Names the term in which `written` differs from a quantity that is constant at u = 0: "compared
+/// with a conserved quantity: the term m*g*l*cos(theta) has the opposite sign". "" if no change of
+/// one term's factor makes `written` constant, or if it contains momenta.
+[[nodiscard]] std::string difference_from_constant(const ExpectationProver& proofs,
+                                                   const Fraction& written);
 
 /// Adds a row for the rank of d(left - right)/da together with the rows of A, at `motions`, states
 /// with the accelerations of the motion. E540 if the rank is less than the number of velocities, or
