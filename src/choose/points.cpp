@@ -13,6 +13,7 @@ namespace {
 /// The number of points of each kind: nominal parameters, scaled parameters, and states of rest.
 constexpr std::size_t points_per_kind = 4;
 
+/// Further places at which terms cancel are not visited, because each costs four points.
 constexpr std::size_t max_places = 10;
 constexpr int widest_factor = 3;  ///< parameters are scaled by at most 2^3
 
