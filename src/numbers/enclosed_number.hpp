@@ -43,7 +43,7 @@ struct EnclosedResult {
   NoValueReason reason = NoValueReason::unknown;
 
   EnclosedResult(EnclosedNumber value) : number(std::move(value)) {}
-  EnclosedResult(NoValueReason reason) : reason(reason) {}
+  EnclosedResult(NoValueReason no_value) : reason(no_value) {}
 };
 
 /// Operations in floats of `digits` decimal digits. For rational operands, a rational result is

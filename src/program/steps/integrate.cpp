@@ -151,10 +151,10 @@ bool has_linear_terms(const CheckedModel& checked, const Program& program) {
 }  // namespace
 
 StepContext::StepContext(const CheckedModel& checked, const OutputRequest& request,
-                         const Program& the_calls, Composition& composition)
+                         const Program& the_calls, Composition& the_composition)
     : model(checked.model),
       callees(the_calls),
-      composition(composition),
+      composition(the_composition),
       has_float_accelerations(checked.scene.numerics.inner == InnerScalar::single_precision),
       direction_count(
           carries_tangents(model, request) ? 2 * model.velocities.size() + model.inputs.size() : 0),

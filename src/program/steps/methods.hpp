@@ -13,7 +13,7 @@ struct StepContext {
   /// `the_calls` contains the outputs that outputs_for_step returns for `request`. All arguments
   /// must outlive this object.
   StepContext(const CheckedModel& checked, const OutputRequest& request, const Program& the_calls,
-              Composition& composition);
+              Composition& the_composition);
 
   /// t + c; 0 and unused if the model does not contain t.
   [[nodiscard]] std::uint32_t time_after(std::uint32_t c) const;
