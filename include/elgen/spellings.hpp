@@ -97,8 +97,8 @@ struct FunctionSpelling {
 };
 
 inline constexpr std::array function_spelling_table{
-#define ELGEN_FUNCTION_SPELLING(id, function, name, home) \
-  FunctionSpelling{LanguageId::id, FunctionId::function, name, FunctionProvider::home},
+#define ELGEN_FUNCTION_SPELLING(id, function, name, provider) \
+  FunctionSpelling{LanguageId::id, FunctionId::function, name, FunctionProvider::provider},
 #include "elgen/spellings.def"
 };
 

@@ -178,8 +178,8 @@ class FormChooser {
     const Function& function = recursive_.functions[index];
     ReadableEntries& entries = entries_[function.name];
     if (!output_row(function.kind).is_summary) {
-      const bool is_judged = has_closed_form(forms_.functions[index]);
-      FormErrors* const text = is_judged ? recursive_forms_.errors_of(index) : nullptr;
+      const bool is_compared = has_closed_form(forms_.functions[index]);
+      FormErrors* const text = is_compared ? recursive_forms_.errors_of(index) : nullptr;
       return entries = read_entries(recursive_, forms_, index, points_, text);
     }
     for (const Field& field : function.fields) {

@@ -192,9 +192,9 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
   const Result<Trajectory> trajectory = run_simulation(global, options, products);
   const ExitCode reported_code = report(global, trajectory.diagnostics);
   if (!trajectory) return reported_code;
-  const ExitCode judged = trajectory->loses_energy ? ExitCode::differs : reported_code;
+  const ExitCode exit_code = trajectory->loses_energy ? ExitCode::differs : reported_code;
   const ExitCode printed = std::max(
-      judged, print(global, wants_json(global) ? to_json(*trajectory) : to_text(*trajectory)));
+      exit_code, print(global, wants_json(global) ? to_json(*trajectory) : to_text(*trajectory)));
   if (options.output.file.empty()) return printed;
   const auto written = write_output(global, options.output, (*format).text(*trajectory));
   return std::max(printed, report(global, written.diagnostics));

@@ -102,8 +102,8 @@ Result<std::vector<CertificateRow>> check_error_bounds(const PipelineSources& in
                                                        const Limits& limits) {
   const CheckedModel& checked = *products.checked;
   renew_time_limit(limits);
-  const bool is_judged = checked.scene.numerics.max_error && !compiled.empty();
-  if (!is_judged || !checked.model.approximation) {
+  const bool has_error_bound = checked.scene.numerics.max_error && !compiled.empty();
+  if (!has_error_bound || !checked.model.approximation) {
     return check_max_error(checked, *products.program, compiled, options);
   }
   PipelineOptions pipeline{.limits = limits, .goals = {Goal::choose}};

@@ -173,11 +173,11 @@ class SummaryWriter {
         if (!line.systems.empty()) line.text = line.systems + ": " + line.text;
       }
     }
-    const bool is_told_apart = std::ranges::all_of(report_.systems, &SystemChange::is_certain);
+    const bool is_certain = std::ranges::all_of(report_.systems, &SystemChange::is_certain);
     if (has_verdict(report_)) {
       lines_.push_back({std::string(impact_row(impact).word),
                         (report_.unreadable.empty() ? "" : "of the readable systems: ") +
-                            impact_meaning(impact, is_told_apart)});
+                            impact_meaning(impact, is_certain)});
     }
     return std::move(lines_);
   }

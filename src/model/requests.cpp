@@ -311,7 +311,7 @@ std::vector<OmittedOutputs> outputs_omitted_by_full(const Model& model) {
 }
 
 void check_output_names(const Model& model, Report& report) {
-  std::map<std::string, Span> taken;
+  std::map<std::string, Span> used_names;
   for (std::uint32_t user = 0; user < model.outputs.size(); ++user) {
     const Span& span = model.outputs[user].span;
     for (const OutputRow& row : output_table()) {
@@ -320,7 +320,7 @@ void check_output_names(const Model& model, Report& report) {
       if (!exists) continue;
       const OutputRequest request = make_request(model, row.kind, user);
       const bool is_built_in = find_output(request.name) != nullptr;
-      if (is_built_in || !taken.emplace(request.name, span).second) {
+      if (is_built_in || !used_names.emplace(request.name, span).second) {
         report.add(Code::E609, span,
                    "another output is already called " + quote_text(request.name));
       }

@@ -240,9 +240,9 @@ std::size_t ModelSymbols::reserve_primes(const std::vector<Glyphs>& symbols) {
   const auto text = [&primes](const Glyphs& symbol) {
     return visible_text(with_primes(symbol, primes));
   };
-  const auto is_taken = [&](const Glyphs& symbol) { return taken_texts_.count(text(symbol)) > 0; };
-  while (std::ranges::any_of(symbols, is_taken)) ++primes;
-  for (const Glyphs& symbol : symbols) taken_texts_.insert(text(symbol));
+  const auto is_used = [&](const Glyphs& symbol) { return used_texts_.count(text(symbol)) > 0; };
+  while (std::ranges::any_of(symbols, is_used)) ++primes;
+  for (const Glyphs& symbol : symbols) used_texts_.insert(text(symbol));
   return primes;
 }
 

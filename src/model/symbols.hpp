@@ -53,7 +53,7 @@ class ModelSymbols {
   /// reserves the primed symbols.
   std::size_t reserve_primes(const std::vector<Glyphs>& symbols);
 
-  std::set<std::string> taken_texts_ = {};
+  std::set<std::string> used_texts_ = {};
   std::vector<Formula> arrays_ = {};
   LeafValues<Formula> leaves_ = {};
 };

@@ -18,7 +18,7 @@ constexpr std::size_t truncated_name_length = 40;
 /// The limit of nested brackets, and the names in use.
 struct NamingLimits {
   std::size_t max_bracket_depth = 0;
-  std::set<std::string> taken = {};
+  std::set<std::string> used_names = {};
 };
 
 /// Names the values whose formulas would nest more brackets than the language can parse. Each
@@ -35,7 +35,7 @@ void name_deep_values(const Function& function, NamingLimits bounds,
     depths[at] = 2 + std::max(depth(i.a), operands > 1 ? depth(i.b) : 0);
     if (depths[at] <= bounds.max_bracket_depth || !names[at].empty()) continue;
     do names[at] = fmt::format("inner_{}", ++count);
-    while (!bounds.taken.insert(names[at]).second);
+    while (!bounds.used_names.insert(names[at]).second);
   }
 }
 

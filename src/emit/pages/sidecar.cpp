@@ -60,8 +60,8 @@ Json named_json(const std::string& name, const std::string& unit) {
 /// Adds {"spelt": {"python": "lambda_"}} for the languages that spell `name` differently.
 void add_spellings(Json& json, const std::string& name) {
   for (const LanguageRow& language : language_table) {
-    const std::string spelt = name_in_language(language.id, name);
-    if (spelt != name) json["spelt"][std::string(language.name)] = spelt;
+    const std::string spelling = name_in_language(language.id, name);
+    if (spelling != name) json["spelt"][std::string(language.name)] = spelling;
   }
 }
 

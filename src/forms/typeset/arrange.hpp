@@ -97,13 +97,13 @@ class Arranger {
   [[nodiscard]] SplitSum split_sum(Polynomial sum);
   void take_monomial(Polynomial& sum, TextbookProduct& front) const;
   bool take_typed_sums(Polynomial& sum, TextbookProduct& front);
-  void take_square(SplitSum& taken);
-  bool take_coefficient(SplitSum& taken);
+  void take_square(SplitSum& split);
+  bool take_coefficient(SplitSum& split);
   [[nodiscard]] TextbookFactor typed_factor(std::size_t typed);
 
   [[nodiscard]] TextbookSum product_with_typed_sum(const Fraction& form);
   [[nodiscard]] TextbookProduct book_product(const Polynomial& sum);
-  [[nodiscard]] TextbookProduct book_product(const SplitSum& taken);
+  [[nodiscard]] TextbookProduct book_product(const SplitSum& split);
   [[nodiscard]] TextbookProduct book_product(const Fraction& form);
   void divide(TextbookProduct& product, const Fraction& form);
   void divide(TextbookProduct& product, const Polynomial& factor, std::int32_t exponent);

@@ -57,11 +57,11 @@ TextbookProduct Arranger::shared_powers(const RealTermSum& sum) const {
 /// `sum` as one product: its common factors, times the sum of the terms divided by these factors.
 TextbookProduct Arranger::book_product(RealTermSum sum) {
   TextbookProduct result = shared_powers(sum);
-  Monomial taken;
+  Monomial shift;
   for (const TextbookFactor& factor : result.factors)
-    taken.push_back({factor.atom, -factor.exponent});
-  std::ranges::sort(taken, {}, &AtomPower::atom);
-  for (RealTerm& term : sum) term.powers = elgen::product(term.powers, taken);
+    shift.push_back({factor.atom, -factor.exponent});
+  std::ranges::sort(shift, {}, &AtomPower::atom);
+  for (RealTerm& term : sum) term.powers = elgen::product(term.powers, shift);
   const bool is_plain =
       std::ranges::all_of(sum, [](const RealTerm& term) { return term.circular.empty(); });
   if (is_plain) {

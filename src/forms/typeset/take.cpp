@@ -113,7 +113,7 @@ TextbookFactor Arranger::typed_factor(std::size_t typed) {
 }
 
 bool Arranger::take_typed_sums(Polynomial& sum, TextbookProduct& front) {
-  bool is_taken = false;
+  bool has_split = false;
   const std::vector<AtomId> atoms = atoms_of(sum);
   for (std::size_t i = first_typed_; i < typed_.sums.size() && sum.size() > 1; ++i) {
     if (!std::ranges::includes(atoms, typed_.sums[i].atoms)) continue;
@@ -129,12 +129,12 @@ bool Arranger::take_typed_sums(Polynomial& sum, TextbookProduct& front) {
     divide_by(typed_.sums[i].value, 1);
     if (!typed_.sums[i].square.empty()) divide_by(typed_.sums[i].square, 2);
     if (exponent == 0) continue;
-    is_taken = true;
+    has_split = true;
     TextbookFactor factor = typed_factor(i);
     factor.exponent = exponent;
     add_factor(front, std::move(factor));
   }
-  return is_taken;
+  return has_split;
 }
 
 Arranger::SplitSum Arranger::split_sum(Polynomial sum) {
@@ -149,12 +149,12 @@ Arranger::SplitSum Arranger::split_sum(Polynomial sum) {
 
 /// If rest = c (a + b)^2 with real a and b, extracts the square. For a square of sines, division
 /// gives an imaginary root; this root is then multiplied by i, and c changes its sign.
-void Arranger::take_square(SplitSum& taken) {
-  if (taken.rest.size() < 3 || taken.rest.size() > most_collected_terms) return;
-  const GaussianRational lead = taken.rest.rbegin()->second;
+void Arranger::take_square(SplitSum& split) {
+  if (split.rest.size() < 3 || split.rest.size() > most_collected_terms) return;
+  const GaussianRational lead = split.rest.rbegin()->second;
   if (!cln::zerop(lead.imaginary)) return;
   std::optional<Polynomial> root =
-      square_root(multiply_by_term(taken.rest, {cl_RA(1) / lead.real, 0}));
+      square_root(multiply_by_term(split.rest, {cl_RA(1) / lead.real, 0}));
   if (!root) return;
   cl_RA number = lead.real;
   if (!is_real(algebra_, *root)) {
@@ -165,38 +165,38 @@ void Arranger::take_square(SplitSum& taken) {
   const Monomial below = common_divisor_powers(algebra_, *root);
   TextbookSum base = arrange_terms(multiply_by_term(*root, {1, 0}, power(below, -1)));
   if (base.terms.size() < 2) return;
-  multiply(taken.front, power(below, 2));
-  multiply(taken.front, std::move(base), 2);
-  taken.rest = constant_polynomial(number);
+  multiply(split.front, power(below, 2));
+  multiply(split.front, std::move(base), 2);
+  split.rest = constant_polynomial(number);
 }
 
 /// Extracts (a + b) from (a + b) (c + d): the coefficient of the highest power of a parameter, if
 /// the coefficient divides the sum. Imaginary coefficients, as from sines of numbers, are skipped.
-bool Arranger::take_coefficient(SplitSum& taken) {
-  if (taken.rest.size() < 4 || taken.rest.size() > most_collected_terms) return false;
-  for (const AtomId id : atoms_of(taken.rest)) {
+bool Arranger::take_coefficient(SplitSum& split) {
+  if (split.rest.size() < 4 || split.rest.size() > most_collected_terms) return false;
+  for (const AtomId id : atoms_of(split.rest)) {
     if (atom_factor({id, 1}).place.group != FactorGroup::parameter) continue;
-    const Polynomial coefficient = coefficients_of(taken.rest, id).rbegin()->second;
+    const Polynomial coefficient = coefficients_of(split.rest, id).rbegin()->second;
     if (coefficient.size() < 2 || !contains_only_parameters(algebra_, coefficient)) continue;
     if (!is_real(algebra_, coefficient)) continue;
-    auto divided = elgen::quotient(taken.rest, coefficient, work_);
+    auto divided = elgen::quotient(split.rest, coefficient, work_);
     if (!divided || divided->size() < 2) continue;
     TextbookSum factor = arrange_terms(coefficient);
     if (factor.terms.size() < 2) continue;
-    multiply(taken.front, std::move(factor), 1);
-    taken.rest = std::move(*divided);
+    multiply(split.front, std::move(factor), 1);
+    split.rest = std::move(*divided);
     return true;
   }
   return false;
 }
 
 /// front * rest, with the divisors of the terms of `rest` as divisors of the product.
-TextbookProduct Arranger::book_product(const SplitSum& taken) {
-  TextbookProduct result = taken.front;
-  if (is_one(taken.rest)) return result;
-  const Monomial below = common_divisor_powers(algebra_, taken.rest);
+TextbookProduct Arranger::book_product(const SplitSum& split) {
+  TextbookProduct result = split.front;
+  if (is_one(split.rest)) return result;
+  const Monomial below = common_divisor_powers(algebra_, split.rest);
   multiply(result, below);
-  TextbookSum rest = arrange_terms(multiply_by_term(taken.rest, {1, 0}, power(below, -1)));
+  TextbookSum rest = arrange_terms(multiply_by_term(split.rest, {1, 0}, power(below, -1)));
   if (rest.terms.empty()) return {0, {}};
   multiply_by_sum(result, std::move(rest));
   return result;

@@ -294,12 +294,12 @@ class SumRuleApplier : RuleMatcher {
     cl_RA total = 0;
     for (const MatchedCall& unit : all) {
       const std::size_t own = unit.match.term_indices[0];
-      const cl_RA& taken = unit.constant.coefficient;
-      const bool is_beside = own != place && cln::minusp(taken) == cln::minusp(constant) &&
-                             are_equal_terms({taken, factors}, unit.constant);
+      const cl_RA& coefficient = unit.constant.coefficient;
+      const bool is_beside = own != place && cln::minusp(coefficient) == cln::minusp(constant) &&
+                             are_equal_terms({coefficient, factors}, unit.constant);
       if (!is_beside || (!chosen.empty() && chosen.back()->match.term_indices[0] == own)) continue;
       chosen.push_back(&unit);
-      total = total + taken;
+      total = total + coefficient;
     }
     const auto alone = std::ranges::find_if(
         chosen, [&](const MatchedCall* unit) { return unit->constant.coefficient == constant; });

@@ -31,11 +31,11 @@ std::vector<double> sample_values(const Program& program, const Function& functi
   return fold<double>(PortableRules{{at}}, program, function);
 }
 
-NamedIntermediates::const_iterator find_value(const NamedIntermediates& told, double value) {
-  const auto next = told.lower_bound(std::abs(value) * (1 - relative_tolerance));
+NamedIntermediates::const_iterator find_value(const NamedIntermediates& named, double value) {
+  const auto next = named.lower_bound(std::abs(value) * (1 - relative_tolerance));
   const bool is_near =
-      next != told.end() && next->first <= std::abs(value) * (1 + relative_tolerance);
-  return is_near ? next : told.end();
+      next != named.end() && next->first <= std::abs(value) * (1 + relative_tolerance);
+  return is_near ? next : named.end();
 }
 
 }  // namespace
@@ -55,12 +55,12 @@ NamedIntermediates named_intermediates(const Expressions& named,
   return result;
 }
 
-void name_intermediates(const NamedIntermediates& told, const Program& program,
+void name_intermediates(const NamedIntermediates& named, const Program& program,
                         Function& function) {
   const std::vector<double> values = sample_values(program, function);
   for (std::size_t at = 0; at < values.size(); ++at) {
-    const auto known = find_value(told, values[at]);
-    if (known == told.end() || operand_count(function.instructions[at]) == 0) continue;
+    const auto known = find_value(named, values[at]);
+    if (known == named.end() || operand_count(function.instructions[at]) == 0) continue;
     const auto& [name, is_negative] = known->second;
     const bool is_opposite = is_negative != (values[at] < 0);
     merge_name(function.names[at], intermediate_mark + (is_opposite ? "minus_" + name : name));

@@ -26,6 +26,7 @@ using NamedIntermediates = std::map<double, std::pair<std::string, bool>>;
 
 /// Gives each unnamed instruction the name of the intermediate with the same value in `told`. The
 /// leaves of `program` must be the `leaves` of named_intermediates().
-void name_intermediates(const NamedIntermediates& told, const Program& program, Function& function);
+void name_intermediates(const NamedIntermediates& named, const Program& program,
+                        Function& function);
 
 }  // namespace elgen

@@ -125,15 +125,15 @@ std::vector<std::string> part_names(const Function& function, const std::vector<
 }
 
 std::set<std::string, std::less<>> reserved_identifiers(const Program& program) {
-  std::set<std::string, std::less<>> taken(reserved_names.begin(), reserved_names.end());
+  std::set<std::string, std::less<>> used_names(reserved_names.begin(), reserved_names.end());
   for (const LeafRow& row : leaf_table()) {
-    if (may_be_argument(program.leaves, row.id)) taken.emplace(row.symbol);
+    if (may_be_argument(program.leaves, row.id)) used_names.emplace(row.symbol);
   }
-  for (const FunctionRow& row : function_table()) taken.emplace(row.name);
-  for_each_leaf(
-      [&](Opcode, std::uint32_t, const std::string& leaf) { taken.insert(identifier_of(leaf)); },
-      program.leaves);
-  return taken;
+  for (const FunctionRow& row : function_table()) used_names.emplace(row.name);
+  for_each_leaf([&](Opcode, std::uint32_t,
+                    const std::string& leaf) { used_names.insert(identifier_of(leaf)); },
+                program.leaves);
+  return used_names;
 }
 
 bool is_trigonometric(const Instruction& i) {
@@ -246,8 +246,8 @@ class TemporaryNamer {
     if (!own_[at].empty())
       return {own_[at], 1, false, OperandName::Begin::call, OperandName::End::call};
     OperandName made = spell_name(i, spellings_[i.a], spellings_[operand_count(i) > 1 ? i.b : i.a]);
-    const bool is_told = function_.names[at].starts_with(intermediate_mark);
-    if (!is_told || (!made.text.empty() && !made.has_intermediate)) return made;
+    const bool is_marked = function_.names[at].starts_with(intermediate_mark);
+    if (!is_marked || (!made.text.empty() && !made.has_intermediate)) return made;
     return {.text = function_.names[at].substr(1), .has_intermediate = true};
   }
 

@@ -138,8 +138,8 @@ InstructionIndices Composition::inline_call(const Program& from, const Function&
     instruction.is_inner = is_inner && operand_count(instruction) > 0;
     places[i] = add(renumber_operands(instruction, places));
     const bool is_computed = operand_count(function_.instructions[places[i]]) > 0;
-    const bool is_told = names[i].empty() && callee.names[i].starts_with(intermediate_mark);
-    const std::string& own = is_told ? callee.names[i] : names[i];
+    const bool is_marked = names[i].empty() && callee.names[i].starts_with(intermediate_mark);
+    const std::string& own = is_marked ? callee.names[i] : names[i];
     if (is_computed && !own.empty()) merge_name(function_.names[places[i]], own + suffix);
   }
   InstructionIndices result;
