@@ -117,9 +117,12 @@ enum class KeyType : std::uint8_t {
   range,       ///< [low, high]: list of two expressions
   turns,       ///< list of [axis, angle]: the axis a text or a list of three expressions
   table,       ///< inline table or sub-table (rows `<entry>.<key>`)
-  boolean_or_table,       ///< a requested output: true, or a table
+  value_or_table,         ///< a table; `0.3` or `[0, 1]` is read as { value = … }
+  output_request,         ///< true, or a table; "rk4" is read as { method = "rk4" } for a step,
+                          ///< "closed" as { form = "closed" } for another output
   boolean_or_expression,  ///< a momentum: true, or an expression
-  text_or_table,          ///< `fixed`: the text "all", or a table
+  text_or_table,          ///< a text or a table
+  names_or_table,         ///< `fixed`: a text, a list of texts, or a table
   latex_symbol,           ///< string: LaTeX of a symbol
 };
 
@@ -161,6 +164,7 @@ struct EntryRow {
   bool required = false;
   bool supported = true;
   std::string_view doc;
+  bool may_be_list = false;  ///< true: a list of keys is read as a table with `key = true` for each
   std::string_view details = {};  ///< up to three sentences that follow `doc`
 };
 

@@ -26,6 +26,22 @@ bool is_array_of_tables(const TomlValue& value) {
          std::ranges::all_of(value.items, is_table);
 }
 
+bool is_list_of_texts(const TomlValue& value) {
+  const auto is_text = [](const TomlValue& item) { return item.kind == TomlKind::string; };
+  return value.kind == TomlKind::array && std::ranges::all_of(value.items, is_text);
+}
+
+/// The table with `key = true` for each key of the list.
+TomlValue table_of_keys(const TomlValue& list) {
+  TomlValue table{.kind = TomlKind::table, .span = list.span, .entries = {}};
+  for (const TomlValue& item : list.items) {
+    const TomlValue yes{
+        .kind = TomlKind::boolean, .span = item.span, .boolean = true, .entries = {}};
+    table.entries.push_back({item.text.text, item.span, yes});
+  }
+  return table;
+}
+
 /// The header of a table, or of the first table of an array.
 const Span& header_span(const TomlValue& value) {
   return is_array_of_tables(value) ? value.items.front().span : value.span;
@@ -78,6 +94,8 @@ class EntryReader {
       for (const TomlValue& table : value.items) append_entry(row, table);
     } else if (!row.repeated && value.kind == TomlKind::table) {
       append_entry(row, value);
+    } else if (row.may_be_list && is_list_of_texts(value)) {
+      append_entry(row, table_of_keys(value));
     } else {
       report_wrong_kind(row, entry);
     }

@@ -106,7 +106,7 @@ Json turns_schema() {
 Json word_list_schema(const KeyRow& row) {
   Json schema = list_schema(word_schema(choice_words(row)));
   schema["minItems"] = 1;
-  return schema;
+  return any_of_schema({word_schema(choice_words(row)), std::move(schema)});
 }
 
 Json matrix_schema() {
@@ -129,6 +129,9 @@ Json key_schema(const KeyRow& row) {
       return expression_list_schema();
     case KeyType::expression_or_list:
       return any_of_schema({expression_schema(), expression_list_schema()});
+    case KeyType::value_or_table:
+      return any_of_schema(
+          {expression_schema(), expression_list_schema(), inner_table_schema(row)});
     case KeyType::expression_or_table:
       return or_table(expression_schema());
     case KeyType::closed_form:
@@ -157,12 +160,14 @@ Json key_schema(const KeyRow& row) {
       return turns_schema();
     case KeyType::table:
       return inner_table_schema(row);
-    case KeyType::boolean_or_table:
-      return or_table(value_schema("boolean"));
+    case KeyType::output_request:
+      return any_of_schema({value_schema("boolean"), text, inner_table_schema(row)});
     case KeyType::boolean_or_expression:
       return any_of_schema({value_schema("boolean"), expression_schema()});
     case KeyType::text_or_table:
       return or_table(text);
+    case KeyType::names_or_table:
+      return any_of_schema({text, list_schema(text), inner_table_schema(row)});
   }
   return {};
 }
@@ -170,7 +175,7 @@ Json key_schema(const KeyRow& row) {
 /// Adds the standard outputs by name, so that editors offer them. The names of [[output]]s differ
 /// from model to model.
 void add_output_keys(std::vector<SchemaKey>& keys) {
-  const Json wanted{{"$ref", "#/properties/outputs/additionalProperties"}};
+  const Json wanted{{"$ref", "#/properties/outputs/anyOf/0/additionalProperties"}};
   for (const OutputRow& output : output_table()) {
     if (output.is_user_output) continue;
     // Draft 7 ignores keys next to `$ref`, so `allOf` wraps the reference.
@@ -230,8 +235,10 @@ Json table_schema(const std::string& entry, std::string_view doc) {
 
 Json entry_schema(FileKind kind, const EntryRow& row) {
   const std::string entry = qualified_entry_name(kind, row);
-  return row.repeated ? list_schema(table_schema(entry, {}), description_of(row))
-                      : table_schema(entry, description_of(row));
+  if (row.repeated) return list_schema(table_schema(entry, {}), description_of(row));
+  if (!row.may_be_list) return table_schema(entry, description_of(row));
+  Json schema = any_of_schema({table_schema(entry, {}), list_schema(value_schema("string"))});
+  return with_description(std::move(schema), description_of(row));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/reason.hpp"
+#include "elgen/outputs.hpp"
 #include "elgen/wording.hpp"
 #include "parse/entry_reader.hpp"
 #include "parse/expression_parser.hpp"
@@ -142,6 +143,18 @@ const KeyRow* find_row(std::string_view entry, std::string_view key) {
   return any;
 }
 
+/// The nearest key. In `[parameters]` of a scene, the line that fixes the parameter, unless the
+/// key is a mistyped `fixed`.
+std::string unknown_key_hint(const TomlEntry& key, const TableContext& table,
+                             const std::vector<std::string>& candidates) {
+  std::string hint = suggestion(key.key, candidates);
+  if (table.entry != "scene.parameters" || !nearest_word(key.key, candidates).empty()) return hint;
+  const bool has_value = key.value.kind == TomlKind::number || key.value.kind == TomlKind::string;
+  return has_value
+             ? fmt::format("write `fixed = {{ {} = {} }}`", key.key, covered_text(key.value.span))
+             : hint;
+}
+
 void report_unknown_key(const TomlEntry& key, const TableContext& table, FileReadState& reading) {
   std::vector<std::string> candidates;
   for (const KeyRow& row : key_table()) {
@@ -149,7 +162,7 @@ void report_unknown_key(const TomlEntry& key, const TableContext& table, FileRea
   }
   reading.report(Code::E103, key.key_span,
                  fmt::format("unknown key {} in {}", quote_text(key.key), table.label),
-                 suggestion(key.key, candidates));
+                 unknown_key_hint(key, table, candidates));
 }
 
 /// The hint for a missing key: the first line of every file, or the words of a choice; else "".
@@ -190,7 +203,9 @@ ValueSyntax read_choice(const TomlValue& value, const KeyRow& row, FileReadState
 
 ValueSyntax read_choices(const TomlValue& value, const KeyRow& row, FileReadState& reading) {
   ValueSyntax result = make_value(value, ValueKind::list);
-  if (value.kind != TomlKind::array) {
+  if (value.kind == TomlKind::string) {
+    result.items.push_back(read_choice(value, row, reading));
+  } else if (value.kind != TomlKind::array) {
     report_wrong_type(value, "a list of strings", reading);
   } else if (value.items.empty()) {
     report_wrong_choice(result, "an empty list", row, reading);
@@ -199,15 +214,55 @@ ValueSyntax read_choices(const TomlValue& value, const KeyRow& row, FileReadStat
   return result;
 }
 
-ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
+/// The table of a key, with these entries.
+ValueSyntax read_entries_of(const TomlEntry& key, const KeyRow& row,
+                            const std::vector<TomlEntry>& entries, FileReadState& reading) {
   ValueSyntax result = make_value(key.value, ValueKind::table);
-  if (key.value.kind != TomlKind::table) {
-    report_wrong_type(key.value, "a table", reading);
-    return result;
-  }
   const TableContext table{fmt::format("{}.{}", row.entry, row.key), quote_text(key.key),
                            key.key_span};
-  result.entries = read_keys(key.value.entries, table, reading);
+  result.entries = read_keys(entries, table, reading);
+  return result;
+}
+
+ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
+  if (key.value.kind == TomlKind::table) {
+    return read_entries_of(key, row, key.value.entries, reading);
+  }
+  report_wrong_type(key.value, "a table", reading);
+  return make_value(key.value, ValueKind::table);
+}
+
+/// Reads the value of `key` as the table { short_key = value }.
+ValueSyntax read_short_form(const TomlEntry& key, const KeyRow& row, std::string_view short_key,
+                            FileReadState& reading) {
+  const TomlEntry entry{std::string(short_key), key.value.span, key.value};
+  return read_entries_of(key, row, {entry}, reading);
+}
+
+ValueSyntax read_value_or_table(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
+  if (key.value.kind == TomlKind::table) return read_table(key, row, reading);
+  if (key.value.kind != TomlKind::boolean) return read_short_form(key, row, "value", reading);
+  report_wrong_type(key.value, "a value or a table", reading);
+  return make_value(key.value, ValueKind::table);
+}
+
+ValueSyntax read_output_request(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
+  if (key.value.kind == TomlKind::table) return read_table(key, row, reading);
+  if (key.value.kind == TomlKind::boolean) return read_boolean(key.value, reading);
+  if (key.value.kind != TomlKind::string) {
+    report_wrong_type(key.value, "`true`, a string or a table", reading);
+    return make_value(key.value, ValueKind::boolean);
+  }
+  const OutputRow* const output = find_output(key.key);
+  const bool is_step = output != nullptr && output->is_step;
+  return read_short_form(key, row, is_step ? "method" : "form", reading);
+}
+
+ValueSyntax read_names_or_table(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
+  if (key.value.kind == TomlKind::table) return read_table(key, row, reading);
+  if (key.value.kind != TomlKind::array) return read_text(key.value, reading);
+  ValueSyntax result = make_value(key.value, ValueKind::list);
+  for (const TomlValue& item : key.value.items) result.items.push_back(read_text(item, reading));
   return result;
 }
 
@@ -254,13 +309,17 @@ ValueSyntax read_key_value(const TomlEntry& key, const KeyRow& row, FileReadStat
       return read_turns(value, reading);
     case KeyType::table:
       return read_table(key, row, reading);
-    case KeyType::boolean_or_table:
-      return is_table ? read_table(key, row, reading) : read_boolean(value, reading);
+    case KeyType::value_or_table:
+      return read_value_or_table(key, row, reading);
+    case KeyType::output_request:
+      return read_output_request(key, row, reading);
     case KeyType::boolean_or_expression:
       return value.kind == TomlKind::boolean ? read_boolean(value, reading)
                                              : read_expression_value(value, reading);
     case KeyType::text_or_table:
       return is_table ? read_table(key, row, reading) : read_text(value, reading);
+    case KeyType::names_or_table:
+      return read_names_or_table(key, row, reading);
   }
   return {};
 }

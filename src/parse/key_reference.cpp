@@ -14,7 +14,7 @@ namespace elgen {
 namespace {
 
 /// The words for the type of a value, in the order of KeyType.
-constexpr std::array<std::string_view, 22> type_words{"expression",
+constexpr std::array<std::string_view, 24> type_words{"expression",
                                                       "[expressions]",
                                                       "expression or list",
                                                       "expression or table",
@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 22> type_words{"expression",
                                                       "name",
                                                       "text",
                                                       "one of",
-                                                      "list of",
+                                                      "word, or list of",
                                                       "unit",
                                                       "\"i in 1..n\"",
                                                       "\"a > b\"",
@@ -32,9 +32,11 @@ constexpr std::array<std::string_view, 22> type_words{"expression",
                                                       "[low, high]",
                                                       "[[axis, angle], ...]",
                                                       "table",
-                                                      "true or table",
+                                                      "value or table",
+                                                      "true, word or table",
                                                       "true or expression",
                                                       "text or table",
+                                                      "text, list or table",
                                                       "symbol"};
 static_assert(type_words.size() == static_cast<std::size_t>(KeyType::latex_symbol) + 1);
 

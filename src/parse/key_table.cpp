@@ -33,7 +33,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"coordinate", "unit", unit, optional, true, "unit of q_i"},
     {"coordinate", "range", range, optional, true, "[low, high] in which q_i is sampled"},
     {"coordinate", "rate_range", range, optional, true, "[low, high] in which the rate is sampled"},
-    {"coordinate", "start", table, optional, true, "initial state of runs"},
+    {"coordinate", "start", value_or_table, optional, true, "initial state of runs"},
     {"coordinate", "wrap", boolean, optional, true, "true for an angle that may turn full circles"},
     {"coordinate", "singular", expression, optional, true, "is 0 where the chart breaks"},
     {"coordinate", "armature", expression, optional, true, "rotor inertia J: adds 1/2 J v^2 to T"},
@@ -72,7 +72,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
 
     // moving frames
     {"frame", "name", name, required, true, "name of the frame"},
-    {"frame", "parent", name, required, true, "`world`, or the frame that carries this frame"},
+    {"frame", "parent", name, optional, true, "`world`, or the frame that carries this frame"},
     {"frame", "translate", expression_list, optional, true, "its origin in the parent's axes"},
     {"frame", "rotate", turns, optional, true, "turns about axes, one after another"},
     {"frame", "rpy", expression_list, optional, true, "roll, pitch, yaw [r, p, y]"},
@@ -138,6 +138,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"output", "name", name, required, true, "name of the emitted function"},
     {"output", "value", expression_or_list, optional, true, "expression or list to return"},
     {"output", "jacobian", boolean, optional, true, "also emits NAME_jacobian and NAME_bias"},
+    {"output", "point", name, optional, true, "point whose position the function returns"},
     {"output", "frame", name, optional, true, "frame whose pose [R p] the function returns, 3 × 4"},
     {"output", "axes", name, optional, true, "axes of the twist"},
     {"output", "motion", boolean, optional, true,
@@ -184,7 +185,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene", "name", name, required, true, "name of the scene"},
     {"scene", "doc", text, optional, true, "one line of documentation"},
 
-    {"scene.outputs", "*", boolean_or_table, optional, true, "true, or a table with options"},
+    {"scene.outputs", "*", output_request, optional, true, "true, or options of the output"},
     {"scene.outputs.*", "form", choice, optional, true, "closed forms, or recursive computation"},
     {"scene.outputs.*", "rename", name, optional, true, "name of the emitted function"},
     {"scene.outputs.*", "method", text, optional, true, "integration method of `step`"},
@@ -195,12 +196,12 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.outputs.*", "pivots", boolean, optional, true, "returns relative_pivots"},
     {"scene.outputs.*", "independent", expression_list, optional, true, "independent coordinates"},
 
-    {"scene.parameters", "fixed", text_or_table, optional, true, "the fixed parameters"},
+    {"scene.parameters", "fixed", names_or_table, optional, true, "the fixed parameters"},
     {"scene.parameters.fixed", "*", expression, optional, true, "value of the parameter"},
 
     {"scene.sizes", "*", integer, optional, true, "an integer"},
 
-    {"scene.lock", "*", table, optional, true, "value of a coordinate, and options"},
+    {"scene.lock", "*", value_or_table, optional, true, "value of a coordinate, and options"},
     {"scene.lock.*", "value", expression_or_list, required, true, "a function of time"},
     {"scene.lock.*", "reaction", boolean, optional, true,
      "adds the holding force to the output `reaction`"},
@@ -238,56 +239,6 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.emit", "files", choice_list, optional, true, "files that are written"},
 });
 
-constexpr std::string_view trigonometry_entry = "scene.numeric.trigonometry";
-
-constexpr auto choice_rows = std::to_array<ChoiceRow>({
-    {trigonometry_entry, "scalar", "in-line"},
-    {trigonometry_entry, "scalar", "library"},
-    {"coordinate", "kind", "scalar"},
-    {"coordinate", "kind", "rotation"},
-    {"frame.dh", "convention", "standard"},
-    {"frame.dh", "convention", "modified"},
-    {"parameters.*", "assume", "positive"},
-    {"parameters.*", "assume", "nonnegative"},
-    {"body", "inertia_about", "com"},
-    {"body", "inertia_about", "origin"},
-    {"point", "as", "rod"},
-    {"point", "as", "spring"},
-    {"constraint", "kind", "position"},
-    {"constraint", "kind", "velocity"},
-    {"scene.numeric", "scalar", "float"},
-    {"scene.numeric", "scalar", "double"},
-    {"scene.numeric", "scalar", "long double"},
-    {"scene.numeric", "inner", "double"},
-    {"scene.numeric", "inner", "long double"},
-    {"scene.numeric", "inner", "double-double"},
-    {"scene.numeric", "inner", "float"},
-    {"scene.numeric", "form", "closed"},
-    {"scene.numeric", "form", "recursive"},
-    {"scene.numeric", "prefer", "balanced"},
-    {"scene.numeric", "prefer", "speed"},
-    {"scene.outputs.*", "form", "closed"},
-    {"scene.outputs.*", "form", "recursive"},
-    {"scene.emit", "storage", "row-major"},
-    {"scene.emit", "storage", "column-major"},
-    {"scene.emit", "files", "header"},
-    {"scene.emit", "files", "equations"},
-    {"scene.emit", "files", "page"},
-#define ELGEN_LANGUAGE(id, name, ...) {"scene.emit", "language", name},
-#include "elgen/languages.def"
-#undef ELGEN_LANGUAGE
-});
-
-/// A former word of a choice, and the hint on its replacement.
-struct FormerChoice {
-  ChoiceRow choice;
-  std::string_view hint;
-};
-
-constexpr std::array former_choices{
-    FormerChoice{{"scene.numeric", "prefer", "accuracy"},
-                 "`inner = \"double-double\"` adds functions that compute in more digits"}};
-
 /// A row of the *_key_texts.def.
 struct KeyText {
   std::string_view entry;
@@ -300,6 +251,7 @@ constexpr KeyDefault words(std::string_view text) { return DefaultInWords{text};
 
 constexpr bool single = false;
 constexpr bool repeated = true;
+constexpr bool listed = true;  ///< a list of keys may replace the table
 
 constexpr auto entry_rows = std::to_array<EntryRow>({
     {"model", single, required, true, "name and description of the system"},
@@ -323,7 +275,7 @@ constexpr auto entry_rows = std::to_array<EntryRow>({
     {"equilibrium", repeated, optional, true, "a point at which the system stays at rest"},
     {"expect", repeated, optional, true,
      "closed forms, equations and numbers that `elgen verify` checks"},
-    {"scene.outputs", single, optional, true, "outputs that are derived and emitted"},
+    {"scene.outputs", single, optional, true, "outputs that are derived and emitted", listed},
     {"scene.parameters", single, optional, true, "parameters that become numbers"},
     {"scene.sizes", single, optional, true, "sizes that replace the sizes of the model"},
     {"scene.lock", single, optional, true, "coordinates that are known functions of time"},
@@ -373,28 +325,12 @@ constexpr auto documented_entries = [] {
 }  // namespace
 
 std::span<const KeyRow> key_table() { return documented_keys; }
-std::span<const ChoiceRow> choice_table() { return choice_rows; }
 std::span<const EntryRow> entry_table() { return documented_entries; }
 
 bool is_drawing_key(std::string_view entry, std::string_view key) {
   return std::ranges::any_of(key_rows, [&](const KeyRow& row) {
     return row.is_for_drawings && row.entry == entry && row.key == key;
   });
-}
-
-std::vector<std::string_view> choice_words(const KeyRow& row) {
-  std::vector<std::string_view> words;
-  for (const ChoiceRow& each : choice_rows) {
-    if (each.entry == row.entry && each.key == row.key) words.push_back(each.word);
-  }
-  return words;
-}
-
-std::string_view former_choice_hint(const KeyRow& row, std::string_view word) {
-  for (const auto& [choice, hint] : former_choices) {
-    if (choice.entry == row.entry && choice.key == row.key && choice.word == word) return hint;
-  }
-  return {};
 }
 
 }  // namespace elgen

@@ -218,6 +218,14 @@ TEST_CASE("outputs are a scalar or a list, optionally with Jacobians") {
                    "output") == "output tip = [x(p), y(p)], jacobian\noutput length = [x]\n");
 }
 
+TEST_CASE("an output of a point is its position") {
+  CHECK(dump_lines(block("[[point]]\nname = \"bob\"\nat = [\"x\", \"2*x\"]\n"
+                         "[[output]]\nname = \"tip\"\npoint = \"bob\"\njacobian = true\n"),
+                   "output") == "output tip = [x(bob), y(bob)], jacobian\n");
+  CHECK(messages(block("[[output]]\nname = \"tip\"\npoint = \"bob\"\n")) ==
+        "E201 14:10 unknown point `bob`\n");
+}
+
 TEST_CASE("refused forces and outputs") {
   const Rows rows{
       {"[[force]]\nvalue = \"u\"\n", "E112 24:1 the force has none of `on`, `at` and `frame`\n"},

@@ -51,6 +51,12 @@ std::string planar(const std::string& keys) {
 
 }  // namespace
 
+TEST_CASE("the parent of a frame is the world by default", "[frames]") {
+  const std::string turn = "rotate = [[\"z\", \"q\"]]\n";
+  CHECK(dump(checked(with_frames("[[frame]]\nname = \"f\"\n" + turn)).model) ==
+        dump(checked(with_frames("[[frame]]\nname = \"f\"\nparent = \"world\"\n" + turn)).model));
+}
+
 TEST_CASE("a frame without rotation has the axes of its parent", "[frames]") {
   CHECK(close(pose_of(""), as_pose(about_x(0), {0, 0, 0})));
   CHECK(close(pose_of("translate = [\"s\", \"l\", \"0\"]\n"), as_pose(about_x(0), {s, l, 0})));

@@ -60,9 +60,11 @@ TEST_CASE("defaults that are TOML values become defaults of the schema") {
 }
 
 TEST_CASE("scenes list the outputs by name") {
-  const Json outputs = properties_of(FileKind::scene).at("outputs");
+  const Json choices = properties_of(FileKind::scene).at("outputs").at("anyOf");
+  const Json& outputs = choices.at(0);
   const Json& mass = outputs.at("properties").at("mass_matrix");
   CHECK(mass.at("description") == "Mass matrix, symmetric.");
-  CHECK(mass.at("allOf").at(0).at("$ref") == "#/properties/outputs/additionalProperties");
+  CHECK(mass.at("allOf").at(0).at("$ref") == "#/properties/outputs/anyOf/0/additionalProperties");
   CHECK(outputs.at("additionalProperties").at("anyOf").at(0).at("type") == "boolean");
+  CHECK(choices.at(1).at("type") == "array");
 }

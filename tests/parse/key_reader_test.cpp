@@ -93,11 +93,15 @@ std::vector<std::string> accepted_by(KeyType type) {
       return {s.list};
     case KeyType::table:
       return {s.table};
-    case KeyType::boolean_or_table:
+    case KeyType::value_or_table:
+      return {s.number, s.integer, s.name, s.expression, s.list, s.table};
+    case KeyType::output_request:
       return {s.boolean, s.table};
     case KeyType::boolean_or_expression:
       return {s.boolean, s.number, s.integer, s.name, s.expression};
     case KeyType::text_or_table:
+      return {s.name, s.expression, s.repetition, s.table};
+    case KeyType::names_or_table:
       return {s.name, s.expression, s.repetition, s.table};
     case KeyType::choice:
     case KeyType::choice_list:
@@ -178,7 +182,8 @@ TEST_CASE("a choice accepts only the words of its table", "[parse]") {
   CHECK(model_answer(text) == "E104 6:27");
   CHECK(first_error(text).message == "`positiv` where `positive` or `nonnegative` is expected");
   CHECK(scene_answer(scene("[numeric]\nscalar = [\"float\", \"half\"]\n")) == "E104 5:21");
-  CHECK(scene_answer(scene("[numeric]\nscalar = \"float\"\n")) == "E104 5:10");
+  CHECK(mentions(scene_answer(scene("[numeric]\nscalar = \"float\"\n")), "scalar = [\"float\"]"));
+  CHECK(scene_answer(scene("[numeric]\nscalar = \"half\"\n")) == "E104 5:11");
   CHECK(scene_answer(scene("[numeric]\nscalar = []\n")) == "E104 5:10");
 }
 
@@ -204,11 +209,46 @@ TEST_CASE("parameters are numbers, strings, tables or sub-tables, in file order"
   CHECK(model_answer(model("[parameters]\nm = true\n")) == "E104 6:5");
 }
 
-TEST_CASE("fixed is `all` or a table", "[parse]") {
+TEST_CASE("fixed is `all`, a list of names or a table", "[parse]") {
   CHECK(mentions(scene_answer(scene("[parameters]\nfixed = \"all\"\n")), "fixed = \"all\""));
   CHECK(mentions(scene_answer(scene("[parameters]\nfixed = {g = 9.81, l = \"1/2\"}\n")),
                  "fixed = {g = 9.81, l = (1 / 2)}"));
-  CHECK(scene_answer(scene("[parameters]\nfixed = [1]\n")) == "E104 5:9");
+  CHECK(mentions(scene_answer(scene("[parameters]\nfixed = [\"g\", \"l\"]\n")),
+                 "fixed = [\"g\", \"l\"]"));
+  CHECK(scene_answer(scene("[parameters]\nfixed = [1]\n")) == "E104 5:10");
+}
+
+TEST_CASE("a parameter of a scene is fixed by `fixed`, as the hint says", "[parse]") {
+  const auto hint = [](const std::string& keys) {
+    return first_error(scene("[parameters]\n" + keys)).hint;
+  };
+  CHECK(hint("g = 0\n") == "write `fixed = { g = 0 }`");
+  CHECK(hint("l = \"1/2\"\n") == "write `fixed = { l = \"1/2\" }`");
+  CHECK(hint("fixd = {g = 0}\n") == "did you mean `fixed`?");
+}
+
+TEST_CASE("a value is read as the table that it stands for", "[parse]") {
+  const auto same_scene = [](const std::string& short_form, const std::string& table) {
+    CHECK(scene_answer(scene(short_form)) == scene_answer(scene(table)));
+    CHECK(scene_answer(scene(short_form))[0] != 'E');
+  };
+  same_scene("[lock]\ntheta = 0.3\n", "[lock]\ntheta = {value = 0.3}\n");
+  same_scene("[lock]\ntheta = \"sin(t)\"\n", "[lock]\ntheta = {value = \"sin(t)\"}\n");
+  same_scene("[lock]\nattitude = [1, 0, 0, 0]\n", "[lock]\nattitude = {value = [1, 0, 0, 0]}\n");
+  same_scene("[outputs]\nstep = \"rk4\"\n", "[outputs]\nstep = {method = \"rk4\"}\n");
+  same_scene("[outputs]\ngravity = \"closed\"\n", "[outputs]\ngravity = {form = \"closed\"}\n");
+  CHECK(scene_answer("format = 1\nmodel = \"m.toml\"\nname = \"s\"\noutputs = [\"gravity\"]\n") ==
+        scene_answer("format = 1\nmodel = \"m.toml\"\nname = \"s\"\n[outputs]\ngravity = true\n"));
+  CHECK(mentions(model_answer(model("start = 0.3")), "start = {value = 0.3}"));
+  CHECK(mentions(model_answer(model("start = [1, 0, 0, 0]")), "start = {value = [1, 0, 0, 0]}"));
+  CHECK(model_answer(model("start = true")) == "E104 5:9");
+  CHECK(model_answer(model("start = \"45 deg\"")) == "E303 5:13");
+  CHECK(scene_answer(scene("[outputs]\nstep = 3\n")) == "E104 5:8");
+  CHECK(first_error(scene("[outputs]\nstep = 3\n")).message ==
+        "number `3` where `true`, a string or a table is expected");
+  CHECK(scene_answer(scene("[outputs]\nbias = \"shut\"\n")) == "E104 5:9");
+  CHECK(scene_answer("format = 1\nmodel = \"m.toml\"\nname = \"s\"\noutputs = [1]\n") ==
+        "E104 4:11");
 }
 
 TEST_CASE("a repetition consists of an index and its bounds", "[parse]") {

@@ -48,6 +48,7 @@ std::string value_of(const KeyRow& row, std::size_t which) {
   switch (row.type) {
     case KeyType::expression:
     case KeyType::expression_or_list:
+    case KeyType::value_or_table:
     case KeyType::expression_or_table:
     case KeyType::closed_form:
       return either("1", "\"x + 1\"");
@@ -60,6 +61,7 @@ std::string value_of(const KeyRow& row, std::size_t which) {
     case KeyType::latex_symbol:
     case KeyType::unit:
     case KeyType::text_or_table:
+    case KeyType::names_or_table:
       return either("\"m\"", "\"s\"");
     case KeyType::choice:
       return words_of(row).at(which);
@@ -73,7 +75,7 @@ std::string value_of(const KeyRow& row, std::size_t which) {
       return either("\"x > 1\"", "\"x < 1\"");
     case KeyType::boolean:
     case KeyType::boolean_or_expression:
-    case KeyType::boolean_or_table:
+    case KeyType::output_request:
       return either("true", "false");
     case KeyType::range:
       return either("[0, 1]", "[0, 2]");

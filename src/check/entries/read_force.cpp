@@ -110,6 +110,7 @@ std::uint32_t add_origin_point(Context& context, std::uint32_t frame, const Span
 }
 
 constexpr std::array<std::string_view, 3> force_keys{"on", "at", "frame"};
+constexpr std::array<std::string_view, 3> output_keys{"value", "point", "frame"};
 
 /// The only key among `on`, `at` and `frame`; null after an error.
 const KeySyntax* find_force_key(const EntrySyntax& entry, Report& report) {
@@ -122,6 +123,23 @@ const KeySyntax* find_force_key(const EntrySyntax& entry, Report& report) {
   report.add(Reason::not_one_alternative, second->key_span,
              "a force has exactly one of `on`, `at` and `frame`");
   return nullptr;
+}
+
+/// The components x(P), y(P), z(P) of the point that `name` gives; empty after an error.
+std::vector<ExpressionId> read_position(ValueReader& values, const ValueSyntax& name,
+                                        const RootRequest& request) {
+  const auto point = values.resolve_reference(name, SymbolKind::point);
+  if (!point) return {};
+  std::vector<ExpressionId> position;
+  for (std::uint32_t i = 0; i < values.context().model.points[*point].dimension; ++i) {
+    const ExpressionSyntax component{.kind = SyntaxKind::call,
+                                     .text = std::string(1, "xyz"[i]),
+                                     .operands = {name.expression},
+                                     .span = name.span,
+                                     .token = name.span};
+    position.push_back(values.read_root(component, request));
+  }
+  return position;
 }
 
 /// Reads the output of a frame: the pose [R p], and the twist. The key `axes` names the axes of the
@@ -194,13 +212,14 @@ void read_output(ValueReader& values, const EntrySyntax& entry, std::uint32_t ta
   constexpr Ingredients usual = place::state_terms | uses_acceleration | uses_input | uses_kink;
   const Ingredients allowed = output.solves_motion ? usual | uses_multiplier : usual;
   const ExpressionRole place{"an output", allowed};
-  const KeySyntax* value = entry.find("value");
-  const KeySyntax* frame = entry.find("frame");
-  if ((value == nullptr) == (frame == nullptr)) {
+  const auto [given, second] = first_two_keys(entry, output_keys);
+  if (given == nullptr || second != nullptr) {
     values.context().report.add(Reason::not_one_alternative, entry.span,
-                                "an output has exactly one of `value` and `frame`");
-  } else if (value != nullptr) {
-    output.values = values.read_roots(value->value, {place});
+                                "an output has exactly one of `value`, `point` and `frame`");
+  } else if (given->key == "value") {
+    output.values = values.read_roots(given->value, {place});
+  } else if (given->key == "point") {
+    output.values = read_position(values, given->value, {place});
   } else {
     read_frame_output(values, entry, output);
     if (const KeySyntax* const motion = entry.find("motion"); output.solves_motion) {

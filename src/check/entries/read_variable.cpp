@@ -29,7 +29,8 @@ std::optional<Unit> read_declared_unit(const EntrySyntax& entry, Context& contex
 cln::cl_R read_start_constant(ValueReader& values, const ValueSyntax& value) {
   if (value.kind == ValueKind::list) {
     values.context().report.add(Reason::list_for_number, value.span,
-                                "a list, but the coordinate is one number");
+                                "a list, but the coordinate is one number",
+                                "write `start = { value = 0.3, rate = 0.2 }`");
     return 0;
   }
   return values.read_constant(value).value_or(0);

@@ -216,6 +216,9 @@ class SceneReader {
     if (fixed != nullptr && fixed->value.kind == ValueKind::text) {
       fix_parameters_named(fixed->value.text, fixed->value.span, nullptr);
     } else if (fixed != nullptr) {
+      for (const ValueSyntax& name : fixed->value.items) {
+        fix_parameters_named(name.text, name.span, nullptr);
+      }
       for (const KeySyntax& key : fixed->value.entries) {
         fix_parameters_named(key.key, key.key_span, &key.value);
       }
