@@ -42,15 +42,27 @@ void add_subscript(Glyphs& symbol, Glyphs piece) {
   add_script(symbol, 1, std::move(below));
 }
 
-/// The symbol of a name. Axes after a single letter become a subscript: Ixx is I_{xx}.
-Glyphs symbol_from_letters(std::string_view name) {
-  const std::size_t letters = static_cast<std::size_t>(
-      std::find_if_not(name.begin(), name.end(), is_letter) - name.begin());
+std::size_t count_letters(std::string_view name) {
+  return static_cast<std::size_t>(std::find_if_not(name.begin(), name.end(), is_letter) -
+                                  name.begin());
+}
+
+/// True for two letters, perhaps with digits: `Jm` and `Jm1`, but not the Greek `mu` and no axes.
+bool is_letter_pair(std::string_view name) {
+  return count_letters(name) == 2 && greek_letter(name.substr(0, 2)).empty() &&
+         !is_axes(name.substr(0, 2)) && std::all_of(name.begin() + 2, name.end(), is_digit);
+}
+
+/// The symbol of a name. Axes after a single letter become a subscript: Ixx is I_{xx}. The second
+/// letter of a pair becomes a subscript if `splits_pairs` is set: Jm is J_{m}.
+Glyphs symbol_from_letters(std::string_view name, bool splits_pairs) {
+  const std::size_t letters = count_letters(name);
   const bool has_axes =
       letters > 1 && !is_axes(name.substr(0, 1)) && is_axes(name.substr(1, letters - 1));
-  const std::size_t base = has_axes ? 1 : letters;
+  const bool is_split = has_axes || (splits_pairs && is_letter_pair(name));
+  const std::size_t base = is_split ? 1 : letters;
   Glyphs symbol = make_row(word_glyphs(name.substr(0, base)));
-  if (has_axes) add_subscript(symbol, subscript_glyphs(name.substr(base, letters - base)));
+  if (is_split) add_subscript(symbol, subscript_glyphs(name.substr(base, letters - base)));
   for (std::size_t at = letters; at < name.size();) {
     const std::size_t stop = std::min(name.find('_', at), name.size());
     if (stop > at) add_subscript(symbol, subscript_glyphs(name.substr(at, stop - at)));
@@ -59,9 +71,43 @@ Glyphs symbol_from_letters(std::string_view name) {
   return symbol;
 }
 
+/// True if a symbol, such as `{}` or `\mathrm{}`, has no visible character.
+bool draws_nothing(const Glyphs& symbol) {
+  const TextBlock block = draw_glyphs(symbol, Alphabet::unicode, FractionStyle::in_line);
+  return std::ranges::all_of(block.lines, [](const std::string& line) {
+    return line.find_first_not_of(' ') == std::string::npos;
+  });
+}
+
+/// True if a declared name of the model is `name`.
+bool has_name(const Model& model, const std::string& name) {
+  const auto holds = [&name](const auto& list) {
+    return std::ranges::any_of(list, [&name](const auto& each) { return each.name == name; });
+  };
+  return holds(model.coordinates) || holds(model.parameter_arrays) || holds(model.inputs) ||
+         holds(model.functions) || holds(model.definitions) || holds(model.prescribed);
+}
+
+/// The symbol of a name, from its `latex` key or from its letters.
+Glyphs symbol_of_text(std::string_view name, const std::string& key, bool splits_pairs) {
+  const std::size_t bracket = std::min(name.find('['), name.size());
+  Glyphs symbol = key.empty() ? Glyphs{} : read_latex(key);
+  if (key.empty() || draws_nothing(symbol)) {
+    symbol = symbol_from_letters(name.substr(0, bracket), splits_pairs);
+  }
+  if (bracket == name.size()) return symbol;
+  std::string_view index = name.substr(bracket + 1, name.size() - bracket - 2);
+  for (std::size_t at = 0; at < index.size();) {
+    const std::size_t stop = std::min(index.find(',', at), index.size());
+    add_subscript(symbol, read_latex(index.substr(at, stop - at)));
+    at = stop + 1;
+  }
+  return symbol;
+}
+
 /// The symbol of a coordinate; e_{w} for a component of a rotation with `latex = "e"`.
 Glyphs symbol_of(const Model& model, const Coordinate& c) {
-  if (!c.rotation) return symbol_of_name(c.name, c.latex);
+  if (!c.rotation) return symbol_in_model(model, c.name, c.latex);
   const std::string& key = model.rotations[*c.rotation].latex;
   return symbol_of_name(c.name, key.empty() ? "" : fmt::format("{}_{{{}}}", key, c.name.back()));
 }
@@ -81,7 +127,7 @@ Glyphs spin_symbol(const Model& model, const Velocity& velocity) {
 
 /// The symbol of an input; \tau_2 for `tau_elbow` on the coordinate `elbow` with `latex = "q_2"`.
 Glyphs input_symbol(const Model& model, const Input& input) {
-  Glyphs symbol = symbol_of_name(input.name);
+  Glyphs symbol = symbol_in_model(model, input.name);
   if (!input.velocity || model.velocities[*input.velocity].rotation) return symbol;
   const Coordinate& on = model.coordinates[model.velocities[*input.velocity].coordinate];
   const auto end = std::find_if_not(input.name.begin(), input.name.end(), is_letter);
@@ -119,7 +165,7 @@ Glyphs argument_symbol(const Model& model, const LeafValues<Formula>& leaves,
   if (e.kind == ExpressionKind::leaf) return glyphs_of(leaf_of(leaves, e.leaf, e.index));
   if (!refers_to_entry(e, NamedKind::definition)) return {};
   const NamedExpression& definition = model.definitions[e.index];
-  return symbol_of_name(definition.name, definition.latex);
+  return symbol_in_model(model, definition.name, definition.latex);
 }
 
 Glyphs partial_glyphs(const Glyphs& of, const char* order) {
@@ -191,14 +237,6 @@ Formula leaf_symbol(Opcode kind, std::string name, const Glyphs& symbol, bool ha
   return symbol_formula(std::move(name), fill_pattern(pattern, symbol));
 }
 
-/// True if a symbol, such as `{}` or `\mathrm{}`, has no visible character.
-bool draws_nothing(const Glyphs& symbol) {
-  const TextBlock block = draw_glyphs(symbol, Alphabet::unicode, FractionStyle::in_line);
-  return std::ranges::all_of(block.lines, [](const std::string& line) {
-    return line.find_first_not_of(' ') == std::string::npos;
-  });
-}
-
 Glyphs remove_vector(Glyphs glyphs, std::string_view vector) {
   std::erase_if(glyphs.parts, [vector](const Glyphs& part) {
     return part.kind == GlyphKind::bold && part.text == vector;
@@ -222,17 +260,14 @@ Glyphs add_dots(Glyphs symbol, std::string_view dots) {
 }
 
 Glyphs symbol_of_name(std::string_view name, const std::string& key) {
-  const std::size_t bracket = std::min(name.find('['), name.size());
-  Glyphs symbol = key.empty() ? Glyphs{} : read_latex(key);
-  if (key.empty() || draws_nothing(symbol)) symbol = symbol_from_letters(name.substr(0, bracket));
-  if (bracket == name.size()) return symbol;
-  std::string_view index = name.substr(bracket + 1, name.size() - bracket - 2);
-  for (std::size_t at = 0; at < index.size();) {
-    const std::size_t stop = std::min(index.find(',', at), index.size());
-    add_subscript(symbol, read_latex(index.substr(at, stop - at)));
-    at = stop + 1;
-  }
-  return symbol;
+  return symbol_of_text(name, key, true);
+}
+
+Glyphs symbol_in_model(const Model& model, std::string_view name, const std::string& key) {
+  const std::string_view base = name.substr(0, name.find('['));
+  const bool is_ambiguous =
+      is_letter_pair(base) && has_name(model, fmt::format("{}_{}", base[0], base.substr(1)));
+  return symbol_of_text(name, key, !is_ambiguous);
 }
 
 std::size_t ModelSymbols::reserve_primes(const std::vector<Glyphs>& symbols) {
@@ -271,11 +306,12 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
   for (const ParameterArray& array : model.parameter_arrays) {
     std::vector<Glyphs> all;
     for (std::uint32_t i = array.first; i < array.first + array.count; ++i) {
-      all.push_back(symbol_of_name(model.parameters[i].name, array.latex));
+      all.push_back(symbol_in_model(model, model.parameters[i].name, array.latex));
     }
     const std::size_t primes = reserve_primes(all);
     const std::string name = array.is_array ? array.name + "[i]" : array.name;
-    arrays_.push_back(symbol_formula(name, with_primes(symbol_of_name(name, array.latex), primes)));
+    arrays_.push_back(
+        symbol_formula(name, with_primes(symbol_in_model(model, name, array.latex), primes)));
     for (std::uint32_t i = 0; i < array.count; ++i) {
       leaves_.parameters[array.first + i] = symbol_formula(model.parameters[array.first + i].name,
                                                            with_primes(std::move(all[i]), primes));
@@ -302,7 +338,7 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
 void ModelSymbols::add_open_values(const Model& model) {
   std::vector<Glyphs> functions;
   for (const OpenFunction& function : model.functions) {
-    functions.push_back(make_distinct(symbol_of_name(function.name, function.latex)));
+    functions.push_back(make_distinct(symbol_in_model(model, function.name, function.latex)));
   }
   for (const OpenValue& value : model.open_values) {
     std::vector<Glyphs> arguments;
@@ -347,38 +383,6 @@ Formula partial_derivative(std::string_view function, const Formula& x) {
   return symbol_formula(
       fmt::format("d{}/d{}", function, is_call ? fmt::format("({})", name) : name),
       fraction_row(partial_glyphs(read_latex(function), ""), partial_glyphs(glyphs_of(x), "")));
-}
-
-std::string format_unit(std::string unit, std::string_view times,
-                        std::string (*exponent_text)(const std::string& exponent)) {
-  std::erase(unit, ' ');
-  std::string text;
-  for (std::size_t i = 0; i < unit.size(); ++i) {
-    const std::size_t begin = i + 1;
-    if (unit[i] == '*') {
-      text += times;
-    } else if (unit[i] == '^' && unit[std::min(begin, unit.size() - 1)] == '(') {
-      i = std::min(unit.find(')', begin), unit.size());
-      text += exponent_text(unit.substr(begin + 1, i - begin - 1));
-    } else if (unit[i] == '^') {
-      i = std::min(unit.find_first_not_of("-0123456789", begin), unit.size());
-      text += exponent_text(unit.substr(begin, i - begin));
-      --i;
-    } else {
-      text += unit[i];
-    }
-  }
-  return text;
-}
-
-std::string title_from_name(std::string name) {
-  std::ranges::replace(name, '_', ' ');
-  if (!name.empty()) name[0] = to_upper_case(name[0]);
-  return name;
-}
-
-std::string page_title(const Model& model) {
-  return model.title.empty() ? title_from_name(model.name) : model.title;
 }
 
 }  // namespace elgen

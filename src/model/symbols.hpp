@@ -1,7 +1,7 @@
 // symbols: the symbols in formulas that the names of a model get, and the units on pages.
 //
-//     theta   theta1       l[2]    x_cart              mass            Ixx_arm
-//     \theta  \theta_{1}   l_{2}   x_{\mathrm{cart}}   \mathrm{mass}   I_{xx, \mathrm{arm}}
+//     theta   theta1       l[2]    x_cart              mass            Ixx_arm                Jm
+//     \theta  \theta_{1}   l_{2}   x_{\mathrm{cart}}   \mathrm{mass}   I_{xx, \mathrm{arm}}   J_{m}
 #pragma once
 
 #include <functional>
@@ -61,6 +61,10 @@ class ModelSymbols {
 /// The symbol of a name, from its `latex` key; the key of "l[2]" is the key of `l`. If the key is
 /// empty or draws nothing, the symbol follows from the name.
 [[nodiscard]] Glyphs symbol_of_name(std::string_view name, const std::string& key = {});
+/// symbol_of_name() for a name of the model. `Jm` is the word Jm, not J_{m}, if the model also has
+/// the name `J_m`.
+[[nodiscard]] Glyphs symbol_in_model(const Model& model, std::string_view name,
+                                     const std::string& key = {});
 
 /// A LaTeX formula of the output table (see Notation) for a model. If the model has no rotations,
 /// <v> and <a> become dq/dt and d^2q/dt^2, and <N> is omitted, because dq/dt = v. The plain text of
