@@ -125,6 +125,10 @@ struct ReadableDerivation {
   Program program = {};                  ///< one function per step (elgen/steps.hpp)
   std::vector<std::string> masses = {};  ///< names of the points and bodies of the step `positions`
   std::vector<std::string> omitted_masses = {};  ///< names of other points and bodies with a mass
+  /// Forward dynamics, whose short entries end the steps; without functions if the system is too
+  /// large to be solved on paper. None if the steps solve every equation, if forward dynamics does
+  /// not exist, and on pages that print forward dynamics elsewhere.
+  std::optional<Program> solution = {};
 };
 
 /// The programs from which pages are printed.

@@ -33,7 +33,7 @@ namespace elgen {
 /// Returns `derived`, the program of elgen/steps.hpp, in which one entry, the sum, replaces the
 /// summands of each field. Program::functions keep the definitions of the derivation, and
 /// Program::readable has the same functions as books write them. The function of a velocity has the
-/// fields of LagrangeStepField.
+/// fields of LagrangeStepField; there, a field that is too long has no entries.
 ///
 /// A last function is added, with one field per velocity: the equation of motion, solved for the
 /// acceleration of the velocity. The field has no rows if the scene expands the equations,

@@ -181,6 +181,50 @@ bool has_readable_terms(const Program& program, const ClosedForms& forms) {
                              is_short);
 }
 
+/// The derivation without the solution for accelerations.
+Result<ReadableDerivation> make_steps(const Lagrangian& lagrangian, const CheckedModel& checked,
+                                      const Limits& limits) {
+  const Result<DerivationSteps> derived = derive_textbook_steps(lagrangian);
+  if (!derived) return derived.diagnostics;
+  Result<Program> lowered = lower(derived->equations, derived->requests, limits);
+  if (!lowered) return lowered.diagnostics;
+  const Program recursive = cancel(std::move(*lowered));
+  const auto typed = with_quotients(checked);
+  const ClosedForms forms = typed ? present_quotients(recursive) : present(recursive);
+  ReadableDerivation result{typeset_derivation(typed ? *typed : checked, forms, recursive),
+                            {},
+                            omitted_masses(checked.model, derived->masses)};
+  for (const Entity& mass : derived->masses) {
+    result.masses.push_back(name_of(checked.model, mass));
+  }
+  return result;
+}
+
+/// Systems of more accelerations and multipliers are not solved on paper.
+constexpr std::size_t largest_solved_system = 8;
+
+/// True if every equation of motion of the steps is solved for an acceleration.
+bool are_rows_solved(const ReadableDerivation& steps) {
+  const std::vector<Field>& rows = steps.program.functions.back().fields;
+  return std::ranges::none_of(rows, [](const Field& row) { return row.entries.empty(); });
+}
+
+/// Forward dynamics as pages print it (see ReadableDerivation::solution).
+Result<Program> solve_on_paper(const Lagrangian& lagrangian, const CheckedModel& checked,
+                               const Limits& limits) {
+  const Model& model = checked.model;
+  if (model.velocities.size() + model.constraints.size() > largest_solved_system) return Program{};
+  CheckedModel solved = checked;
+  solved.scene.outputs = available_requests(model, {OutputKind::forward_dynamics});
+  const Result<Program> recursive =
+      derive_recursive_program(lagrangian, solved.scene.outputs, limits);
+  if (!recursive) return recursive.diagnostics;
+  const ClosedForms forms = present(*recursive);
+  const Result<FormChoice> choice = choose_forms(lagrangian, *recursive, forms, solved, limits);
+  if (!choice) return choice.diagnostics;
+  return typeset_choice(forms, *choice, solved);
+}
+
 }  // namespace
 
 Result<Program> derive_recursive_program(const Lagrangian& lagrangian,
@@ -223,19 +267,14 @@ Result<std::vector<EquilibriumVerdict>> check_claims(const Lagrangian& lagrangia
 Result<ReadableDerivation> make_readable_derivation(const Lagrangian& lagrangian,
                                                     const CheckedModel& checked,
                                                     const Limits& limits) {
-  const Result<DerivationSteps> derived = derive_textbook_steps(lagrangian);
-  if (!derived) return derived.diagnostics;
-  Result<Program> lowered = lower(derived->equations, derived->requests, limits);
-  if (!lowered) return lowered.diagnostics;
-  const Program recursive = cancel(std::move(*lowered));
-  const auto typed = with_quotients(checked);
-  const ClosedForms forms = typed ? present_quotients(recursive) : present(recursive);
-  ReadableDerivation result{typeset_derivation(typed ? *typed : checked, forms, recursive),
-                            {},
-                            omitted_masses(checked.model, derived->masses)};
-  for (const Entity& mass : derived->masses) {
-    result.masses.push_back(name_of(checked.model, mass));
-  }
+  Result<ReadableDerivation> result = make_steps(lagrangian, checked, limits);
+  const bool is_solvable =
+      !checked.model.approximation &&
+      !available_requests(checked.model, {OutputKind::forward_dynamics}).empty();
+  if (!result || !is_solvable || are_rows_solved(*result)) return result;
+  Result<Program> solution = solve_on_paper(lagrangian, checked, limits);
+  if (!solution) return solution.diagnostics;
+  result->solution = std::move(*solution);
   return result;
 }
 
@@ -263,7 +302,7 @@ Result<PagePrograms> make_page_programs(const Lagrangian& lagrangian, const Clos
     const bool has_rows = find_function(choice.program, OutputKind::bias) != nullptr ||
                           find_function(choice.program, OutputKind::inverse_dynamics) != nullptr;
     if (!has_rows && !has_short_row(lagrangian, checked, limits)) return book;
-    book.steps = make_readable_derivation(lagrangian, checked, limits).value;
+    book.steps = make_steps(lagrangian, checked, limits).value;
     return book;
   });
 }

@@ -47,7 +47,7 @@ namespace elgen {
                                                      const std::function<PagePrograms()>& make);
 
 /// The derivation step by step, for readers. Its equations are lowered, presented and typeset like
-/// outputs.
+/// outputs. Includes the solution for the accelerations and multipliers.
 [[nodiscard]] Result<ReadableDerivation> make_readable_derivation(const Lagrangian& lagrangian,
                                                                   const CheckedModel& checked,
                                                                   const Limits& limits);

@@ -185,8 +185,10 @@ class ExpressionPrinter {
         return make_symbol(id, named_symbol(e));
       default: {  // a time derivative; formula_of() prints operations
         Glyphs rate = read_latex("\\frac{d}{dt} \\left( <y> \\right)");
-        return make_symbol(id,
-                           replace_vector(std::move(rate), "y", glyphs_of((*this)(e.operands[0]))));
+        constexpr bool is_long = true;
+        return symbol_formula(
+            to_string(model_, id),
+            replace_vector(std::move(rate), "y", glyphs_of((*this)(e.operands[0]))), is_long);
       }
     }
   }
@@ -211,8 +213,8 @@ class ExpressionPrinter {
     return symbol_formula(to_string(model_, id), std::move(glyphs));
   }
 
-  [[nodiscard]] static Glyphs symbol_of(const NamedExpression& expression) {
-    return symbol_of_name(expression.name, expression.latex);
+  [[nodiscard]] Glyphs symbol_of(const NamedExpression& expression) const {
+    return symbol_in_model(model_, expression.name, expression.latex);
   }
 
   [[nodiscard]] static Glyphs component_symbol(const std::string& point, std::size_t axis) {
@@ -293,6 +295,10 @@ Lines variable_lines(const Model& model, const Program& program) {
   if (!model.open_values.empty())
     lines.push_back("f = " + tuple_text(names_with_units(model.open_values)));
   return lines;
+}
+
+Formula typed_formula(const Model& model, ExpressionId expression) {
+  return ExpressionPrinter(model)(expression);
 }
 
 Formula constraint_equation(const Model& model) {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "elgen/fold.hpp"
 #include "elgen/page.hpp"
@@ -224,6 +225,14 @@ Function remove_pivot_guards(const Program& program, Function function) {
   return function;
 }
 
+/// The equations of a function that has no readable form.
+FunctionEquations unread_equations(const Program& program, const Function& function,
+                                   const ModelSymbols& symbols) {
+  const std::vector<std::size_t> sizes = expanded_sizes(function, longest_entry);
+  return needed_equations(program, remove_pivot_guards(program, function), symbols.leaf_symbols(),
+                          symbols_of(readable_names(program, function, sizes), symbols), sizes);
+}
+
 }  // namespace
 
 bool has_readable_form(const Program& program, std::size_t index) {
@@ -250,15 +259,24 @@ FunctionEquations equations(const Program& program, std::size_t index) {
 
 FunctionEquations equations(const Model& model, const Program& program, std::size_t index) {
   const ModelSymbols symbols(model, program.leaves);
-  if (has_readable_form(program, index)) {
-    const Function& book = program.readable[index];
-    return named_equations(program, book, symbols.leaf_symbols(), symbols_of(book.names, symbols),
-                           {});
+  if (!has_readable_form(program, index)) {
+    return unread_equations(program, program.functions[index], symbols);
   }
-  const Function& function = program.functions[index];
-  const std::vector<std::size_t> sizes = expanded_sizes(function, longest_entry);
-  return needed_equations(program, remove_pivot_guards(program, function), symbols.leaf_symbols(),
-                          symbols_of(readable_names(program, function, sizes), symbols), sizes);
+  const Function& book = program.readable[index];
+  FunctionEquations result =
+      named_equations(program, book, symbols.leaf_symbols(), symbols_of(book.names, symbols), {});
+  // Fields that are too long for a book keep the definitions of the derivation.
+  Function rest = program.functions[index];
+  for (std::size_t i = 0; i < book.fields.size(); ++i) {
+    if (!book.fields[i].entries.empty()) rest.fields[i].entries.clear();
+  }
+  if (entries_of(rest).empty()) return result;
+  FunctionEquations added = unread_equations(program, rest, symbols);
+  for (std::size_t i = 0; i < book.fields.size(); ++i) {
+    if (book.fields[i].entries.empty()) result.entries[i] = std::move(added.entries[i]);
+  }
+  std::ranges::move(added.definitions, std::back_inserter(result.definitions));
+  return result;
 }
 
 Formula first_entry_formula(const Model& model, const Program& program) {

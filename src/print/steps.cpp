@@ -11,7 +11,9 @@
 #include "elgen/references.hpp"
 #include "elgen/typeset.hpp"
 #include "model/symbols.hpp"
+#include "print/principle.hpp"
 #include "print/sections.hpp"
+#include "print/solution.hpp"
 
 namespace elgen {
 namespace {
@@ -56,7 +58,7 @@ class DerivationOutline {
 
  private:
   [[nodiscard]] bool is_zero(std::size_t function, std::size_t field) const {
-    const Function& read = readable_function(function);
+    const Function& read = printed_function(function, field);
     return loads_zero(steps_.program, read.instructions[read.fields[field].entries.front()]);
   }
   [[nodiscard]] bool is_zero(std::size_t function, LagrangeStepField line) const {
@@ -65,18 +67,28 @@ class DerivationOutline {
 
   /// True if the force in Lagrange's equation, a field of `function`, contains a multiplier.
   [[nodiscard]] bool has_multiplier(std::size_t function) const {
-    const Function& read = readable_function(function);
-    const std::vector<bool> needed =
-        needed_instructions(read, read.fields[field_index(LagrangeStepField::force)].entries);
+    const std::size_t force = field_index(LagrangeStepField::force);
+    const Function& read = printed_function(function, force);
+    const std::vector<bool> needed = needed_instructions(read, read.fields[force].entries);
     for (std::size_t at = 0; at < needed.size(); ++at) {
       if (needed[at] && read.instructions[at].opcode == Opcode::multiplier) return true;
     }
     return false;
   }
 
-  [[nodiscard]] const Function& readable_function(std::size_t function) const {
-    return has_readable_form(steps_.program, function) ? steps_.program.readable[function]
-                                                       : steps_.program.functions[function];
+  /// True if a field of the function has a readable form.
+  [[nodiscard]] bool is_read(std::size_t function, std::size_t field) const {
+    return has_readable_form(steps_.program, function) &&
+           !steps_.program.readable[function].fields[field].entries.empty();
+  }
+  [[nodiscard]] bool is_read(std::size_t function, LagrangeStepField line) const {
+    return is_read(function, field_index(line));
+  }
+
+  /// The function that has the printed form of a field.
+  [[nodiscard]] const Function& printed_function(std::size_t function, std::size_t field) const {
+    return is_read(function, field) ? steps_.program.readable[function]
+                                    : steps_.program.functions[function];
   }
 
   /// The number of printed components: two for planar models.
@@ -123,11 +135,7 @@ class DerivationOutline {
   void add_action() {
     PageSection& section = add_section(prose("Action"), std::string(action_doc));
     if (!model_.rotations.empty()) section.doc += rotation_variation_note;
-    std::ranges::for_each(variation_lines, [this](std::string_view line) { add_line(line); });
-    if (!is_free()) add_line(is_constrained() ? constrained_virtual_work : virtual_work);
-    add_line(is_free() ? std::string(stationary_action)
-                       : fmt::format("{}{}{}", virtual_work_balance, lagrange_equation,
-                                     is_constrained() ? constraint_forces : ""));
+    for (const std::string& line : principle_lines(model_)) add_line(line);
   }
 
   [[nodiscard]] std::string omitted_positions_text() const {
@@ -163,7 +171,18 @@ class DerivationOutline {
     for (std::size_t i = 0; i < names.size(); ++i) {
       add_equation(latex_formula(names.substr(i, 1)), function, i);
     }
+    add_dissipation();
     end_section();
+  }
+
+  /// Adds D as typed.
+  void add_dissipation() {
+    Formulas terms;
+    for (const ExpressionId root : dissipation_roots(model_)) {
+      terms.push_back(typed_formula(model_, root));
+    }
+    if (terms.empty()) return;
+    outline_.back().equations.push_back({latex_formula("D"), 1, 1, {sum_of(std::move(terms))}});
   }
 
   /// Adds the functions f and phi of all constraints, L + lambda f for constraints on positions,
@@ -246,7 +265,8 @@ class DerivationOutline {
     for (std::size_t i = 0; i < count; ++i) {
       // Without a readable form, definitions of several functions may share a name, so the row is
       // omitted here: add_velocity_equations() prints the row in a section of its own.
-      if (has_readable_form(steps_.program, first + i)) {
+      if (is_read(first + i, LagrangeStepField::left) &&
+          is_read(first + i, LagrangeStepField::force)) {
         add_lagrange_equation(first + i);
       } else {
         long_rows.push_back(model_.velocities[i].name);
@@ -254,7 +274,7 @@ class DerivationOutline {
     }
     if (!long_rows.empty()) {
       section.doc = fmt::format(
-          "Omitted rows, too long to read in one piece: {}. elgen show --what steps prints each in "
+          "Omitted rows, too long to read in one piece: {}. Their own sections print them in "
           "parts.",
           fmt::join(long_rows, ", "));
     }
@@ -262,21 +282,42 @@ class DerivationOutline {
     for (std::size_t i = 0; are_read && i < model_.constraints.size(); ++i) {
       add_equation(read_[constraints].entries[i].front(), constraints, model_.constraints.size());
     }
-    const std::size_t accelerations = first + count + 1;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      if (read_[accelerations].entries[i].empty()) continue;
-      add_equation(symbols_.leaf_symbols().a[i], accelerations, i);
-    }
+    add_accelerations(first + count + 1);
     end_section();
     if (section.equations.empty() && section.doc.empty()) outline_.pop_back();
+  }
+
+  /// Adds the accelerations and multipliers that are short enough. Either forward dynamics or the
+  /// rows solved one by one give them, because both may use the same names of definitions.
+  void add_accelerations(std::size_t rows) {
+    PaperSolution solution;
+    if (steps_.solution) solution = solution_on_paper(model_, *steps_.solution);
+    const std::vector<Formulas>& solved = read_[rows].entries;
+    const auto solved_rows = static_cast<std::size_t>(
+        std::ranges::count(solved, false, [](const Formulas& row) { return row.empty(); }));
+    if (solution.left.size() >= std::max<std::size_t>(solved_rows, 1)) {
+      read_.push_back(std::move(solution.equations));
+      for (std::size_t i = 0; i < solution.left.size(); ++i) {
+        add_equation(solution.left[i], read_.size() - 1, i);
+      }
+    } else {
+      for (std::uint32_t i = 0; i < solved.size(); ++i) {
+        if (!solved[i].empty()) add_equation(symbols_.leaf_symbols().a[i], rows, i);
+      }
+    }
+    if (solution.omitted.empty()) return;
+    std::string& doc = outline_.back().doc;
+    doc +=
+        fmt::format("{}Too long for this page: {}. elgen show --what forward_dynamics prints them.",
+                    doc.empty() ? "" : " ", fmt::join(solution.omitted, ", "));
   }
 
   /// The sentence of Noether's theorem: "L does not contain q, so p_q = `slope` is conserved".
   [[nodiscard]] Formula conservation_line(std::size_t function, const Formula& slope,
                                           const Formula& q) const {
-    const bool is_free = is_zero(function, LagrangeStepField::force) &&
-                         is_zero(function, LagrangeStepField::dissipation);
-    const char* condition = is_free ? "" : " if no force and no dissipation act on it";
+    const bool is_unforced = is_zero(function, LagrangeStepField::force) &&
+                             is_zero(function, LagrangeStepField::dissipation);
+    const char* condition = is_unforced ? "" : " if no force and no dissipation act on it";
     Glyphs momentum = read_latex("p");
     add_script(momentum, 1, glyphs_of(q));
     return row_of({latex_formula("L"), prose("does not contain"), q, prose(", so"),
@@ -284,25 +325,16 @@ class DerivationOutline {
                    prose(fmt::format("is conserved{}", condition))});
   }
 
-  [[nodiscard]] bool is_free() const {
-    return model_.forces.empty() && model_.inputs.empty() && dissipation_roots(model_).empty() &&
-           !is_constrained();
-  }
   [[nodiscard]] bool is_constrained() const { return !model_.constraints.empty(); }
 
   void add_invariants(std::size_t function) {
     const bool is_autonomous = is_zero(function, 1);
-    const char* doc = is_free()          ? free_energy_rate
-                      : is_constrained() ? constrained_energy_rate
-                                         : driven_energy_rate;
-    PageSection& section = add_section(prose("Energy function"), doc);
+    PageSection& section = add_section(prose("Energy function"), "");
     const char* contains = is_autonomous ? "does not contain" : "contains";
-    const char* verdict = !is_autonomous     ? "is not conserved"
-                          : is_free()        ? "is conserved"
-                          : is_constrained() ? constrained_conservation
-                                             : driven_conservation;
+    const std::string verdict = is_autonomous ? energy_conservation(model_) : "is not conserved";
     section.lines = {row_of({latex_formula("L"), prose(contains), latex_formula("t"), prose(", so"),
                              latex_formula("E"), prose(verdict)})};
+    add_line(energy_rate(model_, is_autonomous));
     const Glyphs definition =
         latex_glyphs(model_, R"(E = <v>^{\top} \frac{\partial L}{\partial <v>} - L)");
     add_equation(symbol_formula("E = sum of v dL/dv - L", definition), function, 0);
@@ -338,9 +370,7 @@ std::vector<PageSection> derivation_sections(const Model& model, const ReadableD
 Page derivation_page(const Model& model, const Scene& scene, const ReadableDerivation& steps,
                      std::string_view title) {
   Page result = model_page(model, scene, {});
-  result.equation_of_motion = latex_formula(
-      model,
-      fmt::format("{}{}", lagrange_equation, model.constraints.empty() ? "" : constraint_forces));
+  result.equation_of_motion = latex_formula(model, lagrange_equation(model));
   result.sections = derivation_sections(model, steps, title);
   return result;
 }

@@ -21,6 +21,18 @@ bool is_short_when_expanded(const Function& function) {
   });
 }
 
+/// Removes the entries that are too long when expanded, and all fields if no entry remains.
+void remove_long_entries(Function& function) {
+  const std::vector<std::size_t> sizes = expanded_sizes(function, longest_textbook_entry);
+  bool has_entry = false;
+  for (Field& field : function.fields) {
+    std::erase_if(field.entries,
+                  [&sizes](std::uint32_t entry) { return sizes[entry] > longest_textbook_entry; });
+    has_entry = has_entry || !field.entries.empty();
+  }
+  if (!has_entry) function.fields.clear();
+}
+
 /// `like` with the fields that `write` adds; without fields if an entry is too long to be read.
 template <class Write>
 Function write_function(const Function& like, const Write& write) {
@@ -133,20 +145,32 @@ class Typesetter {
     });
   }
 
-  /// Writes the fields (LagrangeStepField) of Lagrange's equation for one velocity.
+  /// Writes the fields (LagrangeStepField) of Lagrange's equation for one velocity. A field that is
+  /// too long has no entries; if all are too long, the function has no fields.
   Function write_equation(std::size_t index, std::uint32_t velocity) {
-    return write_function(program_.functions[index], [&](Function& result) {
-      TextbookWriter write(model_, algebra_, typed_, program_, result);
-      EquationArranger equations(algebra_, write.arranger);
-      for (const ClosedField& field : forms_.functions[index].fields) {
-        add_scalar_field(result, field.name,
-                         write(equations.arrange_row(summands(field), velocity)));
+    Function result = without_body(program_.functions[index]);
+    result.form = Form::closed;
+    TextbookWriter write(model_, algebra_, typed_, program_, result);
+    EquationArranger equations(algebra_, write.arranger);
+    const auto add_field = [&](const std::string& name, const auto& arrange) {
+      Field field{name, 1, 1, {}};
+      try {
+        field.entries = {write(arrange())};
+      } catch (const std::length_error&) {
+        // The field keeps the definitions of the derivation.
       }
-      const auto rows = equation_rows(equations, index - velocity);
-      if (!rows[velocity]) throw TextbookLengthError();
-      add_scalar_field(result, "left",
-                       write(equations.arrange_left_side(*rows[velocity], velocity)));
+      result.fields.push_back(std::move(field));
+    };
+    for (const ClosedField& field : forms_.functions[index].fields) {
+      add_field(field.name, [&] { return equations.arrange_row(summands(field), velocity); });
+    }
+    add_field("left", [&] {
+      const auto row = equations.read_row(forms_.functions[index]);
+      if (!row) throw TextbookLengthError();
+      return equations.arrange_left_side(*row, velocity);
     });
+    remove_long_entries(result);
+    return eliminate_dead_code(result);
   }
 
   Function write_accelerations(std::size_t first) {
@@ -263,12 +287,13 @@ Function replace_summands_by_sum(Program& program, Function function, bool is_ve
     const auto of = [&entry](LagrangeStepField line) {
       return entry(static_cast<std::size_t>(line));
     };
-    const std::uint32_t inertia = instructions.add(
-        Opcode::subtract, of(LagrangeStepField::momentum_rate), of(LagrangeStepField::partial));
-    const std::uint32_t damping = of(LagrangeStepField::dissipation);
-    const bool is_damped = !loads_zero(program, function.instructions[damping]);
-    const std::uint32_t left =
-        is_damped ? instructions.add(Opcode::add, inertia, damping) : inertia;
+    const auto with_term = [&](Opcode sign, std::uint32_t sum, std::uint32_t term) {
+      const bool is_zero = loads_zero(program, function.instructions[term]);
+      return is_zero ? sum : instructions.add(sign, sum, term);
+    };
+    const std::uint32_t inertia = with_term(Opcode::subtract, of(LagrangeStepField::momentum_rate),
+                                            of(LagrangeStepField::partial));
+    const std::uint32_t left = with_term(Opcode::add, inertia, of(LagrangeStepField::dissipation));
     function.fields.push_back({"left", 1, 1, {left}});
   } else if (function.fields.size() == 2 && function.fields[1].name == "V") {
     const std::uint32_t whole = instructions.add(Opcode::subtract, entry(0), entry(1));
