@@ -22,10 +22,9 @@ class BareDebian : public Workspace {
         "cp /etc/resolv.conf root/etc && chroot root apt-get update -qq");
   }
 
-  /// Runs `command` in the folder /`folder` of the bare Debian.
-  [[nodiscard]] Outcome run_inside(const std::string& command,
-                                   const std::string& folder = "work") const {
-    write("root/command", "cd /" + folder + "\n" + command + "\n");
+  /// Runs `command` in the folder /work of the bare Debian.
+  [[nodiscard]] Outcome run_inside(const std::string& command) const {
+    write("root/command", "cd /work\n" + command + "\n");
     return run("env -i PATH=/usr/bin:/usr/sbin:/bin HOME=/root chroot root sh /command");
   }
 
@@ -47,14 +46,13 @@ class BareDebian : public Workspace {
   [[nodiscard]] long megabytes() const { return std::stol(run("du -sm root").output); }
 };
 
-/// Runs the fences of README.md in the lines [begin, end), in `folder` of the root.
-void replay_in(const BareDebian& debian, const std::string& folder, std::size_t begin,
-               std::size_t end) {
-  const auto run = [&](const std::string& command) { return debian.run_inside(command, folder); };
+/// Runs the fences of README.md in the lines [begin, end).
+void replay_in(const BareDebian& debian, std::size_t begin, std::size_t end) {
+  const auto run = [&](const std::string& command) { return debian.run_inside(command); };
   for (const Fence& fence : page("README.md").fences) {
     if (fence.line < begin || fence.line >= end) continue;
     INFO("README.md:" << fence.line);
-    replay(fence, debian.path() / "root" / folder, run);
+    replay(fence, debian.path() / "root/work", run);
   }
 }
 
@@ -82,11 +80,10 @@ TEST_CASE("the first page needs Debian 12, the package and g++, its controller C
   debian.install("g++");
   const std::string text = read_text(source / "README.md");
   const std::size_t controller = line_of(text, "## Into a controller");
-  replay_in(debian, "work", 0, controller);
-  debian.prepare("mkdir root/use");
-  replay_in(debian, "use", line_of(text, "## Use"), line_of(text, "## Equations as in a book"));
+  replay_in(debian, 0, controller);
+  replay_in(debian, line_of(text, "## Use"), line_of(text, "## Python"));
   debian.install("cmake g++ make libeigen3-dev");
-  replay_in(debian, "work", controller, line_of(text, "## Install"));
+  replay_in(debian, controller, line_of(text, "## Install"));
 }
 
 }  // namespace elgen::test

@@ -134,7 +134,7 @@ std::vector<std::string> all_matches(const std::string& text, const std::regex& 
 }
 
 std::vector<std::string> links(const std::string& prose) {
-  return all_matches(prose, std::regex(R"(\]\(([^)\s]+)\))"));
+  return all_matches(prose, std::regex(R"re((?:\]\(|<img src=")([^)\s"]+)[)"])re"));
 }
 
 std::vector<std::string> anchors(const std::string& prose) {

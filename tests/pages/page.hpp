@@ -4,7 +4,7 @@
 //     ```sh not-run: WHY    commands that no test runs, and the reason
 //     ```console            "$ command", followed by its complete output
 //     ```LANGUAGE FILE      a file of this name, which later commands read
-//     ```LANGUAGE in FILE   an excerpt of a file that earlier commands wrote
+//     ```LANGUAGE in FILE   an excerpt of a file that earlier commands wrote or copied
 //     ```text               a picture or a formula
 //
 // In output and in excerpts a line "…" matches any number of lines.
@@ -56,7 +56,7 @@ struct Exchange {
 [[nodiscard]] std::vector<std::string> all_matches(const std::string& text,
                                                    const std::regex& pattern);
 
-/// The targets of [text](target), in order.
+/// The targets of [text](target) and <img src="target">, in order.
 [[nodiscard]] std::vector<std::string> links(const std::string& prose);
 
 /// The anchors of headings: "the-model-language" for "The model language".

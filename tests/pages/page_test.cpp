@@ -56,8 +56,9 @@ TEST_CASE("a line … matches any number of lines, all other lines must be equal
 }
 
 TEST_CASE("links, anchors and code spans are found in prose") {
-  const std::string prose = "# The `model` language\nsee [here](a/b.md#c) and `x/y` or `z`\n";
-  CHECK(links(prose) == std::vector<std::string>{"a/b.md#c"});
+  const std::string prose =
+      "# The `model` language\nsee [here](a/b.md#c) and `x/y` or `z`\n<img src=\"d.svg\">\n";
+  CHECK(links(prose) == std::vector<std::string>{"a/b.md#c", "d.svg"});
   CHECK(anchors(prose) == std::vector<std::string>{"the-model-language"});
   CHECK(code_spans(prose) == std::vector<std::string>{"model", "x/y", "z"});
 }

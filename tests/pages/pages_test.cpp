@@ -1,7 +1,8 @@
 // Pages are true: every command runs and prints the output shown, every file shown is read by a
-// command, and every link and path exists.
+// command, and every link and path exists. ELGEN_UPDATE=1 writes the pictures.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <regex>
 
@@ -49,6 +50,19 @@ bool is_read(const Page& page, const Fence& file) {
   });
 }
 
+/// Compares the pictures of a page with the files of the same names that its commands wrote.
+void check_pictures(const Page& page, const fs::path& folder) {
+  for (const std::string& link : links(page.prose)) {
+    const fs::path picture = source / fs::path(page.path).parent_path() / link;
+    if (picture.extension() != ".svg") continue;
+    INFO(page.path << ": " << link);
+    const std::string drawn = read_text(folder / picture.filename());
+    if (std::getenv("ELGEN_UPDATE") != nullptr) write_text(picture, drawn);
+    const bool is_current = read_text(picture) == drawn;
+    CHECK(is_current);
+  }
+}
+
 void replay_page(const Page& page) {
   const Workspace workspace;
   copy_project(workspace.path());
@@ -61,6 +75,7 @@ void replay_page(const Page& page) {
     replay(fence, workspace.path(), run);
     if (fence.kind == FenceKind::file) CHECK(is_read(page, fence));
   }
+  check_pictures(page, workspace.path());
 }
 
 /// True if a heading of the page at `path` has this anchor.
