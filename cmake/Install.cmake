@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # `cmake --install`: the program, its completions and manual, the schemas, the CMake package, the models, examples and
-# recipes. `cpack -G DEB`: the same as a Debian package.
+# recipes, and the pages. `cpack -G DEB`: the same as a Debian package.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -27,10 +27,22 @@ install(CODE "
          DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${share}/\${folder}\")
   endforeach()")
 
-install(DIRECTORY examples models recipes DESTINATION ${share}/elgen PATTERN build EXCLUDE)
+# Only scripts get a run bit, whatever the umask of the clone was.
+install(DIRECTORY examples models recipes DESTINATION ${share}/elgen PATTERN build EXCLUDE PATTERN "*.md" EXCLUDE)
+install(PROGRAMS recipes/gallery/gallery DESTINATION ${share}/elgen/recipes/gallery)
+install(PROGRAMS recipes/sweeps/slurm.sh recipes/sweeps/sweep DESTINATION ${share}/elgen/recipes/sweeps)
 install(FILES tests/urdf/robots/gripper.urdf DESTINATION ${share}/elgen/examples)
 install(FILES .pre-commit-hooks.yaml DESTINATION ${share}/elgen/recipes)
 install(FILES packaging/copyright DESTINATION ${share}/doc/elgen)
+
+install(CODE "
+  set(source \"${PROJECT_SOURCE_DIR}\")
+  set(staged \"${CMAKE_CURRENT_BINARY_DIR}/pages/doc\")
+  set(destination \"\${CMAKE_INSTALL_PREFIX}/${share}\")")
+install(SCRIPT cmake/InstallPages.cmake)
+# `elgen help` names the pages, if they are installed.
+file(RELATIVE_PATH pages ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/doc/elgen)
+target_compile_definitions(elgen PRIVATE ELGEN_PAGES="${pages}")
 
 # ARCH_INDEPENDENT: the package works on every architecture, so a 64-bit elgen serves a 32-bit project.
 set(package ${share}/cmake/elgen)

@@ -4,8 +4,10 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <new>
+#include <system_error>
 #include <utility>
 
 #include "base/ascii.hpp"
@@ -199,6 +201,16 @@ std::string limits_json() {
   return list.dump(2) + "\n";
 }
 
+/// The line that names the first page of an installed elgen; "" if its pages are not installed.
+std::string pages_line() {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path page = (program.parent_path() / ELGEN_PAGES / "README.md").lexically_normal();
+  if (error || !fs::exists(page, error)) return "";
+  return fmt::format("Pages to read: {}\n", page.string());
+}
+
 /// The help that `elgen` prints without arguments: examples and all commands.
 std::string short_help(const CLI::App& app) {
   std::string text = std::string(examples) + "\n";
@@ -207,7 +219,8 @@ std::string short_help(const CLI::App& app) {
   }
   return text +
          "\n`elgen COMMAND --help` lists the options of a command, `elgen --help` the common "
-         "options.\n";
+         "options.\n" +
+         pages_line();
 }
 
 bool wants_color(const std::string& choice) {
@@ -271,6 +284,7 @@ Result<CommandLine> read_command_line(const std::vector<std::string>& words) {
     app.parse(reversed);
   } catch (const CLI::CallForHelp&) {
     line.answer = app.help("", CLI::AppFormatMode::Normal);
+    if (app.get_subcommands().empty()) line.answer += pages_line();
     return line;
   } catch (const CLI::CallForVersion& version) {
     line.answer = std::string(version.what()) + "\n";

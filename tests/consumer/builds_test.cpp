@@ -180,7 +180,8 @@ TEST_CASE("elgen from a package builds like an installed elgen", "[.all]") {
        {"bin/elgen", "share/man/man1/elgen.1", "share/bash-completion/completions/elgen",
         "share/zsh/vendor-completions/_elgen", "share/fish/vendor_completions.d/elgen.fish",
         "share/elgen/schemas/model.schema.json", "share/elgen/schemas/scene.schema.json",
-        "share/doc/elgen/copyright", "share/elgen/examples/balance/main.cpp",
+        "share/doc/elgen/copyright", "share/doc/elgen/src/cli/README.md",
+        "share/doc/elgen/models/cart_pole.toml", "share/elgen/examples/balance/main.cpp",
         "share/elgen/examples/gripper.urdf", "share/elgen/models/scenes/balance.scene.toml",
         "share/elgen/recipes/.pre-commit-hooks.yaml"}) {
     INFO(file);
