@@ -107,8 +107,10 @@ TEST_CASE("the galleries of GitHub and GitLab have a page and a picture of each 
     CHECK(machine.outcome("ls public").output == "cart_pole.html\ncart_pole.svg\nindex.html\n");
     const std::string index = machine.read("public/index.html");
     CHECK(mentions(index,
-                   "<a href=\"cart_pole.html\">Cart and pole with a force on the cart<br>"
-                   "<img src=\"cart_pole.svg\" alt=\"\"></a>"));
+                   "<a href=\"cart_pole.html\"><img src=\"cart_pole.svg\" alt=\"\" "
+                   "loading=\"lazy\"><span>Cart and pole with a force on the cart</span>"
+                   "<code>cart_pole</code></a>"));
+    CHECK(mentions(index, "<style>\n:root {"));
     CHECK_FALSE(mentions(index, "broken"));
   };
   const std::string more = "echo 'format = 2' > models/broken.toml";
@@ -121,6 +123,8 @@ TEST_CASE("the galleries of GitHub and GitLab have a page and a picture of each 
   gitlab.run(more);
   CHECK(gitlab.step("pages", "export TIME=1").status == 0);
   check_site(gitlab);
+  gitlab.run("rm -r public models/cart_pole.toml");
+  CHECK(gitlab.step("pages", "export TIME=1").status == 1);
 }
 
 TEST_CASE("the image installs a package only if its checksum is right") {
