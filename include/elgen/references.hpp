@@ -118,6 +118,10 @@ template <class Condition>
 /// True if the expression contains a leaf of these kinds, also through names.
 [[nodiscard]] bool contains_leaf(const Model& model, ExpressionId expression, LeafSet kinds);
 
+/// True if the expression is constant along a run: it contains neither q, v nor t. A law that is
+/// constant along a run is not clamped to limits.
+[[nodiscard]] bool is_constant_along_run(const Model& model, ExpressionId expression);
+
 /// True if the roots contain the coordinate, its rate or its acceleration, also through names.
 [[nodiscard]] bool contains_variable(const Model& model, const std::vector<ExpressionId>& roots,
                                      const HeldCoordinate& variable);

@@ -162,7 +162,7 @@ struct SourcePaths {
 };
 
 /// The kind of values of an [[output]] that is added for an animation (Purpose::shows_motion).
-enum class ShownValues : std::uint8_t { places, masses, laws, integrals };
+enum class ShownValues : std::uint8_t { places, masses, laws, integrals, kinks };
 
 /// The leaves that `--state` sets. The values of q and v replace the start of the model.
 struct StateOverrides {
@@ -221,8 +221,8 @@ struct Purpose {
   /// Forward dynamics returns relative pivots, even if the model disables them, because a run
   /// monitors them.
   bool keeps_pivots = false;
-  /// Outputs are added that the page of a run shows: all places, laws of inputs, conserved
-  /// quantities.
+  /// Outputs are added that the page of a run needs: all places, laws of inputs, conserved
+  /// quantities, arguments of functions with kinks.
   bool shows_motion = false;
   /// `[approximate]` of the scene is ignored.
   bool ignores_expansion = false;

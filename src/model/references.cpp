@@ -237,6 +237,10 @@ std::vector<ExpressionId> reachable_expressions(const Model& model,
   return search_depth_first(model, roots, references).order;
 }
 
+bool is_constant_along_run(const Model& model, ExpressionId expression) {
+  return !contains_leaf(model, expression, Opcode::coordinate | Opcode::velocity | Opcode::time);
+}
+
 bool contains_leaf(const Model& model, ExpressionId expression, LeafSet kinds) {
   return std::ranges::any_of(reachable_expressions(model, {expression}), [&](ExpressionId id) {
     const Expression& e = model.expressions[id];

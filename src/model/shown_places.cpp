@@ -148,7 +148,7 @@ std::vector<ShownLine> shown_lines(const Model& model) {
 }
 
 std::string_view name_of(ShownValues shown) {
-  constexpr std::array<std::string_view, 4> names{"places", "masses", "laws", "integrals"};
+  constexpr std::array<std::string_view, 5> names{"places", "masses", "laws", "integrals", "kinks"};
   return names[static_cast<std::size_t>(shown)];
 }
 

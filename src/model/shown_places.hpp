@@ -43,7 +43,7 @@ struct ShownLine {
 /// that occur in its position.
 [[nodiscard]] std::vector<ShownLine> shown_lines(const Model& model);
 
-/// "places", "masses", "laws" or "integrals".
+/// "places", "masses", "laws", "integrals" or "kinks".
 [[nodiscard]] std::string_view name_of(ShownValues shown);
 
 /// The `conserved` entries that contain neither momenta nor E. Empty if the scene expands the

@@ -192,6 +192,12 @@ TEST_CASE("a page adds outputs, and the scene lists them") {
   const auto& [number, shown] = *scene.page_outputs.begin();
   CHECK(shown == ShownValues::laws);
   CHECK(model.outputs[number].name == "shown_laws");
+  options.laws = {make_source("command line", "w=-2*min(c, 1)")};
+  const CheckedModel kinked = checked_model(arm, options);
+  REQUIRE(kinked.scene.page_outputs.size() == 2);
+  const auto& [last, kinks] = *kinked.scene.page_outputs.rbegin();
+  CHECK(kinks == ShownValues::kinks);
+  CHECK(kinked.model.outputs[last].values.size() == 2);
 }
 
 TEST_CASE("without locks the model is unchanged", "[lock]") {

@@ -7,6 +7,7 @@
 
 #include "check/scene/scene.hpp"
 #include "elgen/references.hpp"
+#include "model/kinks.hpp"
 #include "model/requests.hpp"
 #include "model/shown_places.hpp"
 
@@ -47,13 +48,14 @@ std::vector<ExpressionId> shown_place_masses(const Model& model) {
   return masses;
 }
 
-/// The laws of inputs that have a law, in the order of the inputs.
-std::vector<ExpressionId> laws_of(const Model& model, const Scene& scene) {
-  std::vector<ExpressionId> laws;
-  for (const Input& input : model.inputs) {
-    if (const ExpressionId* const law = find_law(scene, input)) laws.push_back(*law);
+/// The arguments of all calls with kinks.
+std::vector<ExpressionId> kink_arguments(const Model& model, const Scene& scene) {
+  std::vector<ExpressionId> arguments;
+  for (const KinkedCall& kink : kinked_calls(model, laws_of(model, scene))) {
+    const std::vector<ExpressionId>& operands = model.expressions[kink.call].operands;
+    arguments.insert(arguments.end(), operands.begin(), operands.end());
   }
-  return laws;
+  return arguments;
 }
 
 }  // namespace
@@ -79,6 +81,8 @@ void add_shown_outputs(Model& model, Scene& scene) {
   add_shown_output(model, scene, ShownValues::masses, shown_place_masses(model));
   add_shown_output(model, scene, ShownValues::laws, laws_of(model, scene), Opcode::velocity);
   add_shown_output(model, scene, ShownValues::integrals, shown_integrals(model), Opcode::velocity);
+  add_shown_output(model, scene, ShownValues::kinks, kink_arguments(model, scene),
+                   Opcode::velocity);
 }
 
 }  // namespace elgen

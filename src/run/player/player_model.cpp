@@ -11,6 +11,7 @@
 #include "base/fill_template.hpp"
 #include "base/json.hpp"
 #include "elgen/real.hpp"
+#include "elgen/references.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/output_units.hpp"
 #include "model/shown_places.hpp"

@@ -10,6 +10,7 @@
 
 #include "base/reason.hpp"
 #include "elgen/evaluate.hpp"
+#include "elgen/references.hpp"
 #include "elgen/wording.hpp"
 #include "model/output_units.hpp"
 #include "model/requests.hpp"

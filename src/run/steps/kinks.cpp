@@ -1,46 +1,21 @@
-// KinkWatch: finds the calls with kinks in forces and laws, and evaluates their arguments.
+// KinkWatch: evaluates the arguments of calls with kinks.
 #include "run/steps/kinks.hpp"
 
-#include "elgen/references.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen {
-namespace {
-
-/// The only velocity in the expressions, if their other leaves are parameters; none otherwise.
-std::optional<std::size_t> only_rate(const Model& model, const std::vector<ExpressionId>& roots) {
-  std::optional<std::size_t> rate;
-  for (const ExpressionId id : reachable_expressions(model, roots)) {
-    const Expression& node = model.expressions[id];
-    if (node.kind == ExpressionKind::time_derivative) return std::nullopt;
-    if (node.kind != ExpressionKind::leaf || is_leaf(node, Opcode::parameter)) continue;
-    if (!is_leaf(node, Opcode::velocity) || (rate && *rate != node.index)) return std::nullopt;
-    rate = node.index;
-  }
-  return rate;
-}
-
-}  // namespace
 
 KinkWatch::KinkWatch(SimulatedSystem& system) : system_(system) {
   const Model& model = system.model();
-  std::vector<ExpressionId> of_laws;
+  std::vector<ExpressionId> laws;
   for (const InputLaw& law : system.laws()) {
-    if (law.expression) of_laws.push_back(*law.expression);
+    if (law.expression) laws.push_back(*law.expression);
   }
-  for (const ExpressionId id : reachable_expressions(model, filter_roots(model, is_force_value)))
-    add(id, false);
-  for (const ExpressionId id : reachable_expressions(model, of_laws)) add(id, true);
-}
-
-void KinkWatch::add(ExpressionId call, bool is_of_law) {
-  const Model& model = system_.model();
-  const Expression& node = model.expressions[call];
-  if (node.kind != ExpressionKind::function || !is_kinked(node.function)) return;
-  if (is_constant_along_run(model, call)) return;
-  Kink& kink = kinks_.emplace_back(Kink{call, is_of_law, only_rate(model, node.operands)});
-  for (const ExpressionId argument : node.operands) {
-    kink.arguments.push_back(system_.state_function(argument));
+  for (const KinkedCall& found : kinked_calls(model, laws)) {
+    Kink& kink = kinks_.emplace_back(Kink{found, {}});
+    for (const ExpressionId argument : model.expressions[found.call].operands) {
+      kink.arguments.push_back(system.state_function(argument));
+    }
   }
 }
 

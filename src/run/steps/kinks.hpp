@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/kinks.hpp"
 #include "run/steps/system.hpp"
 
 namespace elgen {
@@ -31,14 +32,9 @@ class KinkWatch {
   [[nodiscard]] std::string kink_text(std::size_t kink) const;
 
  private:
-  struct Kink {
-    ExpressionId call = 0;
-    bool is_of_law = false;
-    std::optional<std::size_t> rate = {};
+  struct Kink : KinkedCall {
     std::vector<StateFunction> arguments = {};
   };
-
-  void add(ExpressionId call, bool is_of_law);
 
   SimulatedSystem& system_;
   std::vector<Kink> kinks_ = {};

@@ -50,10 +50,6 @@ double wrap_angle(double angle) {
 
 }  // namespace
 
-bool is_constant_along_run(const Model& model, ExpressionId law) {
-  return !contains_leaf(model, law, Opcode::coordinate | Opcode::velocity | Opcode::time);
-}
-
 bool has_moving_constraints(const Model& model) {
   if (model.constraints.empty()) return false;
   const std::vector<ExpressionTraits> traits = find_traits(model);

@@ -43,10 +43,6 @@ template <class Scalar = double>
   return start;
 }
 
-/// True if a law is constant along a run: it contains neither q, v nor t. Such a law is not clamped
-/// to limits.
-[[nodiscard]] bool is_constant_along_run(const Model& model, ExpressionId law);
-
 /// True if constraints may do work: some f depends on t, or some phi does not vanish at v = 0.
 [[nodiscard]] bool has_moving_constraints(const Model& model);
 
