@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "elgen/simulate.hpp"
 #include "elgen/step_methods.hpp"
@@ -17,6 +18,11 @@ namespace elgen {
 
 inline constexpr std::string_view default_hint =
     "check with a shorter step, or with a smaller tolerance";
+
+/// Why a run ends. A page ends its run with the same words.
+inline constexpr std::string_view step_too_short =
+    "the tolerance requires a step that is too short";
+inline constexpr std::string_view slides_along = "the motion slides along the kink of ";
 
 /// Steps from the beginning of an interval to its end.
 class Stepper {
@@ -109,6 +115,20 @@ struct MethodRow {
 [[nodiscard]] std::unique_ptr<Stepper> make_dopri5(SimulatedSystem& system, const StepRule& rule);
 [[nodiscard]] std::unique_ptr<Stepper> make_step_program(SimulatedSystem& system,
                                                          const StepRule& rule);
+
+/// The coefficients of two Runge-Kutta methods with common rates k_j:
+///
+///     k_0 = f(x, t),   k_{i+1} = f(x + h sum_j rows[i][j] k_j, t + instants[i] h)
+///
+/// The last argument of f is the state after the step, and h sum_j errors[j] k_j is its error.
+struct EmbeddedPair {
+  std::vector<Numbers> rows = {};
+  Numbers instants = {};
+  Numbers errors = {};
+};
+
+/// The coefficients of dopri5.
+[[nodiscard]] EmbeddedPair dopri5_pair();
 
 /// The row of options.method. E620 for an unknown method, with a suggestion; E647 for an unknown
 /// order.

@@ -7,6 +7,7 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -87,7 +88,7 @@ class AdaptiveStepper final : public Stepper {
     has_crossed_ = false;
     tiny_steps_ = is_tiny && is_at_kink ? tiny_steps_ + 1 : 0;
     if (tiny_steps_ < most_tiny_steps) return t_;
-    obstacle_ = "the motion slides along the kink of " + pieces_.last_kink();
+    obstacle_ = std::string(slides_along) + pieces_.last_kink();
     return std::nullopt;
   }
 
@@ -189,7 +190,7 @@ class AdaptiveStepper final : public Stepper {
   bool has_crossed_ = false;
   int tiny_steps_ = 0;  ///< tiny steps in succession since a kink was crossed
   Numbers before_ = {};
-  std::string obstacle_ = "the tolerance requires a step that is too short";
+  std::string obstacle_{step_too_short};
 };
 
 template <class Steps>
@@ -207,6 +208,29 @@ std::unique_ptr<Stepper> make_dopri5(SimulatedSystem& system, const StepRule& ru
   using Steps = odeint::runge_kutta_dopri5<Numbers>;
   if (rule.step) return make_fixed_stepper<Steps>(system, *rule.step);
   return std::make_unique<AdaptiveStepper<Steps>>(system, rule);
+}
+
+/// Rate i of the step is the unit vector i. So the states at which the step asks for rates, and the
+/// error at its end, consist of coefficients.
+EmbeddedPair dopri5_pair() {
+  // One more than the method has stages within a step: the rates at its end.
+  constexpr std::size_t rate_count = 7;
+  EmbeddedPair pair;
+  pair.errors.resize(rate_count);
+  const auto unit_rates = [&pair](const Numbers& state, Numbers& rates, double t) {
+    const std::size_t stage = pair.rows.size();
+    const auto count = static_cast<std::ptrdiff_t>(stage);
+    pair.rows.emplace_back(state.begin(), state.begin() + count);
+    pair.instants.push_back(t);
+    rates.assign(state.size(), 0);
+    rates[stage] = 1;
+  };
+  Numbers state(rate_count);
+  odeint::runge_kutta_dopri5<Numbers> method;
+  method.do_step(unit_rates, state, 0.0, 1.0, pair.errors);
+  pair.rows.erase(pair.rows.begin());
+  pair.instants.erase(pair.instants.begin());
+  return pair;
 }
 
 }  // namespace elgen
