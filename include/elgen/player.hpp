@@ -9,9 +9,8 @@
 
 namespace elgen {
 
-/// The errors in `options` if the run is for a page. A page supports only rk4, verlet and midpoint,
-/// with a fixed step. E620: another method. E621: too many steps. E647: another order. E913:
-/// `row_interval` or `input_hold_time` is set.
+/// The errors in `options` if the run is for a page. E620: unknown method. E621: too many steps.
+/// E647: another order. E913: `row_interval` or `input_hold_time` is set.
 [[nodiscard]] Diagnostics check_player_options(const SimulationOptions& options);
 
 /// `options`, changed so that derive_for_run() makes the program of a page: in JavaScript, with the

@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +33,8 @@ struct SimulateOptions {
   SimulationOptions run = {};
   FileOption output = {};  ///< file of the rows
 };
+
+constexpr const char* default_method = "dopri5";
 
 /// The number of rows if --every is not set.
 constexpr double default_rows = 1000;
@@ -106,12 +110,29 @@ Result<Trajectory> run_simulation(const GlobalOptions& global, const SimulateOpt
 
 bool writes_page(const SimulateOptions& options) { return options.output.file.ends_with(".html"); }
 
-/// The options of a page's run. Default: rk4 with ten thousand steps of equal length.
-SimulationOptions page_run_options(SimulationOptions run) {
+/// The options of a page's run. The default method is that of the scene's `step`, otherwise dopri5.
+/// Other methods than dopri5 make ten thousand steps of equal length by default.
+SimulationOptions page_run_options(SimulationOptions run, const std::optional<StepSpec>& of_scene) {
   constexpr double default_steps = 10'000;
-  if (run.method.empty()) run.method = "rk4";
-  if (!run.step) run.step = run.duration / default_steps;
+  const bool is_open = run.method.empty() && !run.order && !run.step && !run.tolerance;
+  if (is_open && of_scene) {
+    run.method = step_method_row(of_scene->method).name;
+    run.order = step_order(*of_scene);
+  }
+  if (run.method.empty()) run.method = default_method;
+  const bool has_control = run.method == default_method || run.tolerance;
+  if (!run.step && !has_control) run.step = run.duration / default_steps;
   return run;
+}
+
+/// The `step` that the scene requests; none also if the inputs have errors.
+std::optional<StepSpec> find_scene_step(const PipelineSources& inputs, PipelineOptions pipeline) {
+  pipeline.goals = {Goal::check};
+  const Products products = run_pipeline(inputs, pipeline);
+  if (!products.checked) return std::nullopt;
+  const std::vector<OutputRequest>& requests = products.checked->scene.outputs;
+  const auto found = std::ranges::find(requests, OutputKind::step, &OutputRequest::kind);
+  return found == requests.end() ? std::nullopt : found->step;
 }
 
 /// Products with the textbook steps for the page; for a model without constraints, also with the
@@ -125,7 +146,7 @@ Products derive_page_texts(const SimulateOptions& options, const PipelineSources
 }
 
 ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options) {
-  const SimulationOptions run = page_run_options(options.run);
+  SimulationOptions run = page_run_options(options.run, {});
   Diagnostics refused = check_run_options(run);
   if (refused.empty()) refused = check_player_options(run);
   if (refused.empty()) {
@@ -137,6 +158,7 @@ ExitCode write_page(const GlobalOptions& global, const SimulateOptions& options)
   if (!inputs) return report(global, inputs.diagnostics);
   PipelineOptions pipeline = pipeline_options(global, {Goal::choose});
   pipeline.scene = options.scene;
+  run = page_run_options(options.run, find_scene_step(*inputs, pipeline));
   const Products moving = derive_with_progress({.input = options.input, .run = run}, *inputs,
                                                player_pipeline_options(pipeline));
   const ExitCode derived = report_products(global, moving);
@@ -165,7 +187,7 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
     return report(global, refused);
   if (writes_page(given)) return write_page(global, given);
   SimulateOptions options = given;
-  if (options.run.method.empty()) options.run.method = "dopri5";
+  if (options.run.method.empty()) options.run.method = default_method;
   Diagnostics refused = check_run_options(options.run);
   if (options.run.row_interval && options.output.file.empty() && !wants_json(global)) {
     refused.push_back({Reason::option_of_runs,
@@ -203,9 +225,8 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
 void add_run_options(CLI::App& command, SimulationOptions& run) {
   command.add_option("--time", run.duration, "duration in s")->required();
   command.add_option("--from", run.from, "time at the start in s")->capture_default_str();
-  run.method.clear();  // pages and other runs have different defaults
-  command.add_option("--method", run.method,
-                     "dopri5 (default), rk4 (default for .html), verlet or midpoint");
+  run.method.clear();  // pages of scenes with `step` have another default
+  command.add_option("--method", run.method, "dopri5 (default), rk4, verlet or midpoint");
   command.add_option_function<std::uint32_t>(
       "--order", [&run](std::uint32_t given) { run.order = given; },
       "order of verlet and midpoint: 2 (default), 4 or 8");

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "elgen/leaf_names.hpp"
@@ -105,6 +107,14 @@ Sliders parameter_sliders(const Model& model, const Program& program) {
 
 std::string html_attribute_text(const std::string& text) {
   return escape_markup(escape_xml(text), {{'"', "&quot;"}});
+}
+
+TemplateData tolerance_choices(double chosen) {
+  const std::set<double, std::greater<>> tolerances{1e-3, 1e-6, 1e-9, 1e-12, chosen};
+  return repeated_section(tolerances, [chosen](double tolerance) {
+    return TemplateRow{{"tolerance", fmt::format("{}", tolerance)},
+                       {"selected", tolerance == chosen ? " selected" : ""}};
+  });
 }
 
 void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program,

@@ -11,6 +11,9 @@ namespace elgen {
 void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program,
                   const Products& read);
 
+/// The options of the page's tolerance; `chosen` is one of them, and selected.
+[[nodiscard]] TemplateData tolerance_choices(double chosen);
+
 /// Escapes a text for use in a quoted HTML attribute.
 [[nodiscard]] std::string html_attribute_text(const std::string& text);
 

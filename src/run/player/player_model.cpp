@@ -12,10 +12,13 @@
 #include "base/json.hpp"
 #include "elgen/real.hpp"
 #include "elgen/references.hpp"
+#include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "model/kinks.hpp"
 #include "model/output_units.hpp"
 #include "model/shown_places.hpp"
 #include "program/evaluate/conservation.hpp"
+#include "run/steps/methods.hpp"
 #include "run/steps/system.hpp"
 
 namespace elgen {
@@ -179,11 +182,48 @@ double playback_pace(const SimulationOptions& options) {
   return is_watched ? 1 : options.duration / watched;
 }
 
+/// For each kink: the rows of its arguments in the output `kinks`, and its text.
+Json kinks_json(const CheckedModel& checked) {
+  const auto& [model, scene] = checked;
+  Json list = Json::array();
+  const auto shown = std::ranges::find_if(
+      scene.page_outputs, [](const auto& output) { return output.second == ShownValues::kinks; });
+  if (shown == scene.page_outputs.end()) return list;
+  const std::vector<ExpressionId>& values = model.outputs[shown->first].values;
+  for (const KinkedCall& kink : kinked_calls(model, laws_of(model, scene))) {
+    const Expression& call = model.expressions[kink.call];
+    Json rows = Json::array();
+    for (const ExpressionId argument : call.operands) {
+      rows.push_back(std::ranges::find(values, argument) - values.begin());
+    }
+    list.push_back({{"rows", rows},
+                    {"is_of_law", kink.is_of_law},
+                    {"rate", kink.rate ? Json(*kink.rate) : Json(nullptr)},
+                    {"text", in_backticks(call.span)}});
+  }
+  return list;
+}
+
+/// The script finds the method by these keys: with `pair` it is dopri5, with `step` all steps have
+/// this length.
 Json run_json(const SimulationOptions& options) {
-  return {{"from", options.from},
-          {"step", *options.step},
-          {"projects", options.projects},
-          {"pace", playback_pace(options)}};
+  const MethodRow method = *find_method(options);
+  const StepRule rule = *step_rule(method, options);
+  Json json{
+      {"from", options.from}, {"projects", options.projects}, {"pace", playback_pace(options)}};
+  if (method.step_kind == StepKind::adaptive) {
+    const EmbeddedPair pair = dopri5_pair();
+    json["pair"] = {{"rows", pair.rows}, {"instants", pair.instants}, {"errors", pair.errors}};
+  }
+  if (rule.step) {
+    json["step"] = *rule.step;
+    return json;
+  }
+  json["tolerance"] = rule.tolerance;
+  json["shortest"] = rule.shortest_step;
+  json["too_short"] = step_too_short;
+  json["slides"] = slides_along;
+  return json;
 }
 
 }  // namespace
@@ -223,6 +263,7 @@ std::string player_model_json(const CheckedModel& checked, const Program& progra
   json["multipliers"] = multipliers_json(model);
   json["integrals"] = integrals_json(model);
   add_places(json, model);
+  json["kinks"] = kinks_json(checked);
   json["starts"] = Json::array();
   for (const ShownStart& start : shown_starts(model, read)) json["starts"].push_back(start.q);
   json["power"] = {{"has_time", conservation.has_time},

@@ -46,8 +46,7 @@ TemplateData calls_data(const CheckedModel& checked, const Program& program) {
   });
 }
 
-/// In s: three years. In a longer run, the default step (1e-4 of the run) is longer than 1e4 s and
-/// does not show the motion.
+/// In s: three years. A page shows a longer run at a pace of more than two months per second.
 constexpr double longest_time = 1e8;
 
 /// A browser computes about 1e5 steps per second, so more steps would take minutes.
@@ -66,7 +65,7 @@ Diagnostics check_run_length(const SimulationOptions& options) {
       {Code::E621,
        {},
        fmt::format("`--step {:g}` makes more than {:g} steps of a page", *options.step, most_steps),
-       "the default step of a page is a ten-thousandth of the run"}};
+       "without `--step`, `dopri5` adapts its steps"}};
 }
 
 /// In bytes. A page omits a longer derivation; `show --what steps` prints it.
@@ -93,12 +92,6 @@ Diagnostics check_player_options(const SimulationOptions& options) {
   Diagnostics refused;
   const Result<MethodRow> method = find_method(options);
   if (!method) return method.diagnostics;
-  if (method->step_kind != StepKind::fixed) {
-    refused.push_back({Code::E620,
-                       {},
-                       fmt::format("a page does not support the method `{}`", options.method),
-                       "give `--method rk4`, `verlet` or `midpoint`"});
-  }
   for (const Diagnostic& each : check_run_length(options)) refused.push_back(each);
   if (options.row_interval) {
     refused.push_back(
@@ -127,9 +120,11 @@ Result<std::string> player_page(const Products& run_products, const Products& sh
   if (!functions) return functions.diagnostics;
   const ReadableTexts texts = make_readable_texts(shown_products);
   const std::string title = page_title(model);
+  const TemplateData tolerances = tolerance_choices(options.tolerance.value_or(default_tolerance));
   TemplateData data(TemplateRow{
       {"generated", std::string(generated_marker)},
       {"title", escape_xml(title)},
+      {"error_control", optional_section(!options.step, TemplateRow{{"tolerances", tolerances}})},
       {"label", html_attribute_text("The motion of " + title)},
       {"no_places", shown_places(model).empty() ? " hidden" : ""},
       {"functions", *functions},
