@@ -184,8 +184,11 @@ ExitCode verify_input(const GlobalOptions& global, const VerifyCommandOptions& o
   const bool is_short = global.quiet || !is_foreign;
   const ExitCode printed =
       print(global, is_short ? certificate_text(global, certificate) : certificates.back());
-  const ExitCode found = std::max(printed, report(global, verification->diagnostics));
-  return std::max(found, exit_code(certificate, options.strict));
+  const ExitCode judged = std::max(printed, exit_code(certificate, options.strict));
+  // The full certificate of foreign code has the text of each error.
+  const bool is_reported =
+      is_foreign && !global.quiet && global.style.format == DiagnosticFormat::text;
+  return is_reported ? judged : std::max(judged, report(global, verification->diagnostics));
 }
 
 ExitCode verify_inputs(const GlobalOptions& global, const VerifyCommandOptions& options) {

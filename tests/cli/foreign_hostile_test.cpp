@@ -14,8 +14,7 @@ TEST_CASE("a crash or a hang ends only the foreign code") {
   INFO(crash.output << crash.errors);
   CHECK(crash.status == 1);
   CHECK(mentions(crash.output, "was ended by signal 11 (Segmentation fault), after 3 answers\n"));
-  CHECK(mentions(crash.errors,
-                 "`my_fd as forward_dynamics` was ended by signal 11 (Segmentation fault)"));
+  CHECK(crash.errors.empty());
   const Outcome hang =
       folder.compare_changed(end, end + "  for (;;) sleep(1);\n", "--limit seconds=3");
   INFO(hang.output << hang.errors);
@@ -53,7 +52,7 @@ TEST_CASE("a library that writes outside its result is reported") {
     const Outcome outcome = folder.compare_changed(end, end + text);
     INFO(text << outcome.output);
     CHECK(outcome.status == 1);
-    return outcome.errors;
+    return outcome.output;
   };
   CHECK(mentions(compared("  result[-1] = 7;\n"), before));
   CHECK(mentions(compared("  for (int i = 1; i < 2000; ++i) result[-i] = 7;\n"), before));
@@ -75,8 +74,8 @@ TEST_CASE("output of a library is indented, and shown only if the library fails"
   INFO(wrong.output << wrong.errors);
   CHECK(wrong.status == 1);
   const std::string indented = "its words:\n    [1, 2]\n    ::error::x\n";
+  CHECK(mentions(wrong.output, "signal 11 (Segmentation fault), after 0 answers\n"));
   CHECK(mentions(wrong.output, indented));
-  CHECK(mentions(wrong.errors, "signal 11 (Segmentation fault), after 0 answers; " + indented));
 }
 
 TEST_CASE("a command that fails or writes after its last answer is reported") {
@@ -85,10 +84,10 @@ TEST_CASE("a command that fails or writes after its last answer is reported") {
   const Outcome exits = folder.compare_command(script + "sys.exit(3)\n", as);
   INFO(exits.output << exits.errors);
   CHECK(exits.status == 1);
-  CHECK(mentions(exits.errors, "`forward_dynamics` exits 3, after 14 answers"));
+  CHECK(mentions(exits.output, "forward_dynamics  exits 3, after 14 answers\n"));
   const Outcome writes = folder.compare_command(script + "print([1, 2])\nprint('done')\n", as);
   CHECK(writes.status == 1);
-  CHECK(mentions(writes.errors, "writes `[1, 2]` beyond its last answer, after 14 answers"));
+  CHECK(mentions(writes.output, "writes `[1, 2]` beyond its last answer, after 14 answers"));
   CHECK(folder.compare_command(script + "print()\n", as).status == 0);
 }
 
@@ -149,7 +148,7 @@ TEST_CASE("a wrong count of numbers, NaN and invalid numbers are reported") {
 TEST_CASE("the output of a failing command is shown") {
   const Foreign folder;
   const Outcome outcome =
-      folder.compare_command("raise ValueError('no such pole')\n", "--function bias");
+      folder.compare_command("raise ValueError('no such pole')\n", "-q --function bias");
   CHECK(outcome.status == 1);
   CHECK(mentions(outcome.errors,
                  "error[E717]: `bias` exits 1, after 0 answers; its words:\n"

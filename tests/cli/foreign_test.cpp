@@ -37,7 +37,11 @@ TEST_CASE("a wrong sign is located by the situation in which it matters") {
   CHECK(mentions(outcome.output, "found      wrong only when moving; agrees at rest\n"));
   CHECK(mentions(outcome.output, "worst at   q = ("));
   CHECK_FALSE(mentions(outcome.output, another));
-  CHECK(mentions(outcome.errors, "error[E717]: `my_fd as forward_dynamics`: "));
+  CHECK(outcome.errors.empty());
+  const Outcome quiet = folder.compare_changed("+ m * l * w", "- m * l * w", "-q");
+  CHECK(quiet.output == "cart_pole: 0 checks hold, 1 fails, 0 skipped\n");
+  CHECK(mentions(quiet.errors, "error[E717]: `my_fd as forward_dynamics`: "));
+  CHECK(mentions(quiet.errors, "wrong only when moving; agrees at rest"));
 }
 
 TEST_CASE("half a turn and a reversed direction of an angle are recognised") {
