@@ -87,6 +87,7 @@ struct VerifyOptions {
   /// True: check only 16 random states and all extremes (fewer for long programs), check one
   /// contraction per output instead of all entries, and compile no code.
   bool is_quick = false;
+  bool only_expectations = false;  ///< check only [[expect]]
   std::uint64_t seed = 1;
   std::size_t jobs = 1;  ///< number of processes; the certificate does not depend on it
   /// Closed forms that prove [[expect]], parallel to the functions of the program. If the pointer
@@ -121,8 +122,8 @@ struct Verification {
 [[nodiscard]] std::string verdict_line(const Certificate& certificate);
 /// One line per output, every failed or skipped row in full, and the verdict.
 [[nodiscard]] std::string to_text(const Certificate& certificate);
-/// All rows of `certificate` in full, and the verdict.
-[[nodiscard]] std::string to_full_text(const Certificate& certificate);
+/// All rows of `certificate` in full, and the verdict below or above them.
+[[nodiscard]] std::string to_full_text(const Certificate& certificate, bool verdict_first = false);
 [[nodiscard]] std::string to_json(const Certificate& certificate);
 
 /// The result of the check before files are written. The check compares random rational projections

@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
+#include "base/reason.hpp"
 #include "cli/commands.hpp"
 #include "cli/files/inputs.hpp"
 #include "cli/options.hpp"
@@ -47,11 +49,15 @@ std::string full_text(const GlobalOptions& global, const Certificate& certificat
   return wants_json(global) ? to_json(certificate) : to_full_text(certificate);
 }
 
-/// The certificate in the form that -q, -v and --format select.
-std::string certificate_text(const GlobalOptions& global, const Certificate& certificate) {
-  if (wants_json(global) || (global.verbose && !global.quiet))
-    return full_text(global, certificate);
-  return global.quiet ? verdict_line(certificate) : to_text(certificate);
+/// The certificate in the form that -q, -v, --format and the options select.
+std::string certificate_text(const GlobalOptions& global, const VerifyCommandOptions& options,
+                             const Certificate& certificate) {
+  if (wants_json(global)) return to_json(certificate);
+  if (global.quiet) return verdict_line(certificate);
+  const bool is_full =
+      global.verbose || options.verify.only_expectations || !options.foreign.claims.empty();
+  return is_full ? to_full_text(certificate, options.verify.only_expectations)
+                 : to_text(certificate);
 }
 
 ExitCode exit_code(const Certificate& certificate, bool strict) {
@@ -78,10 +84,10 @@ CompiledHeaders skipped_header(const Diagnostic& late) {
   return headers;
 }
 
-/// Compiles the emitted code in each build of options.builds; nothing if --quick is set.
+/// Compiles the emitted code in each build of options.builds; nothing with --quick or --only.
 Result<CompiledHeaders> compile_builds(Products& products, const VerifyCommandOptions& options,
                                        const Limits& limits, const Progress& progress) {
-  if (options.verify.is_quick) return CompiledHeaders();
+  if (options.verify.is_quick || options.verify.only_expectations) return CompiledHeaders();
   const auto& [model, scene] = *products.checked;
   const CompileOptions all{limits, options.builds, true};
   return run_timed("compile", products, progress, [&, &model = model, &scene = scene] {
@@ -114,7 +120,7 @@ Result<std::vector<CertificateRow>> check_error_bounds(const PipelineSources& in
 }
 
 /// Compiles the code and verifies the products. Shows every step, and appends its time to
-/// products.times.
+/// products.times. E913 for `--only expect` without [[expect]].
 Result<Verification> verify_compiled(const std::string& path, const PipelineSources& inputs,
                                      Products& products, const VerifyCommandOptions& options,
                                      const Limits& limits) {
@@ -136,7 +142,11 @@ Result<Verification> verify_compiled(const std::string& path, const PipelineSour
   if (!more) return more.diagnostics;
   std::vector<CertificateRow>& rows = result.certificate.rows;
   rows.insert(rows.end(), more->begin(), more->end());
-  return result;
+  if (!rows.empty() || !verification.only_expectations) return result;
+  return Diagnostic{Reason::nothing_expected,
+                    {},
+                    quote_text(path) + " has no `[[expect]]` to check",
+                    "`[[expect]]` describes the model: a scene that changes the model skips it"};
 }
 
 /// Compares foreign code with the oracle; no equations are derived.
@@ -158,6 +168,7 @@ ExitCode verify_input(const GlobalOptions& global, const VerifyCommandOptions& o
   const bool is_foreign = !options.foreign.claims.empty();
   PipelineOptions pipeline = pipeline_options(global, {Goal::emit, Goal::claims});
   if (is_foreign) pipeline = pipeline_options(global, {Goal::check});
+  if (options.verify.only_expectations) pipeline = pipeline_options(global, {Goal::choose});
   for (const ForeignClaim& claim : options.foreign.claims) {
     pipeline.scene.outputs.push_back(make_source("command line", claim.output));
   }
@@ -169,7 +180,7 @@ ExitCode verify_input(const GlobalOptions& global, const VerifyCommandOptions& o
     print_stage_times(global, products);
     return generated;
   }
-  if (global.verbose && !is_foreign) {
+  if (global.verbose && products.page_programs) {
     const auto& [model, scene] = *products.checked;
     print_message(global, overview(model_page(model, scene, products.page_programs->program),
                                    screen_of(stderr)));
@@ -181,9 +192,7 @@ ExitCode verify_input(const GlobalOptions& global, const VerifyCommandOptions& o
   if (!verification) return report(global, verification.diagnostics);
   const Certificate& certificate = verification->certificate;
   certificates.push_back(full_text(global, certificate));
-  const bool is_short = global.quiet || !is_foreign;
-  const ExitCode printed =
-      print(global, is_short ? certificate_text(global, certificate) : certificates.back());
+  const ExitCode printed = print(global, certificate_text(global, options, certificate));
   const ExitCode judged = std::max(printed, exit_code(certificate, options.strict));
   // The full certificate of foreign code has the text of each error.
   const bool is_reported =
@@ -239,6 +248,18 @@ void add_build_option(CLI::App& command, std::vector<BuildFlags>& builds) {
   build->excludes(command.get_option("--quick"));
 }
 
+/// Adds --only.
+void add_only_option(CLI::App& command, VerifyOptions& verify) {
+  const auto set = [&verify](const std::string&) { verify.only_expectations = true; };
+  CLI::Option* const only = command.add_option_function<std::string>(
+      "--only", set, "expect: check [[expect]] and nothing else; compile no code");
+  only->check(CLI::IsMember(std::vector<std::string>{"expect"}))->type_name("PART");
+  for (const char* const other :
+       {"--samples", "--jobs", "--extremes", "--quick", "--build", "--foreign"}) {
+    only->excludes(command.get_option(other));
+  }
+}
+
 /// The claim in "OUTPUT.FIELD=NAME", such as "linearization.B=my_B". By default NAME is the text
 /// before "=".
 ForeignClaim claim_of(const std::string& text) {
@@ -292,6 +313,7 @@ void add_verify(CLI::App& app, Action& action) {
   add_build_option(*command, options->builds);
   add_language_option(*command, options->language);
   add_foreign_options(*command, options->foreign);
+  add_only_option(*command, options->verify);
   command->add_flag("--strict", options->strict, "exit with 1 if a check is skipped");
   add_file_options(*command, options->output, "also write the certificates to FILE");
   set_action(*command, action, options, &run_verify);

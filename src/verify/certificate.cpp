@@ -230,10 +230,10 @@ std::string to_text(const Certificate& certificate) {
   return text + "\n" + counts_text(certificate) + "\n";
 }
 
-std::string to_full_text(const Certificate& certificate) {
+std::string to_full_text(const Certificate& certificate, bool verdict_first) {
   std::size_t width = 0;
   for (const CertificateRow& row : certificate.rows) width = std::max(width, row.subject.size());
-  std::string text = heading(certificate);
+  std::string text = verdict_first ? verdict_line(certificate) + "\n" : heading(certificate);
   std::string_view check;
   for (const CertificateRow& row : certificate.rows) {
     if (row.check != check) text += fmt::format("{}{}\n", check.empty() ? "" : "\n", row.check);
@@ -242,7 +242,7 @@ std::string to_full_text(const Certificate& certificate) {
                         width, row.worst_value);
     append_details(text, row);
   }
-  return text + "\n" + counts_text(certificate) + "\n";
+  return verdict_first ? text : text + "\n" + counts_text(certificate) + "\n";
 }
 
 std::string to_json(const Certificate& certificate) {

@@ -213,6 +213,13 @@ ComparisonMode comparison_for(const Model& model, const VerifyOptions& options) 
 Verification verify(const Model& model, const Scene& scene, const Program& program,
                     const CompiledHeaders& compiled, const VerifyOptions& options) {
   const SystemUnderTest subject{model, scene, program};
+  Verification result;
+  result.certificate = {model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}};
+  std::vector<CertificateRow>& rows = result.certificate.rows;
+  ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
+  append(rows, expected.rows);
+  result.diagnostics = std::move(expected.diagnostics);
+  if (options.only_expectations) return result;
   auto doubles = verification_states<double>(subject, options);
   auto floats = verification_states<float>(subject, options);
   const std::string one_sided_kinks = add_states_at_kinks(subject, options, doubles);
@@ -226,11 +233,6 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
     return AccuracyOptions{visit, options.on_step, options.jobs};
   };
 
-  Verification result;
-  result.certificate = {model.name, scene.name.empty() ? "full" : scene.name, options.seed, {}};
-  std::vector<CertificateRow>& rows = result.certificate.rows;
-  ExpectationReport expected = check_expectations(subject, options.forms, options.seed);
-  append(rows, expected.rows);
   if (options.equilibrium_verdicts != nullptr)
     append(rows, equilibrium_rows(*options.equilibrium_verdicts));
   append(rows, check_accuracy(subject, doubles, accuracy(ScalarKind::double_precision)));
@@ -242,7 +244,6 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   if (!one_sided_kinks.empty())
     rows.push_back(one_sided_kinks_row(one_sided_kinks, doubles.size()));
   append(rows, check_structure(subject, nominal_states(subject, doubles)));
-  result.diagnostics = std::move(expected.diagnostics);
   return result;
 }
 

@@ -3,19 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "cli/cli_testing.hpp"
+#include "cli/stated_testing.hpp"
 
 namespace elgen::test {
 namespace {
 
-/// Verifies `model` after one [[expect]] entry with `keys` has replaced its [[expect]] entries.
 Outcome verify_with(const std::string& model, const std::string& keys,
                     const std::string& options = "-q") {
-  const Workspace workspace;
-  workspace.write("expect.toml", "[[expect]]\n" + keys);
-  workspace.prepare("sed '/^\\[\\[expect\\]\\]/,$d' " + models + "/" + model +
-                    ".toml > model.toml && cat expect.toml >> model.toml");
-  return workspace.run("elgen verify --quick " + options + " model.toml");
+  return run_with(model, keys, "verify --quick " + options);
 }
 
 struct StudentEquations {
@@ -26,7 +21,6 @@ struct StudentEquations {
 
 const std::string cart_row =
     "\"(M + m)*dot(dot(x)) + m*l*cos(theta)*dot(dot(theta)) - m*l*sin(theta)*dot(theta)^2 = u\"";
-const std::string pole_row = "\"l*dot(dot(theta)) + cos(theta)*dot(dot(x)) = g*sin(theta)\"";
 
 /// Ten answers of students, four of them wrong.
 const std::vector<StudentEquations> students{
