@@ -23,7 +23,9 @@ enum class Verdict : std::uint8_t {
   holds,
   fails,
   skipped,
-  noted,  ///< more than half of the digits are lost, or all states are on one side of a kink
+  /// More than half of the digits are lost; all states are on one side of a kink; an expected
+  /// equation is an identity; or a set of expected equations is incomplete.
+  noted,
 };
 
 /// Why a state is skipped.
@@ -49,6 +51,12 @@ struct SkippedStates {
   friend bool operator==(const SkippedStates&, const SkippedStates&) = default;
 };
 
+/// An incomplete set of equations of motion in [[expect]].
+struct StatedEquations {
+  std::size_t stated = 0;  ///< number of independent equations
+  std::size_t needed = 0;  ///< number of equations that determine all accelerations
+};
+
 struct CertificateRow {
   std::string check = {};   ///< "program vs oracle", "mass matrix symmetric", "[[expect]]"
   std::string output = {};  ///< the function; "[[expect]] gravity"
@@ -71,6 +79,7 @@ struct CertificateRow {
   std::string tolerance = {};    ///< the bound and its reason
   Verdict verdict = Verdict::holds;
   std::vector<std::string> findings = {};  ///< explanations of the wrong values of foreign code
+  std::optional<StatedEquations> stated = {};
 };
 
 struct Certificate {

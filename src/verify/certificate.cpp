@@ -123,6 +123,13 @@ std::optional<std::size_t> fewest_states(const Rows& rows, bool with_loss) {
   return fewest;
 }
 
+/// ", 1 of 3 equations stated" for a row with an incomplete set of equations; else "".
+std::string stated_text(const CertificateRow& row) {
+  if (!row.stated) return "";
+  return fmt::format(", {} of {} stated", row.stated->stated,
+                     count_text(row.stated->needed, "equation"));
+}
+
 /// The largest `skipped_in_ranges` of all rows.
 std::size_t max_skipped_in_ranges(const Rows& rows) {
   std::size_t most = 0;
@@ -148,6 +155,7 @@ std::string summary(const Rows& rows) {
   if (loss) text += ", " + lost_digits_text(std::log10(*loss));
   if (has_evidence(rows, Evidence::proof)) text += ", some proved";
   if (has_evidence(rows, Evidence::zeros)) text += ", relies on unproved zeros";
+  for (const CertificateRow* row : rows) text += stated_text(*row);
   return text;
 }
 
@@ -178,10 +186,12 @@ std::string counts_text(const Certificate& certificate) {
   const std::size_t held = count_rows(certificate, Verdict::holds);
   const std::size_t failed = count_rows(certificate, Verdict::fails);
   const std::size_t noted = count_rows(certificate, Verdict::noted);
-  return fmt::format("{} hold{}, {} fail{}, {} skipped{}", count_text(held, "check"),
-                     held == 1 ? "s" : "", failed, failed == 1 ? "s" : "",
-                     count_rows(certificate, Verdict::skipped),
-                     noted > 0 ? fmt::format(", {} noted", noted) : "");
+  std::string text = fmt::format("{} hold{}, {} fail{}, {} skipped{}", count_text(held, "check"),
+                                 held == 1 ? "s" : "", failed, failed == 1 ? "s" : "",
+                                 count_rows(certificate, Verdict::skipped),
+                                 noted > 0 ? fmt::format(", {} noted", noted) : "");
+  for (const CertificateRow& row : certificate.rows) text += stated_text(row);
+  return text;
 }
 
 Json json_of(const CertificateRow& row) {
@@ -199,6 +209,8 @@ Json json_of(const CertificateRow& row) {
   json["worst_at"] = row.worst_state;
   json["tolerance"] = row.tolerance;
   if (!row.findings.empty()) json["findings"] = row.findings;
+  if (row.stated)
+    json["equations"] = {{"stated", row.stated->stated}, {"needed", row.stated->needed}};
   return json;
 }
 

@@ -167,6 +167,33 @@ TEST_CASE("an output with only notes is called noted") {
   CHECK(mentions(to_text(certificate), "  noted    as users compile"));
 }
 
+TEST_CASE("an incomplete set of equations is counted, and the verdict may come first") {
+  CertificateRow row = row_of("[[expect]]", "[[expect]] equations", Verdict::holds);
+  row.subject = "equations";
+  row.evidence = Evidence::proof;
+  row.worst_value = "row x";
+  CertificateRow rank = row_of("[[expect]]", "[[expect]] equations", Verdict::noted);
+  rank.subject = "accelerations";
+  rank.samples = 8;
+  rank.worst_value = "1 of 3 stated";
+  rank.stated = StatedEquations{1, 3};
+  const Certificate certificate{"crane", "full", 1, {row, rank}};
+  CHECK(to_full_text(certificate, true) ==
+        "crane: 1 check holds, 0 fail, 0 skipped, 1 noted, 1 of 3 equations stated\n\n"
+        "[[expect]]\n"
+        "  holds    equations      row x\n"
+        "           decided    for every state, by proof\n"
+        "  noted    accelerations  1 of 3 stated\n"
+        "           decided    at 8 states\n");
+  CHECK(to_text(certificate)
+            .find("  holds    [[expect]] equations  2 checks, some proved, 1 of 3 "
+                  "equations stated\n") != std::string::npos);
+  const auto json = nlohmann::json::parse(to_json(certificate));
+  CHECK(json.at("checks").at(1).at("equations").at("stated") == 1);
+  CHECK(json.at("checks").at(1).at("equations").at("needed") == 3);
+  CHECK_FALSE(json.at("checks").at(0).contains("equations"));
+}
+
 TEST_CASE("the JSON contains everything") {
   const auto json = nlohmann::json::parse(to_json(sample()));
   CHECK(json.at("model") == "cart_pole");

@@ -35,7 +35,7 @@ constexpr const char* smooth_stand_in = "a smooth approximation is tanh(x/width)
 constexpr const char* momentum_place_hint =
     "it is allowed in `[[expect]]`: in `conserved`, and in outputs that take momenta";
 constexpr const char* multiplier_place_hint =
-    "it is allowed in an `[[output]]` with `motion = true`";
+    "it is allowed in an `[[output]]` with `motion = true`, and in `equations` of `[[expect]]`";
 constexpr const char* velocity_kind_hint = "equations of rates have `kind = \"velocity\"`";
 constexpr const char* varying_mass = "write a variable term in `[energy] T`";
 constexpr const char* slope_hint =

@@ -1,5 +1,5 @@
-// Resolver, names: time, pi, running indices and sizes (as numbers), declared names, and the energy
-// if the place allows it.
+// Resolver, names: time, pi, running indices and sizes (as numbers), declared names; the energy and
+// multipliers if the place allows them.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -8,6 +8,7 @@
 #include "check/expressions/resolver.hpp"
 #include "check/names/reserved_names.hpp"
 #include "elgen/functions.hpp"
+#include "elgen/leaf_names.hpp"
 
 namespace elgen {
 namespace {
@@ -113,7 +114,22 @@ std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name)
     report_hidden_energy(name, *symbol);
     return resolve_symbol(name, *symbol);
   }
+  const std::vector<std::string> multipliers = multiplier_names();
+  const auto multiplier = std::ranges::find(multipliers, covered_text(name.span));
+  if (multiplier != multipliers.end()) {
+    return push_leaf(Opcode::multiplier,
+                     static_cast<std::uint32_t>(multiplier - multipliers.begin()), name.span);
+  }
   return context_.symbols.has_failed(name.text) ? std::nullopt : report_unknown_name(name);
+}
+
+std::vector<std::string> Resolver::multiplier_names() const {
+  std::vector<std::string> names;
+  if ((allowed_ & uses_multiplier) == 0) return names;
+  for (std::uint32_t i = 0; i < context_.model.constraints.size(); ++i) {
+    names.push_back(leaf_text(context_.model, Opcode::multiplier, i));
+  }
+  return names;
 }
 
 bool Resolver::is_energy(const ExpressionSyntax& name) const {
@@ -206,6 +222,8 @@ std::optional<ExpressionId> Resolver::report_unknown_name(const ExpressionSyntax
     std::vector<std::string> candidates = context_.symbols.names();
     const std::vector<std::string> indices = scope_.names();
     candidates.insert(candidates.end(), indices.begin(), indices.end());
+    const std::vector<std::string> multipliers = multiplier_names();
+    candidates.insert(candidates.end(), multipliers.begin(), multipliers.end());
     candidates.insert(candidates.end(), {"pi", "t"});
     hint = context_.symbols.suggest(name.text, candidates);
   }

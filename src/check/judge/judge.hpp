@@ -30,8 +30,7 @@ void check_constraints(Context& context);
 [[nodiscard]] std::optional<ExpectationState> read_expected_state(Context& context,
                                                                   const EntrySyntax& entry);
 
-/// Reports E540 if an equation of [[expect]] contains no acceleration, or if there are fewer
-/// equations and constraints than accelerations.
+/// Reports E540 if an equation of [[expect]] contains neither accelerations nor multipliers.
 void check_expected_equations(Context& context, const std::vector<ExpressionTraits>& traits);
 
 /// Resolves every closed form and compares its shape with the output's. Closed forms of sized

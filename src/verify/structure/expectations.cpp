@@ -30,9 +30,6 @@ constexpr const char* proof_reason = "proved: both have the same canonical sum";
 constexpr const char* rate_proof_reason = "proved: the rate is the empty canonical sum";
 constexpr const char* equation_proof_reason =
     "proved: along the motion it is the empty canonical sum";
-/// An equation contains accelerations at all states or at none, except at kinks, so few states
-/// suffice.
-constexpr std::size_t states_of_rank = 8;
 /// With the file's parameter values, a form either holds at all states or fails at most of them, so
 /// few states suffice.
 constexpr std::size_t states_of_values = 16;
@@ -73,9 +70,17 @@ std::string expected_formula(const ExpectedEntry& entry) {
   return text;
 }
 
-CertificateRow proved_row(const ExpectedEntry& entry) {
+/// The row of an entry that closed forms prove; none for other entries. If the equations are
+/// `incomplete`, the row says whether the entry is a row of the equations of motion.
+std::optional<CertificateRow> proved_row(const ExpectedEntry& entry, ExpectationProver& proofs,
+                                         bool incomplete) {
+  const auto written =
+      incomplete ? proofs.written_form(entry.expectation, entry.index) : std::nullopt;
+  const std::string matched = written ? matching_row(proofs, *written) : "";
+  if (matched.empty() && !proofs.is_proved(entry.expectation, entry.index)) return std::nullopt;
   CertificateRow row = unjudged_row(entry);
-  row.worst_value = "equal";
+  row.worst_value = incomplete ? "follows from the equations of motion" : "equal";
+  if (!matched.empty()) row.worst_value = matched;
   row.evidence = Evidence::proof;
   row.tolerance = entry.expectation.claims_conservation() ? rate_proof_reason
                   : entry.expectation.claims_equations()  ? equation_proof_reason
@@ -136,18 +141,6 @@ std::optional<ComparedValue> value_sample(const ExpectedEntry& entry, const Samp
                        cln::max(derived.scale, cln::abs(*written))};
 }
 
-/// The state with the accelerations of the motion; none if M is singular, or if the constraints
-/// cannot be satisfied.
-std::optional<State> motion_at(const Model& model, const State& start) {
-  std::optional<State> state = move_onto_constraints(model, start);
-  if (!state) return std::nullopt;
-  const OracleValues solution =
-      oracle_values(model, {.kind = OutputKind::forward_dynamics}, *state);
-  if (!solution) return std::nullopt;
-  for (std::size_t i = 0; i < state->a.size(); ++i) state->a[i] = (*solution)[i];
-  return state;
-}
-
 /// motion_at() with zero inputs, and with the momenta and the energy of the resulting state.
 std::optional<State> free_motion(const Model& model, State start) {
   for (cl_R& u : start.u) u = 0;
@@ -161,24 +154,27 @@ std::optional<State> free_motion(const Model& model, State start) {
   return state;
 }
 
-/// The value f(a) at the motion's acceleration a, in the result's `written`. Its scale is `size` +
-/// |f(0)| + sum over i of |f(sizes_i e_i) - f(0)|, e_i the unit vectors.
+/// The value f(x) at the accelerations and multipliers x of the motion, in the result's `written`.
+/// Its scale is `size` + |f(0)| + sum over i of |f(sizes_i e_i) - f(0)|, e_i the unit vectors. x
+/// has no multipliers if `sizes` has none.
 template <class F>
 std::optional<ComparedValue> motion_function_sample(const F& f, const State& motion,
-                                                    const cl_R& size,
-                                                    const std::vector<cl_R>& sizes) {
+                                                    const cl_R& size, const State& sizes) {
   State part = motion;
   part.a.assign(motion.a.size(), cl_R(0));
+  part.multipliers.assign(motion.multipliers.size(), cl_R(0));
   const std::optional<cl_R> whole = f(motion);
   const std::optional<cl_R> coasting = f(part);
   if (!whole || !coasting) return std::nullopt;
   ComparedValue result{*whole, 0, size + cln::abs(*coasting)};
-  for (std::size_t i = 0; i < motion.a.size(); ++i) {
-    part.a[i] = sizes[i];
-    const std::optional<cl_R> accelerated = f(part);
-    part.a[i] = 0;
-    if (!accelerated) return std::nullopt;
-    result.scale = result.scale + cln::abs(*accelerated - *coasting);
+  for (std::vector<cl_R> State::*const unknowns : {&State::a, &State::multipliers}) {
+    for (std::size_t i = 0; i < (sizes.*unknowns).size(); ++i) {
+      (part.*unknowns)[i] = (sizes.*unknowns)[i];
+      const std::optional<cl_R> changed = f(part);
+      (part.*unknowns)[i] = 0;
+      if (!changed) return std::nullopt;
+      result.scale = result.scale + cln::abs(*changed - *coasting);
+    }
   }
   return result;
 }
@@ -189,16 +185,19 @@ std::optional<ComparedValue> motion_sample(const ExpectedEntry& entry, const Sta
   const Model& model = entry.subject.model;
   const ExpressionId id = entry.expression();
   const auto value = [&](const State& at) { return oracle_expression_value(model, id, at); };
+  State sizes = motion;
   if (entry.expectation.claims_equations()) {
     // The rounding error of an acceleration that is exactly 0 is proportional to the largest
     // acceleration.
-    const std::vector<cl_R> largest(motion.a.size(), max_magnitude(motion.a));
-    return motion_function_sample(value, motion, 0, largest);
+    sizes.a.assign(motion.a.size(), max_magnitude(motion.a));
+    sizes.multipliers.assign(motion.multipliers.size(), max_magnitude(motion.multipliers));
+    return motion_function_sample(value, motion, 0, sizes);
   }
+  sizes.multipliers.clear();
   const std::optional<cl_R> size = value(motion);
   if (!size) return std::nullopt;
   const auto rate = [&](const State& at) { return oracle_expression_rate(model, id, at); };
-  return motion_function_sample(rate, motion, cln::abs(*size), motion.a);
+  return motion_function_sample(rate, motion, cln::abs(*size), sizes);
 }
 
 bool needs_motion(const Expectation& expectation) {
@@ -233,7 +232,7 @@ std::string difference_text(const ExpectedEntry& entry, ExpectationProver& proof
   const std::optional<Fraction> written = proofs.written_form(entry.expectation, entry.index);
   if (!written) return {};
   if (entry.expectation.claims_conservation()) return difference_from_constant(proofs, *written);
-  if (entry.expectation.claims_equations()) return difference_from_motion(proofs, *written);
+  if (entry.expectation.claims_equations()) return difference_from_motion(entry, proofs, *written);
   const std::optional<Fraction> derived = proofs.derived_form(entry.expectation, entry.index);
   if (!derived) return {};
   Algebra& algebra = *proofs.algebra();
@@ -323,30 +322,25 @@ void compare_entry(ExpectationReport& report, const ExpectedEntry& entry, Expect
   }
 }
 
-/// motion_at(), for the first states_of_rank of `states` at which the motion exists.
-std::vector<State> first_motions(const Model& model, const std::vector<State>& states) {
-  std::vector<State> motions;
-  for (std::size_t i = 0; i < states.size() && motions.size() < states_of_rank; ++i) {
-    if (auto motion = motion_at(model, states[i])) motions.push_back(*std::move(motion));
-  }
-  return motions;
-}
-
 void check_expectation(ExpectationReport& report, const Expectation& expectation,
                        ExpectationProver& proofs, const ExpectationStates& all) {
   const SystemUnderTest& subject = proofs.subject();
+  const bool incomplete =
+      expectation.claims_equations() && is_incomplete(subject.model, expectation);
   std::optional<std::vector<SampledPoint>> points;  // set at the first entry without a proof
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const ExpectedEntry entry{expectation, index, subject};
-    if (proofs.is_proved(expectation, index)) {
-      report.rows.push_back(proved_row(entry));
+    auto row = expectation.claims_equations() ? identity_row(entry, all.states) : std::nullopt;
+    if (!row) row = proved_row(entry, proofs, incomplete);
+    if (row) {
+      report.rows.push_back(*std::move(row));
       continue;
     }
     if (!points) points = sample_points(subject.model, expectation, all.states);
     compare_entry(report, entry, proofs, {*points, all.one_sided_kinks});
   }
   if (expectation.claims_equations()) {
-    check_rank(report, expectation, subject, first_motions(subject.model, all.states));
+    check_rank(report, expectation, subject, all.states);
   }
 }
 

@@ -56,12 +56,16 @@ std::optional<Fraction> ExpectationProver::derived_form(const Expectation& expec
   return form == nullptr ? std::nullopt : std::optional(*form);
 }
 
-std::optional<std::vector<Fraction>> ExpectationProver::entry_forms(OutputKind kind) const {
+std::optional<std::vector<Fraction>> ExpectationProver::entry_forms(OutputKind kind,
+                                                                    std::string_view field) const {
   const Function* const function = find_function(subject_.program, kind);
   if (function == nullptr) return std::nullopt;
+  const auto found = field.empty() ? function->fields.begin()
+                                   : std::ranges::find(function->fields, field, &Field::name);
+  if (found == function->fields.end()) return std::nullopt;
   std::vector<Fraction> result;
-  for (std::size_t i = 0; i < function->fields.front().entries.size(); ++i) {
-    const Fraction* const form = find_form({.kind = kind}, "", i);
+  for (std::size_t i = 0; i < found->entries.size(); ++i) {
+    const Fraction* const form = find_form({.kind = kind}, field, i);
     if (form == nullptr) return std::nullopt;
     result.push_back(*form);
   }
@@ -104,6 +108,10 @@ std::optional<Fraction> ExpectationProver::substitute_motion(const Fraction& for
   Replacements motion;
   for (std::uint32_t i = 0; i < accelerations->size(); ++i) {
     motion[{Opcode::acceleration, i}].value = (*accelerations)[i];
+  }
+  const auto multipliers = entry_forms(OutputKind::forward_dynamics, "multipliers");
+  for (std::uint32_t i = 0; multipliers && i < multipliers->size(); ++i) {
+    motion[{Opcode::multiplier, i}].value = (*multipliers)[i];
   }
   return substitute(forms_->algebra, form, motion);
 }

@@ -30,11 +30,13 @@ class ExpectationProver {
   [[nodiscard]] std::optional<Fraction> derived_form(const Expectation& expectation,
                                                      std::size_t entry) const;
 
-  /// The closed forms of the first field of an output; none if an entry has no closed form or
-  /// relies on sampled zeros.
-  [[nodiscard]] std::optional<std::vector<Fraction>> entry_forms(OutputKind kind) const;
+  /// The closed forms of a field of an output, by default the first; none if an entry has no closed
+  /// form or relies on sampled zeros.
+  [[nodiscard]] std::optional<std::vector<Fraction>> entry_forms(OutputKind kind,
+                                                                 std::string_view field = "") const;
 
   /// The form, with the accelerations of the motion inserted; none if they have no closed form.
+  /// Also inserts the multipliers if they have closed forms.
   [[nodiscard]] std::optional<Fraction> substitute_motion(const Fraction& form) const;
 
   /// The rate of the form along the motion at u = 0; none if the accelerations have no closed form.

@@ -8,13 +8,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 #include "analyse/formulas.hpp"
+#include "elgen/references.hpp"
 #include "forms/present/arithmetic.hpp"
 #include "forms/present/polynomial.hpp"
-#include "inspect/null_space.hpp"
 #include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
 #include "sample/states.hpp"
@@ -25,31 +24,41 @@ namespace {
 
 using cln::cl_R;
 
-/// The closed forms of M a + bias - B u, by row; none with constraints, or if a row has no closed
-/// form.
+/// The closed forms of M a + bias - B u - A^T lambda, by row; none if an entry has no closed form.
 std::optional<std::vector<Fraction>> motion_equation_rows(const ExpectationProver& proofs) {
   const Model& model = proofs.subject().model;
   auto rows = proofs.entry_forms(OutputKind::inverse_dynamics);
+  if (!rows) return std::nullopt;
+  Arithmetic arithmetic(*proofs.algebra());
+  const auto subtract = [&](std::size_t row, const Fraction& gain, Opcode kind, std::size_t leaf) {
+    const OptionalFraction term =
+        arithmetic.multiply(gain, arithmetic.leaf(kind, static_cast<std::uint32_t>(leaf)));
+    const OptionalFraction rest = arithmetic.subtract((*rows)[row], term);
+    if (rest) (*rows)[row] = *rest;
+    return rest.has_value();
+  };
   const std::size_t inputs = model.inputs.size();
   const auto gains = inputs == 0 ? std::optional<std::vector<Fraction>>(std::in_place)
                                  : proofs.entry_forms(OutputKind::input_matrix);
-  if (!rows || !gains || !model.constraints.empty()) return std::nullopt;
-  Arithmetic arithmetic(*proofs.algebra());
+  const auto jacobian = model.constraints.empty()
+                            ? std::optional<std::vector<Fraction>>(std::in_place)
+                            : proofs.entry_forms(OutputKind::constraint_jacobian);
+  if (!gains || !jacobian) return std::nullopt;
   for (std::size_t k = 0; k < gains->size(); ++k) {
-    const OptionalFraction input =
-        arithmetic.leaf(Opcode::input, static_cast<std::uint32_t>(k % inputs));
-    Fraction& row = (*rows)[k / inputs];
-    const OptionalFraction rest = arithmetic.subtract(row, arithmetic.multiply((*gains)[k], input));
-    if (!rest) return std::nullopt;
-    row = *rest;
+    if (!subtract(k / inputs, (*gains)[k], Opcode::input, k % inputs)) return std::nullopt;
+  }
+  const std::size_t n = rows->size();
+  for (std::size_t k = 0; k < jacobian->size(); ++k) {
+    if (!subtract(k % n, (*jacobian)[k], Opcode::multiplier, k / n)) return std::nullopt;
   }
   return rows;
 }
 
-constexpr LeafSet motion_leaves = Opcode::velocity | Opcode::acceleration | Opcode::input;
+constexpr LeafSet motion_leaves =
+    Opcode::velocity | Opcode::acceleration | Opcode::input | Opcode::multiplier;
 
 /// The terms of a form that contain accelerations, each with its powers of velocities,
-/// accelerations and inputs.
+/// accelerations, inputs and multipliers.
 std::vector<std::pair<Monomial, Fraction>> terms_with_accelerations(Algebra& algebra,
                                                                     const Fraction& form) {
   Arithmetic arithmetic(algebra);
@@ -97,86 +106,6 @@ std::vector<Fraction> candidate_factors(Algebra& algebra, const Fraction& equati
   return factors;
 }
 
-/// The rows d(left - right)/da of all equations, then the rows of A; empty if an equation is
-/// undefined.
-std::vector<cl_R> acceleration_slopes(const Model& model, const Expectation& equations,
-                                      const State& motion) {
-  std::vector<cl_R> slopes;
-  State direction = map_leaves([](const cl_R&) { return cl_R(0); }, motion);
-  for (const ExpressionId equation : equations.entries) {
-    for (cl_R& along : direction.a) {
-      along = 1;
-      const std::optional<cl_R> slope =
-          oracle_directional_derivative(model, equation, motion, direction);
-      if (!slope) return {};
-      slopes.push_back(*slope);
-      along = 0;
-    }
-  }
-  if (model.constraints.empty()) return slopes;
-  const OracleValues rows = oracle_values(model, {.kind = OutputKind::constraint_jacobian}, motion);
-  if (rows) slopes.insert(slopes.end(), rows->begin(), rows->end());
-  return slopes;
-}
-
-/// The oracle has 60 digits; cancellation may cost 15.
-const cl_R& equation_tolerance() {
-  static const cl_R share = power_of_ten(-45);
-  return share;
-}
-
-bool satisfies_all_equations(const Model& model, const Expectation& equations, const State& motion,
-                             const std::vector<cl_R>& slopes) {
-  const std::size_t n = motion.a.size();
-  for (std::size_t k = 0; k < equations.entries.size(); ++k) {
-    const auto row = slopes.begin() + static_cast<std::ptrdiff_t>(k * n);
-    const cl_R scale =
-        max_magnitude({row, row + static_cast<std::ptrdiff_t>(n)}) * max_magnitude(motion.a);
-    const auto value = oracle_expression_value(model, equations.entries[k], motion);
-    if (!value || cln::abs(*value) > scale * equation_tolerance()) return false;
-  }
-  return true;
-}
-
-/// Finds another acceleration that satisfies all equations, such as the other root of a square.
-/// The search runs along lines on which all equations except one are constant to first order. On a
-/// line, left - right of the remaining equation is f(s), with f(0) = 0. One candidate is the other
-/// zero of a parabola, s = f'/(f' - f(1)). The other candidate reverses the sign of
-/// d(left - right)/da . a, for an equation that is even in a. None if the motion itself does not
-/// satisfy the equations: equations with a wrong sign may determine another acceleration.
-std::optional<State> find_other_motion(const Model& model, const Expectation& equations,
-                                       const State& motion, const std::vector<cl_R>& slopes) {
-  if (!satisfies_all_equations(model, equations, motion, slopes)) return std::nullopt;
-  const std::size_t n = motion.a.size();
-  for (std::size_t k = 0; k < equations.entries.size(); ++k) {
-    std::vector<cl_R> others = slopes;
-    const auto row = others.begin() + static_cast<std::ptrdiff_t>(k * n);
-    const std::vector<cl_R> own(row, row + static_cast<std::ptrdiff_t>(n));
-    std::fill_n(row, n, cl_R(0));
-    const auto slope_along = [&own](const std::vector<cl_R>& a) {
-      return std::inner_product(own.begin(), own.end(), a.begin(), cl_R(0));
-    };
-    for (const std::vector<cl_R>& along : null_space(others, row_scales(others, n))) {
-      const auto moved = [&](const cl_R& s) {
-        State state = motion;
-        for (std::size_t i = 0; i < n; ++i) state.a[i] = state.a[i] + s * along[i];
-        return state;
-      };
-      const cl_R slope = slope_along(along);
-      const auto one = oracle_expression_value(model, equations.entries[k], moved(1));
-      std::vector<cl_R> zeros{-2 * slope_along(motion.a) / slope};
-      const bool bends = one && cln::abs(*one - slope) > equation_tolerance() * cln::abs(slope);
-      if (bends) zeros.push_back(slope / (slope - *one));
-      for (const cl_R& s : zeros) {
-        const bool is_other = cln::abs(s) > equation_tolerance() * max_magnitude(motion.a);
-        if (is_other && satisfies_all_equations(model, equations, moved(s), slopes))
-          return moved(s);
-      }
-    }
-  }
-  return std::nullopt;
-}
-
 /// The right form that has the fewest differing terms so far.
 struct NearestForm {
   std::string right = {};  ///< the right form in words
@@ -208,22 +137,34 @@ StableValues expected_field_values(const Model& model, const Expectation& expect
   return field;
 }
 
-/// The text of a second solution: "a = (1, -2) meets all equations, too".
-std::string second_solution_text(const State& motion) {
-  std::vector<std::string> values;
-  for (const cl_R& a : motion.a) values.push_back(short_number_text(a));
-  return fmt::format("a = ({}) meets all equations, too", fmt::join(values, ", "));
-}
-
 /// The value in 15 digits, the precision of a double.
 std::string double_text(const cl_R& value) { return fmt::format("{:.15g}", to_double(value)); }
 
 }  // namespace
 
-std::string difference_from_motion(const ExpectationProver& proofs, const Fraction& equation) {
+std::string matching_row(const ExpectationProver& proofs, const Fraction& equation) {
   const auto rows = motion_equation_rows(proofs);
   if (!rows) return {};
-  const Model& model = proofs.subject().model;
+  Algebra& algebra = *proofs.algebra();
+  Arithmetic arithmetic(algebra);
+  for (std::size_t i = 0; i < rows->size(); ++i) {
+    for (const Fraction& factor : candidate_factors(algebra, equation, (*rows)[i])) {
+      const OptionalFraction difference =
+          arithmetic.subtract(equation, arithmetic.multiply(factor, (*rows)[i]));
+      if (!difference || !difference->numerator.empty()) continue;
+      return row_text(proofs.subject().model, algebra, i, factor);
+    }
+  }
+  return {};
+}
+
+std::string difference_from_motion(const ExpectedEntry& entry, const ExpectationProver& proofs,
+                                   const Fraction& equation) {
+  const Model& model = entry.subject.model;
+  const bool has_multipliers = contains_leaf(model, entry.expression(), Opcode::multiplier);
+  if (!model.constraints.empty() && !has_multipliers) return {};
+  const auto rows = motion_equation_rows(proofs);
+  if (!rows) return {};
   Algebra& algebra = *proofs.algebra();
   Arithmetic arithmetic(algebra);
   NearestForm nearest;
@@ -244,7 +185,11 @@ std::string difference_from_motion(const ExpectationProver& proofs, const Fracti
   const OptionalFraction written = substitute_zero_accelerations(model, algebra, equation);
   const OptionalFraction right = rest ? arithmetic.subtract(written, *rest) : std::nullopt;
   auto terms = right ? differing_terms(algebra, *right, *written) : std::nullopt;
-  if (nearest.is_farther(terms)) nearest = {"the accelerations of the motion", std::move(terms)};
+  if (nearest.is_farther(terms)) {
+    nearest = {has_multipliers ? "the multipliers and accelerations of the motion"
+                               : "the accelerations of the motion",
+               std::move(terms)};
+  }
   const std::string text =
       nearest.terms ? differing_terms_text(model, algebra, *nearest.terms) : "";
   if (!text.empty()) return fmt::format("compared with {}: {}", nearest.right, text);
@@ -283,35 +228,6 @@ std::string difference_from_constant(const ExpectationProver& proofs, const Frac
   return words.empty()
              ? ""
              : fmt::format("compared with a conserved quantity: {}", fmt::join(words, ", or "));
-}
-
-void check_rank(ExpectationReport& report, const Expectation& equations,
-                const SystemUnderTest& subject, const std::vector<State>& motions) {
-  CertificateRow row = unjudged_row({equations, 0, subject});
-  row.subject = "accelerations";
-  row.formula = "rank of d(left - right)/da and A = number of velocities";
-  row.samples = motions.size();
-  row.worst_value = "full rank";
-  row.tolerance = "pivots above 1e-50 of the largest entry of their row, in 60 digits";
-  const std::size_t n = subject.model.velocities.size();
-  for (const State& motion : motions) {
-    const std::vector<cl_R> slopes = acceleration_slopes(subject.model, equations, motion);
-    if (slopes.empty()) continue;
-    const std::size_t rank = n - null_space(slopes, row_scales(slopes, n)).size();
-    const auto other =
-        rank < n ? std::nullopt : find_other_motion(subject.model, equations, motion, slopes);
-    if (rank == n && !other) continue;
-    row.verdict = Verdict::fails;
-    row.worst_value = rank < n ? fmt::format("rank {} of {}", rank, n) : "two accelerations";
-    row.worst_state = describe_state(subject, motion);
-    report.diagnostics.push_back({Code::E540, equations.span,
-                                  fmt::format("{}, so the accelerations are not determined, at {}",
-                                              rank < n ? "d(left - right)/da has " + row.worst_value
-                                                       : second_solution_text(*other),
-                                              row.worst_state)});
-    break;
-  }
-  report.rows.push_back(std::move(row));
 }
 
 /// Compares at one state in 60 digits. Parameters have the values of the file, even if the scene

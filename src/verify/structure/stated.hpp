@@ -1,8 +1,9 @@
-// Expected equations of motion: in which terms a wrong equation differs from the right one, and
-// whether all equations determine the accelerations. Expected numbers: an [[expect]] `at` a state,
-// such as a published table, compared with the oracle.
+// Expected equations of motion: to which row an equation belongs, in which terms a wrong equation
+// differs from the right one, and which accelerations the equations determine. Expected numbers: an
+// [[expect]] `at` a state, such as a published table, compared with the oracle.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,13 +12,19 @@
 
 namespace elgen {
 
-/// In which terms `equation`, left - right, differs from the nearest right form, the right form
-/// with the fewest differing terms. Right forms: f times a row of M a + bias - B u, f free of
-/// velocities, accelerations and inputs; and `equation` minus its value along the motion. "compared
-/// with row theta of the equations of motion, times 1/(m*l^2): the term g*sin(theta)/l has the
-/// opposite sign". If too many terms differ: "left - right is m*g along the motion". "" if this
-/// text is too long, if there are no closed forms, or if the model has constraints.
-[[nodiscard]] std::string difference_from_motion(const ExpectationProver& proofs,
+/// The row of M a + bias - B u - A^T lambda of which `equation`, left - right, is a multiple: "row
+/// theta of the equations of motion, times 1/(m*l)". "" if it is proved for no row.
+[[nodiscard]] std::string matching_row(const ExpectationProver& proofs, const Fraction& equation);
+
+/// In which terms `equation`, left - right of the entry, differs from the nearest right form, the
+/// right form with the fewest differing terms. Right forms: f times a row of M a + bias - B u - A^T
+/// lambda, f free of velocities, accelerations, inputs and multipliers; and `equation` minus its
+/// value along the motion. "compared with row theta of the equations of motion, times 1/(m*l^2):
+/// the term g*sin(theta)/l has the opposite sign". If too many terms differ: "left - right is m*g
+/// along the motion". "" if this text is too long, if there are no closed forms, or if the model
+/// has constraints and `equation` has no multipliers.
+[[nodiscard]] std::string difference_from_motion(const ExpectedEntry& entry,
+                                                 const ExpectationProver& proofs,
                                                  const Fraction& equation);
 
 /// Names the term in which `written` differs from a quantity that is constant at u = 0: "compared
@@ -26,11 +33,25 @@ namespace elgen {
 [[nodiscard]] std::string difference_from_constant(const ExpectationProver& proofs,
                                                    const Fraction& written);
 
-/// Adds a row for the rank of d(left - right)/da together with the rows of A, at `motions`, states
-/// with the accelerations of the motion. E540 if the rank is less than the number of velocities, or
-/// if another acceleration also satisfies all equations.
+/// The state with the accelerations and multipliers of the motion; none if M is singular, or if the
+/// constraints cannot be satisfied.
+[[nodiscard]] std::optional<State> motion_at(const Model& model, const State& start);
+
+/// True if equations and constraints are fewer than the accelerations and the multipliers in the
+/// equations. Such equations are judged one by one.
+[[nodiscard]] bool is_incomplete(const Model& model, const Expectation& equations);
+
+/// The row of an equation that holds for any accelerations and multipliers, at all `states`; none
+/// for other equations. The row is `noted`, because an identity proves nothing.
+[[nodiscard]] std::optional<CertificateRow> identity_row(const ExpectedEntry& entry,
+                                                         const std::vector<State>& states);
+
+/// Adds a row for the rank of d(left - right)/da together with the rows of A, at the motions of
+/// some `states`. E540 if the rank is less than the number of velocities, or if another
+/// acceleration also satisfies all equations. For an incomplete set, the row counts the independent
+/// equations; E540 if there are none. Multipliers in the equations are unknowns, too.
 void check_rank(ExpectationReport& report, const Expectation& equations,
-                const SystemUnderTest& subject, const std::vector<State>& motions);
+                const SystemUnderTest& subject, const std::vector<State>& states);
 
 /// Adds a row for each entry of an expectation `at` a state. E510 for each entry without a value,
 /// or with an error larger than the expectation's tolerance times the largest entry of its field.
