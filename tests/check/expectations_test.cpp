@@ -176,6 +176,23 @@ TEST_CASE("fewer equations than accelerations are allowed, and may contain multi
         "`dot(dot(x))`\n");
 }
 
+TEST_CASE("the rate of an acceleration or a multiplier is refused") {
+  const std::string rod =
+      "format = 1\n[model]\nname = \"rod\"\n[[coordinate]]\nname = \"x\"\n"
+      "[[coordinate]]\nname = \"y\"\n[[constraint]]\nname = \"rod\"\n"
+      "equation = \"x^2 + y^2 = 1\"\n[energy]\nT = \"dot(x)^2 + dot(y)^2\"\n[[expect]]\n"
+      "equations = [\"EQUATION\"]\n";
+  const auto said = [&](const std::string& equation) {
+    return messages(replaced(rod, "EQUATION", equation));
+  };
+  const std::string refused =
+      " is the rate of an acceleration or a multiplier, which the equations of motion do not "
+      "give\n";
+  CHECK(said("dot(dot(dot(x))) = 0") == "E319 14:15 `dot(dot(dot(x)))`" + refused);
+  CHECK(said("dot(dot(x)) = dot(lambda(rod)*x)") == "E319 14:29 `dot(lambda(rod)*x)`" + refused);
+  CHECK(said("dot(x*dot(x)) = 2*lambda(rod)") == "");
+}
+
 TEST_CASE(
     "E and p(NAME) have their meaning only in conserved, unless the model declares the name") {
   const std::string p = "[define]\np = \"k*x[1]\"\n";

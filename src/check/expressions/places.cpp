@@ -105,20 +105,31 @@ void check_root(Context& context, const std::vector<ExpressionTraits>& traits,
   }
 }
 
-/// Reports E315 for a time derivative of a function with a kink. Places that forbid kinks are
-/// skipped: check_ingredients() reports every kink there.
-void check_kink_rates(Context& context, const std::vector<ExpressionTraits>& traits,
-                      WrittenExpression& root) {
-  const unsigned kinks = traits[root.value].ingredients & uses_kink;
-  if (kinks == 0 || (root.role.allowed & uses_kink) == 0) return;
+/// Reports E315 for a time derivative of a function with a kink, and E319 for the time derivative
+/// of an acceleration or a multiplier, which the equations do not give. Places that forbid these
+/// ingredients are skipped: check_root() reports them there.
+void check_rates(Context& context, const std::vector<ExpressionTraits>& traits,
+                 WrittenExpression& root) {
+  const Ingredients found = traits[root.value].ingredients & root.role.allowed;
+  const Ingredients unknowns = found & (uses_acceleration | uses_multiplier);
+  if ((found & uses_kink) == 0 && unknowns == 0) return;
   for (ExpressionId id = root.first; id <= root.value; ++id) {
     const Expression& node = context.model.expressions[id];
-    const bool is_rate = node.kind == ExpressionKind::time_derivative;
-    if (!is_rate || (traits[id].ingredients & uses_kink) == 0) continue;
+    if (node.kind != ExpressionKind::time_derivative) continue;
+    const bool is_kinked = (traits[id].ingredients & found & uses_kink) != 0;
+    const bool is_unknown = (traits[node.operands[0]].ingredients & unknowns) != 0;
+    if (!is_kinked && !is_unknown) continue;
     root.has_forbidden_ingredient = true;
-    context.report.add(Code::E315, node.span,
-                       in_backticks(node.span) + " is the rate of a function with a kink",
-                       smooth_stand_in);
+    const std::string text = in_backticks(node.span);
+    if (is_kinked) {
+      context.report.add(Code::E315, node.span, text + " is the rate of a function with a kink",
+                         smooth_stand_in);
+    } else {
+      context.report.add(Code::E319, node.span,
+                         text +
+                             " is the rate of an acceleration or a multiplier, which the "
+                             "equations of motion do not give");
+    }
   }
 }
 
@@ -174,7 +185,7 @@ bool check_cycles(Context& context) {
 void check_ingredients(Context& context, const std::vector<ExpressionTraits>& traits) {
   for (WrittenExpression& root : context.roots) {
     check_root(context, traits, root);
-    check_kink_rates(context, traits, root);
+    check_rates(context, traits, root);
   }
 }
 

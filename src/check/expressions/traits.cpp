@@ -66,7 +66,9 @@ ExpressionTraits power_traits(const ExpressionTraits& base, const cln::cl_RA& ex
 
 /// d/dt e = de/dq v + de/dv a + de/dt
 ExpressionTraits derivative_traits(const ExpressionTraits& argument) {
-  if ((argument.ingredients & (uses_coordinate | uses_rate | uses_time)) == 0) return zero_traits();
+  constexpr Ingredients varying =
+      uses_coordinate | uses_rate | uses_acceleration | uses_multiplier | uses_time;
+  if ((argument.ingredients & varying) == 0) return zero_traits();
   ExpressionTraits result = argument;
   if ((argument.ingredients & uses_coordinate) != 0) {
     result.ingredients |= uses_rate;
