@@ -87,6 +87,7 @@ TEST_CASE("multipliers are allowed only in outputs of the motion") {
                  Contains("it is allowed in an `[[output]]` with `motion = true`"));
   CHECK_THAT(said(model_file("pendulum_xy") + output_of("\"lambda(rood)\"")),
              Contains("did you mean `rod`?"));
+  CHECK_THAT(said(model_file("pendulum_xy") + output_of("\"2*l*lambda_rod\"")), !Contains("error"));
   CHECK_THAT(said(model_file("snakeboard") +
                   "[[output]]\nname = \"pose\"\nframe = \"board\"\nmotion = true\n"),
              Contains("E112") && Contains("`motion` needs a `value`"));
