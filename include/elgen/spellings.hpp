@@ -21,11 +21,31 @@ struct ListSpelling {
   std::string_view empty;         ///< the empty list; {0}: number of columns of a matrix
 };
 
+/// The types in annotations; all empty if the language has no annotations.
+struct TypeSpelling {
+  std::string_view parameters;
+  std::string_view list_argument;
+  std::string_view empty_argument;  ///< an argument without entries
+  std::string_view empty_default;   ///< its default value, if it is the last argument
+  std::string_view number;
+  std::string_view vector;
+  std::string_view matrix;
+};
+
+/// Assignments of the entries of arguments to local variables, at the start of a body; they check
+/// the lengths. All empty: the body reads entries by SourceSpelling::element.
+struct UnpackingSpelling {
+  std::string_view element;     ///< entry {1}, from 0, of the argument {0}: "q_0"
+  std::string_view no_entries;  ///< the right side of the assignment if {0} has no entries
+  std::string_view block;       ///< the assignments {0}, with the error of a wrong length
+};
+
 /// A row of spellings.def, which also explains the placeholders {0} and {1} of patterns.
 struct SourceSpelling {
   LanguageId language;
   std::string_view element;
   std::uint32_t first_index;
+  UnpackingSpelling unpacking;
   std::string_view definition;
   std::size_t indent;        ///< number of spaces before a statement
   std::string_view local;    ///< text before the name in the definition of a local variable
@@ -46,12 +66,12 @@ struct SourceSpelling {
   ListSpelling texts;   ///< list of string literals in a constant of the module
   ListSpelling numbers;
   ListSpelling intervals;
-  std::string_view interval;        ///< one interval; {0}, {1}: its bounds
-  std::string_view number_value;    ///< text before the value of a scalar parameter {0}
-  std::string_view array_value;     ///< text before the value of an array parameter {0}
-  std::string_view end_of_value;    ///< text after the value of a parameter
-  std::string_view number_member;   ///< a scalar field {0} in the documentation of the results
-  std::string_view array_member;    ///< an array field {0} in the documentation of the results
+  std::string_view interval;      ///< one interval; {0}, {1}: its bounds
+  std::string_view number_value;  ///< text before the value of a scalar parameter {0}
+  std::string_view array_value;   ///< text before the value of an array parameter {0}
+  std::string_view end_of_value;  ///< text after the value of a parameter
+  std::string_view typed;         ///< an argument or a field {0} with its type {1}
+  TypeSpelling types;
   std::string_view comment;         ///< start of the comment after a parameter: "# "
   std::string_view member_comment;  ///< text before the description of a member
   char quote;                       ///< quotation mark around texts

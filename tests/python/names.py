@@ -8,7 +8,7 @@ import pathlib
 import subprocess
 import tempfile
 
-from generated import functions_of, models, module_at, module_of, path_of, state, value_at, written
+from generated import functions_of, models, module_at, module_of, path_of, root, state, value_at, written
 
 rotor = """format = 1
 [model]
@@ -89,10 +89,30 @@ def used_names(path):
     return read & set(dir(builtins))
 
 
+def check_entries():
+    """A parameter with the name of an unpacked entry hides no entry."""
+    text = model(coordinate="x", parameters=["q_0", "v_0"])
+    text = text.replace("J*dot(x)^2", "J*q_0^2*v_0^2*dot(x)^2").replace("cos(x)", "cos(q_0^2*x + v_0^2)")
+    module = written(text)
+    p = module.Parameters(J=1.0, k=1.0, q_0=3.0, v_0=0.5)
+    assert abs(module.momentum(p, [0.7], [0.2])[0] - 9.0 * 0.25 * 0.2) < 1e-15
+    assert abs(module.gravity(p, [0.7])[0] + 9.0 * math.sin(9.0 * 0.7 + 0.25) * (1.0 + 3.0 + 0.5)) < 1e-13
+
+
+def check_version():
+    """The version has the hashes of the model and of the scene; a comment changes neither."""
+    whole, scene = (module_of(each).__version__.split(".") for each in ("cart_pole", root / "models/scenes/balance.scene.toml"))
+    assert whole[0] == scene[0] and whole[1] != scene[1]
+    texts = (model(), "# rotor\n" + model(), model(parameters=["a"]))
+    first, commented, other = (written(text).__version__ for text in texts)
+    assert first == commented != other
+
+
 def check_taken():
     """An output is refused if its name is used by the module."""
     used = set().union(*map(used_names, map(path_of, ("cart_pole", "quadrotor", "chain"))))
-    own = {"on", "exact", "Parameters", "NamedTuple", "is_regular", "digits_left", "coordinate_names", "parameter_units", "start_rates"}
+    own = {"on", "exact", "Parameters", "is_regular", "digits_left"}
+    own |= {"Any", "Callable", "Iterable", "NamedTuple", "coordinate_names", "parameter_units", "start_rates"}
     assert len(used) > 10
     for name in sorted(used | own):
         said = refusals(model(outputs=[name]))
@@ -108,15 +128,18 @@ def check_called():
 
 
 def check_imports():
-    """Modules import only the functions that they call."""
+    """Modules import only the functions that they call, and export every other public name."""
     for path in map(path_of, models):
         tree = ast.parse(path.read_text())
         imports = [node for node in ast.walk(tree) if isinstance(node, (ast.Import, ast.ImportFrom))]
-        assert [node.module for node in imports] in (
-            ["math", "math", "typing"], ["math", "typing"], ["typing"]), path
+        names = [node.module for node in imports]
+        assert [name for name in names if name != "math"] == ["__future__", "functools", "sys", "typing"], path
         named = {alias.asname or alias.name for node in imports for alias in node.names}
         read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-        assert named <= read, (path, named - read)
+        assert named - read == {"annotations"}, (path, named - read)
+        module = module_at(path)
+        public = {name for name in vars(module) if not name.startswith("_")}
+        assert set(module.__all__) == public - named and list(module.__all__) == sorted(module.__all__), path
     far = "*".join(["10^64"] * 5)
     beyond = model().replace("range = [-1, 1]", f'range = [-1, 1]\nrate_range = ["-{far}", "{far}"]')
     assert written(beyond).rate_ranges == ((-math.inf, math.inf),)
@@ -148,6 +171,8 @@ def check_literals():
 check_parameters()
 check_coordinates()
 check_outputs()
+check_entries()
+check_version()
 check_taken()
 check_called()
 check_imports()

@@ -54,6 +54,12 @@ TEST_CASE("functions of arrays of states equal functions of each state") {
   check_script("numpy_batch");
 }
 
+TEST_CASE("every call of a module checks the lengths of its arguments") { check_script("lengths"); }
+
+TEST_CASE("mypy --strict accepts modules, and refuses calls with wrong types") {
+  check_script("typed");
+}
+
 TEST_CASE("SymPy proves every closed form that a model expects") { check_script("sympy_proofs"); }
 
 TEST_CASE("mpmath agrees with the oracle's 50 digits") { check_script("mpmath_digits"); }

@@ -8,6 +8,8 @@
 #include <array>
 #include <utility>
 
+#include "elgen/leaf_names.hpp"
+#include "elgen/leaves.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/source/exact_numbers.hpp"
@@ -38,7 +40,8 @@ std::string library_dictionary(const SourceSpelling& spelling, const Texts& name
   for (const std::string& name : names) {
     pairs.push_back(fmt::format("\"{}\": {}", name, library_aliases(spelling, name)));
   }
-  return wrap_source_value(spelling, "_library = ", fmt::format("{{{}}}", fmt::join(pairs, ", ")));
+  return wrap_source_value(spelling, "_library: dict[str, tuple[str, ...]] = ",
+                           fmt::format("{{{}}}", fmt::join(pairs, ", ")));
 }
 
 /// Functions of the module that branch on a number. The template defines sign, min and max
@@ -67,6 +70,29 @@ Texts names_of_functions(const EmissionInput& input) {
   return names;
 }
 
+/// The names that other modules import with `from module import *`.
+Texts exported_names(const EmissionInput& input, const std::vector<DeclaredArray>& arrays) {
+  Texts names{"Parameters", "exact", "on"};
+  for (const DeclaredArray& array : arrays) names.push_back(array.name);
+  if (returns_pivots(input.program)) names.insert(names.end(), {"digits_left", "is_regular"});
+  for (const Function& function : input.program.functions) {
+    names.push_back(name_in_language(input.scene.emission.language, function.name));
+    if (returns_struct(function)) names.push_back(camel_case(function.name));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// {"q": 2, "v": 2}: the lengths of all arguments that are lists.
+std::string length_dictionary(const EmissionInput& input) {
+  Texts pairs;
+  for (const LeafRow& leaf : leaf_table()) {
+    if (!is_vector(leaf.id) || !may_be_argument(input.program.leaves, leaf.id)) continue;
+    pairs.push_back(fmt::format("\"{}\": {}", leaf.symbol, leaf_count(input.model, leaf.id)));
+  }
+  return fmt::format("{{{}}}", fmt::join(pairs, ", "));
+}
+
 }  // namespace
 
 Texts called_library_functions(const Program& program, const SourceSpelling& spelling) {
@@ -85,18 +111,24 @@ Texts called_library_functions(const Program& program, const SourceSpelling& spe
   return names;
 }
 
-void set_reflection(TemplateData& data, const EmissionInput& input, bool is_unbounded) {
+void set_reflection(TemplateData& data, const EmissionInput& input,
+                    const std::vector<DeclaredArray>& arrays) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   const Texts called = called_library_functions(input.program, spelling);
   Texts imported = called;
-  if (is_unbounded) imported.emplace_back(spelling.unbounded);
+  if (std::ranges::any_of(arrays, has_unbounded_element)) imported.emplace_back(spelling.unbounded);
   std::sort(imported.begin(), imported.end());
   data.set("imports",
            optional_section(!imported.empty(),
                             TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
+  data.set(
+      "exported_names",
+      wrap_source_value(spelling, "__all__ = ",
+                        source_list(spelling.texts, quote_names(exported_names(input, arrays)))));
+  data.set("lengths", length_dictionary(input));
   const ExactNumbers exact(input.model, input.program, spelling);
   data.set("exact",
-           wrap_source_value(spelling, "exact = ",
+           wrap_source_value(spelling, "exact: dict[Any, Any] = ",
                              fmt::format("{{{}}}", fmt::join(exact.dictionary_entries(), ", "))));
   data.set("numbers", repeated_section(exact.named_numbers(), [](const auto& number) {
              return TemplateRow{{"name", number.first},
@@ -104,7 +136,7 @@ void set_reflection(TemplateData& data, const EmissionInput& input, bool is_unbo
            }));
   data.set("library", library_dictionary(spelling, called));
   data.set("branching", source_list(spelling.texts, quote_names(branching_functions(input))));
-  data.set("all", wrap_source_value(spelling, "_functions = ",
+  data.set("all", wrap_source_value(spelling, "_functions: tuple[Any, ...] = ",
                                     source_list(spelling.texts, names_of_functions(input))));
 }
 

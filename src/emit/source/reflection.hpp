@@ -8,6 +8,7 @@
 #include "base/fill_template.hpp"
 #include "elgen/program.hpp"
 #include "elgen/spellings.hpp"
+#include "emit/interface/code_interface.hpp"
 #include "emit/text/emission_input.hpp"
 
 namespace elgen {
@@ -16,8 +17,9 @@ namespace elgen {
 [[nodiscard]] std::vector<std::string> called_library_functions(const Program& program,
                                                                 const SourceSpelling& spelling);
 
-/// Sets imports, exact numbers and lists of functions. `is_unbounded`: an array at the head of the
-/// module contains infinity, whose name must be imported.
-void set_reflection(TemplateData& data, const EmissionInput& input, bool is_unbounded);
+/// Sets imports, exports, lengths of arguments, exact numbers and lists of functions. `arrays`: the
+/// arrays at the head of the module. If one contains infinity, the name of infinity is imported.
+void set_reflection(TemplateData& data, const EmissionInput& input,
+                    const std::vector<DeclaredArray>& arrays);
 
 }  // namespace elgen

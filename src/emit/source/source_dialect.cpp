@@ -4,7 +4,10 @@
 
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "base/ascii.hpp"
+#include "elgen/leaf_names.hpp"
 #include "emit/code/local_names.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/source/exact_numbers.hpp"
@@ -17,7 +20,7 @@ namespace {
 using Texts = std::vector<std::string>;
 
 std::string fill_spelling(std::string_view pattern, std::string_view name,
-                          const std::string& more = {}) {
+                          std::string_view more = {}) {
   return fmt::format(fmt::runtime(pattern), name, more);
 }
 
@@ -53,6 +56,20 @@ std::string escape_docs_line(const SourceSpelling& spelling, std::string_view li
   return safe;
 }
 
+std::string_view argument_type(const TypeSpelling& types, const Model& model, Opcode argument) {
+  if (is_single(argument)) return types.number;
+  if (!is_vector(argument)) return types.parameters;
+  return leaf_count(model, argument) == 0 ? types.empty_argument : types.list_argument;
+}
+
+/// True for "q_12", which may be the name of an entry that a body unpacks.
+bool is_entry_name(const UnpackingSpelling& unpacking, std::string_view name) {
+  const std::string_view stem = name.substr(0, name.find_last_not_of("0123456789") + 1);
+  return stem.size() < name.size() && std::ranges::any_of(leaf_table(), [&](const LeafRow& row) {
+           return fill_spelling(unpacking.element, row.symbol) == stem;
+         });
+}
+
 /// True if every interpreted language has a name for the C function. If the module defines the
 /// function itself, `spelling.used_names` must reserve the name. The assertion fails for a new
 /// function until spellings.def has rows for the function.
@@ -82,7 +99,10 @@ class SourceDialect final : public Dialect {
   std::string leaf(Opcode kind, std::uint32_t number) const override {
     if (kind != Opcode::parameter) {
       const std::string_view name = leaf_row(kind).symbol;
-      return is_single(kind) ? std::string(name) : element_access(std::string(name), number);
+      if (is_single(kind)) return std::string(name);
+      const std::string_view element = spelling_.unpacking.element;
+      return element.empty() ? element_access(std::string(name), number)
+                             : fill_spelling(element, name, std::to_string(number));
     }
     const auto& [name, place] = members_[number];
     const std::string member = "p." + name_in_language(spelling_.language, name);
@@ -104,13 +124,13 @@ class SourceDialect final : public Dialect {
             {spelling_.member_comment, spelling_.member_comment}};
   }
 
-  /// The emitted body assigns the named values, then returns all entries.
+  /// The emitted body unpacks its arguments, assigns the named values, then returns all entries.
   FunctionDefinition function_definition(const Function& function, Storage storage) const override {
     Function ordered = to_storage_order(function, storage);
     ordered.repeated = {};  // every repetition is written out
     const Texts names = local_names(*this, program(), ordered);
     const FunctionFormulas formulas(program(), ordered, *this, names);
-    std::string lines;
+    std::string lines = assign_entries(function);
     for (std::uint32_t at = 0; at < names.size(); ++at) {
       if (names[at].empty()) continue;
       lines += statement(fmt::format("{}{} = ", spelling_.local, names[at]),
@@ -126,11 +146,10 @@ class SourceDialect final : public Dialect {
     return {{signature(function), lines + return_statement(function, entries)}};
   }
 
-  /// "acceleration: list"
+  /// "acceleration: list[float]"
   std::string field_declaration(const Function& function, const Field& field) const override {
-    return fill_spelling(
-        is_scalar_field(function, field) ? spelling_.number_member : spelling_.array_member,
-        name_in_language(spelling_.language, field.name));
+    return fill_spelling(spelling_.typed, name_in_language(spelling_.language, field.name),
+                         result_type(function, field));
   }
 
   std::string struct_name(const Function& function) const override {
@@ -143,10 +162,53 @@ class SourceDialect final : public Dialect {
   }
 
  private:
+  [[nodiscard]] std::vector<Opcode> argument_kinds_of(const Function& function) const {
+    return arguments_of(model(), function, program(), spelling_.language);
+  }
+
+  [[nodiscard]] std::string_view result_type(const Function& function, const Field& field) const {
+    if (is_scalar_field(function, field)) return spelling_.types.number;
+    return is_matrix(kind_of_field(program(), function, field), field) ? spelling_.types.matrix
+                                                                       : spelling_.types.vector;
+  }
+
   [[nodiscard]] std::string signature(const Function& function) const {
-    const std::string arguments = fmt::format("{}", fmt::join(argument_names_of(function), ", "));
-    return fill_spelling(spelling_.definition, name_in_language(spelling_.language, function.name),
-                         arguments);
+    Texts typed;
+    const std::vector<Opcode> arguments = argument_kinds_of(function);
+    for (const Opcode argument : arguments) {
+      typed.push_back(fill_spelling(spelling_.typed, leaf_row(argument).symbol,
+                                    argument_type(spelling_.types, model(), argument)));
+    }
+    const bool is_last_empty = !arguments.empty() && is_vector(arguments.back()) &&
+                               leaf_count(model(), arguments.back()) == 0;
+    if (is_last_empty) typed.back() += spelling_.types.empty_default;
+    const std::string type = returns_struct(function)
+                                 ? struct_name(function)
+                                 : std::string(result_type(function, function.fields.front()));
+    const std::string text = fmt::format(fmt::runtime(spelling_.definition),
+                                         name_in_language(spelling_.language, function.name),
+                                         fmt::join(typed, ", "), type);
+    return wrap_source_statement(spelling_, text, {line_width, "        "});
+  }
+
+  /// "(q_0, q_1) = q" for each argument that is a list.
+  [[nodiscard]] std::string assign_entries(const Function& function) const {
+    if (spelling_.unpacking.block.empty()) return {};
+    const std::string margin(2 * spelling_.indent, ' ');
+    std::string lines;
+    for (const Opcode argument : argument_kinds_of(function)) {
+      if (!is_vector(argument)) continue;
+      Texts entries;
+      for (std::uint32_t i = 0; i < leaf_count(model(), argument); ++i) {
+        entries.push_back(leaf(argument, i));
+      }
+      const std::string text =
+          fmt::format("{}{} = {}", margin, source_list(spelling_.numbers, entries),
+                      fill_spelling(entries.empty() ? spelling_.unpacking.no_entries : "{0}",
+                                    leaf_row(argument).symbol));
+      lines += wrap_source_statement(spelling_, text, {line_width, margin + "    "}) + "\n";
+    }
+    return lines.empty() ? lines : fill_spelling(spelling_.unpacking.block, lines);
   }
 
   [[nodiscard]] std::string return_statement(const Function& function,
@@ -200,7 +262,7 @@ class SourceDialect final : public Dialect {
 
   bool is_reserved(const std::string& name) const override {
     return has_word(spelling_.reserved, name) || has_word(spelling_.used_names, name) ||
-           name == scene_.base_name;
+           name == scene_.base_name || is_entry_name(spelling_.unpacking, name);
   }
 
   std::string library_function_name(std::string_view name) const override {

@@ -156,7 +156,7 @@ std::string fill_module(const EmissionInput& input, bool is_exported) {
   data.set("count_of_pivots",
            std::to_string(input.model.velocities.size() + input.model.constraints.size()));
   if (spelling.has_reflection) {
-    set_reflection(data, input, std::ranges::any_of(arrays, has_unbounded_element));
+    set_reflection(data, input, arrays);
   }
   return fill_header_template(
       fmt::format("{}/module.{}.mustache", language.name, language.file_extension), data,
