@@ -111,7 +111,7 @@ def check_version():
 def check_taken():
     """An output is refused if its name is used by the module."""
     used = set().union(*map(used_names, map(path_of, ("cart_pole", "quadrotor", "chain"))))
-    own = {"on", "exact", "Parameters", "is_regular", "digits_left"}
+    own = {"on", "stack", "blocks", "exact", "Parameters", "is_regular", "digits_left"}
     own |= {"Any", "Callable", "Iterable", "NamedTuple", "coordinate_names", "parameter_units", "start_rates"}
     assert len(used) > 10
     for name in sorted(used | own):
@@ -133,7 +133,7 @@ def check_imports():
         tree = ast.parse(path.read_text())
         imports = [node for node in ast.walk(tree) if isinstance(node, (ast.Import, ast.ImportFrom))]
         names = [node.module for node in imports]
-        assert [name for name in names if name != "math"] == ["__future__", "functools", "sys", "typing"], path
+        assert [name for name in names if name != "math"] == ["__future__", "functools", "sys", "typing", "importlib"], path
         named = {alias.asname or alias.name for node in imports for alias in node.names}
         read = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
         assert named - read == {"annotations"}, (path, named - read)

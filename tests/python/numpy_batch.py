@@ -78,7 +78,63 @@ def check_singular():
     raise AssertionError("no exception")
 
 
+def check_stack():
+    """Axes of states, then rows, then columns; entries that are numbers are repeated for every state."""
+    module = module_of("cart_pole")
+    code, p = module.on(numpy), module.Parameters()
+    theta = numpy.linspace(-3.0, 3.0, 7)
+    rows = code.linearization(p, [0.0, theta], [0.0, 0.5], [0.0]).A
+    matrix = code.stack(rows)
+    assert matrix.shape == (7, 4, 4)
+    for i in range(4):
+        for j in range(4):
+            assert (matrix[:, i, j] == rows[i][j]).all(), (i, j)
+    assert rows[3][1].shape == (7,) and rows[0][2] == 1.0 and rows[2][0] == 0.0
+    assert code.stack(code.gravity(p, [0.0, theta])).shape == (7, 2)
+    assert code.stack(code.mass_matrix(p, [0.0, theta.reshape(7, 1)])).shape == (7, 1, 2, 2)
+    assert code.stack(code.mass_matrix(p, [0.0, 0.3])).shape == (2, 2)
+    found = code.stack(code.forward_dynamics(p, [0.0, theta], [0.0, 0.0], [0.0]))
+    assert found.acceleration.shape == found.relative_pivots.shape == (7, 2)
+    assert code.stack([[], []]).shape == (2, 0)
+
+
+def parts_of(value):
+    return [part for each in value for part in parts_of(each)] if isinstance(value, (list, tuple)) else [value]
+
+
+def check_blocks():
+    """Blocks give the structure and the bits of all states at once, also if the last block is shorter."""
+    module = module_of("cart_pole")
+    code = module.on(numpy)
+    chance = numpy.random.default_rng(1)
+    q, v, u = (chance.normal(size=(rows, 1000)) for rows in (2, 2, 1))
+    p = module.Parameters(m=chance.uniform(0.1, 1.0, 1000))
+    for name in ("mass_matrix", "forward_dynamics", "linearization", "input_matrix", "potential_energy"):
+        function = getattr(code, name)
+        given = arguments(function, {"p": p, "q": q, "v": v, "u": u})
+        whole = function(*given)
+        sizes = []
+
+        def counted(*x):
+            sizes.append(x[1][1].shape[-1])
+            return function(*x)
+
+        for size in (1, 300, 999, 1000, 8192):
+            sizes.clear()
+            found = code.blocks(counted, *given, size=size)
+            assert max(sizes) <= size and sum(sizes) == 1000, (name, size)
+            assert type(found) is type(whole)
+            for one, other in zip(parts_of(found), parts_of(whole), strict=True):
+                assert numpy.array_equal(one, other) and type(one) is type(other), (name, size)
+    # A number, and a single state with its 2 entries in one array, belong to all blocks.
+    one = code.blocks(code.bias, module.Parameters(), numpy.array([0.1, 0.2]), [0.3, v[1]], size=100)
+    assert numpy.array_equal(one[0], code.bias(module.Parameters(), [0.1, 0.2], [0.3, v[1]])[0])
+    assert code.blocks(code.gravity, p, [0.0, 0.1], size=7)[1].shape == (1000,)
+
+
 check_entries_that_are_numbers()
+check_stack()
+check_blocks()
 check_arrays_of_parameters()
 check_singular()
 check_all()

@@ -60,6 +60,8 @@ TEST_CASE("mypy --strict accepts modules, and refuses calls with wrong types") {
   check_script("typed");
 }
 
+TEST_CASE("functions for a library are pickled") { check_script("pickling"); }
+
 TEST_CASE("SymPy proves every closed form that a model expects") { check_script("sympy_proofs"); }
 
 TEST_CASE("mpmath agrees with the oracle's 50 digits") { check_script("mpmath_digits"); }

@@ -44,6 +44,14 @@ def check_parameters():
     assert abs(mass.grad.item() - (more - less) / (2 * step)) < 1e-12  # the energy is linear in m
 
 
+def check_blocks():
+    """Blocks of states, joined along the last axis."""
+    code = module_of("cart_pole").on(torch)
+    theta = torch.linspace(-1.0, 1.0, 10, dtype=torch.float64)
+    whole, joined = (code.blocks(code.gravity, code.Parameters(), [0.0, theta], size=size) for size in (10, 3))
+    assert whole[0] == joined[0] == 0.0 and torch.allclose(whole[1], joined[1], rtol=1e-14, atol=0.0)
+
+
 def check_pairs():
     """Functions of two arguments accept a tensor and a number."""
     from generated import written
@@ -76,4 +84,5 @@ V = "k*atan2(y, l)^2 + k*atan2(x, y)"
 for model in ("cart_pole", "double_pendulum", "furuta_pendulum", "two_link_arm", "chain", "elastic_pendulum"):
     check(model)
 check_parameters()
+check_blocks()
 check_pairs()
