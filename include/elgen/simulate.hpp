@@ -82,8 +82,9 @@ struct ConstraintAccuracy {
 struct TrajectoryColumn {
   std::string name = {};              ///< in the model language: "theta", "dot(theta)"
   std::string unit = {};              ///< "" if the model declares none
-  std::string panel = {};             ///< the panel of the plot that shows it; "": none
+  std::string panel = {};             ///< title of the panel of the plot that shows it; "": none
   bool is_relative_to_start = false;  ///< true: the plot shows value - initial value - work
+  std::string symbol = {};            ///< the name in plots, in Unicode: "θ̇"
 };
 
 struct Trajectory {

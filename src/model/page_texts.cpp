@@ -1,7 +1,8 @@
-// Titles and units as pages print them.
+// Titles, symbols and units in the characters of pages.
 #include <algorithm>
 
 #include "base/ascii.hpp"
+#include "formula/drawing.hpp"
 #include "model/symbols.hpp"
 
 namespace elgen {
@@ -26,6 +27,17 @@ std::string format_unit(std::string unit, std::string_view times,
     }
   }
   return text;
+}
+
+std::string unicode_text(const Glyphs& glyphs) {
+  const TextBlock block = draw_glyphs(glyphs, Alphabet::unicode, FractionStyle::in_line);
+  return block.lines[block.base];
+}
+
+std::string unicode_text(const Formula& formula) { return unicode_text(glyphs_of(formula)); }
+
+std::string unicode_unit(const std::string& unit) {
+  return unit == "1" ? "" : format_unit(unit, " ", small_exponent);
 }
 
 std::string title_from_name(std::string name) {

@@ -77,6 +77,13 @@ class ModelSymbols {
 /// Replaces every vector `<vector>` in `glyphs` by the glyphs `by`.
 [[nodiscard]] Glyphs replace_vector(Glyphs glyphs, std::string_view vector, const Glyphs& by);
 
+/// A formula in Unicode on one line, as on screens: "θ̇₁", "π/2".
+[[nodiscard]] std::string unicode_text(const Formula& formula);
+[[nodiscard]] std::string unicode_text(const Glyphs& glyphs);
+
+/// A unit in Unicode: "kg m²/s²" from "kg*m^2/s^2"; "" from "1".
+[[nodiscard]] std::string unicode_unit(const std::string& unit);
+
 /// A unit as pages print it: kg*m^2/s^2 becomes kg m²/s². `times` separates factors;
 /// `exponent_text` formats an exponent "2", "-1" or "1/2".
 [[nodiscard]] std::string format_unit(std::string unit, std::string_view times,

@@ -45,7 +45,7 @@ class ScreenDrawing {
 
   /// "kg*m^2" as "kg m²" in Unicode; in ASCII `text` is unchanged.
   [[nodiscard]] std::string spell_unit(const std::string& text) const {
-    return is_unicode() ? format_unit(text, " ", small_exponent) : text;
+    return is_unicode() ? unicode_unit(text) : text;
   }
 
   [[nodiscard]] bool fits_screen(const TextBlock& drawn) const {

@@ -14,6 +14,7 @@
 #include "elgen/wording.hpp"
 #include "model/output_units.hpp"
 #include "model/requests.hpp"
+#include "model/symbols.hpp"
 #include "numbers/exact_number.hpp"
 #include "program/evaluate/subject.hpp"
 #include "run/simulate/ranks.hpp"
@@ -164,40 +165,52 @@ class SimulationRun {
   std::chrono::duration<double> elapsed_ = {};
 };
 
+std::string rotation_symbol(const Model& model, std::uint32_t index) {
+  const Rotation& rotation = model.rotations[index];
+  return unicode_text(symbol_of_name(rotation.name, rotation.latex));
+}
+
 /// The columns of a run; x and y of `point` are included if `point` is not empty.
 std::vector<TrajectoryColumn> trajectory_columns(const SimulatedSystem& system,
                                                  const std::string& point) {
   const Model& model = system.model();
-  std::vector<TrajectoryColumn> columns{{"t", "s", ""}};
+  const LeafValues<Formula> symbols = ModelSymbols(model).leaf_symbols();
+  std::vector<TrajectoryColumn> columns{{"t", "s", "", false, "t"}};
   const auto name = [&](Opcode kind, std::size_t i) {
     return leaf_text(system.leaves(), kind, static_cast<std::uint32_t>(i));
   };
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& coordinate = model.coordinates[i];
-    const std::string own = name(Opcode::coordinate, i);
-    columns.push_back({own, coordinate.unit_text,
-                       coordinate.rotation ? model.rotations[*coordinate.rotation].name : own});
+    const std::string symbol = unicode_text(symbols.q[i]);
+    columns.push_back({name(Opcode::coordinate, i), coordinate.unit_text,
+                       coordinate.rotation ? rotation_symbol(model, *coordinate.rotation) : symbol,
+                       false, symbol});
   }
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& velocity = model.velocities[i];
     const std::string& unit = model.coordinates[velocity.coordinate].unit_text;
     const std::string rate = unit.empty() ? "" : unit + "/s";
-    columns.push_back({name(Opcode::velocity, i), velocity.rotation ? "rad/s" : rate, ""});
+    columns.push_back({name(Opcode::velocity, i), velocity.rotation ? "rad/s" : rate, "", false,
+                       unicode_text(symbols.v[i])});
   }
   for (std::size_t k = 0; k < model.inputs.size(); ++k) {
     const Input& input = model.inputs[k];
-    if (system.laws()[k].expression) columns.push_back({input.name, input.unit_text, input.name});
+    if (!system.laws()[k].expression) continue;
+    const std::string symbol = unicode_text(symbols.u[k]);
+    columns.push_back({input.name, input.unit_text, symbol, false, symbol});
   }
   for (std::size_t k = 0; k < model.constraints.size(); ++k) {
     const FieldEntry place{OutputKind::forward_dynamics, "multipliers", k, 0};
     const bool is_number = unit_of_entry(model, place) == Unit{};
     columns.push_back({"lambda_" + model.constraints[k].name,
-                       is_number ? "" : unit_text_of_entry(model, place), ""});
+                       is_number ? "" : unit_text_of_entry(model, place), "", false,
+                       unicode_text(symbols.multipliers[k])});
   }
   const bool is_in_units = has_units(model);
   for (const char* axis : {"x", "y"}) {
     if (point.empty()) break;
-    columns.push_back({fmt::format("{}({})", axis, point), is_in_units ? "m" : "", ""});
+    const std::string name_of_axis = fmt::format("{}({})", axis, point);
+    columns.push_back({name_of_axis, is_in_units ? "m" : "", "", false, name_of_axis});
   }
   columns.push_back(
       {"E", is_in_units ? "J" : "", system.does_work() ? "E − E₀ − work" : "E − E₀", true});
@@ -226,7 +239,7 @@ Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
       wrong.push_back(
           unknown_name_error("column", name, column_words(columns, &TrajectoryColumn::name)));
     } else if (found->panel.empty()) {
-      found->panel = name;
+      found->panel = found->symbol;
     }
   }
   const std::vector<std::string> points = column_words(model.points, &Point::name);

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "elgen/simulate.hpp"
+#include "model/symbols.hpp"
 #include "run/chart/chart.hpp"
 
 namespace elgen {
@@ -147,7 +148,7 @@ class TrajectoryPlot {
   }
 
   [[nodiscard]] PlotPanel panel_of(std::size_t column) const {
-    return {trajectory_.columns[column].name, trajectory_.columns[column].unit, {column}};
+    return {trajectory_.columns[column].symbol, trajectory_.columns[column].unit, {column}};
   }
 
   void add_column(std::size_t i) {
@@ -197,13 +198,14 @@ class TrajectoryPlot {
     return rounding_fraction * largest;
   }
 
-  /// The title of a panel: "theta [rad]", "e: e_w solid, e_x dashed, …".
+  /// The title of a panel: "θ [rad]", "e: e_w solid, e_x dashed, …".
   [[nodiscard]] std::string panel_title(const PlotPanel& panel) const {
-    std::string text = panel.name + (panel.unit.empty() ? "" : " [" + panel.unit + "]");
+    const std::string unit = unicode_unit(panel.unit);
+    std::string text = panel.name + (unit.empty() ? "" : " [" + unit + "]");
     if (panel.columns.size() == 1) return text;
     for (std::size_t k = 0; k < panel.columns.size(); ++k) {
       text += fmt::format("{} {} {}", k == 0 ? ":" : ",",
-                          trajectory_.columns[panel.columns[k]].name, line_style(k).name);
+                          trajectory_.columns[panel.columns[k]].symbol, line_style(k).name);
     }
     return text;
   }

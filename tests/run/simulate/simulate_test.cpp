@@ -99,8 +99,8 @@ vector = ["0", "-9"]
   const Result<Trajectory> shown = run({"q", " dot(q)"}, "");
   REQUIRE(shown);
   CHECK(shown->columns[1].panel == "q");
-  CHECK(shown->columns[2].panel == "dot(q)");
-  CHECK(mentions(to_svg(*shown), ">dot(q)<"));
+  CHECK(shown->columns[2].panel == "q\u0307");
+  CHECK(mentions(to_svg(*shown), ">q\u0307<"));
   const Result<Trajectory> drawn = run({}, "bob");
   REQUIRE(drawn);
   CHECK(drawn->columns[2].panel.empty());

@@ -27,9 +27,13 @@ Trajectory two_columns() {
 
 Trajectory seven_columns() {
   Trajectory trajectory;
-  trajectory.columns = {
-      {"t", "s", ""},       {"phi", "rad", "phi"}, {"e_w", "", "e"},          {"e_x", "", "e"},
-      {"dot(phi)", "", ""}, {"x<y", "m", "x<y"},   {"E", "J", "E − E₀", true}};
+  trajectory.columns = {{"t", "s", ""},
+                        {"phi", "rad", "ϕ", false, "ϕ"},
+                        {"e_w", "", "e", false, "e₀"},
+                        {"e_x", "", "e", false, "eₓ"},
+                        {"dot(phi)", "", "", false, "ϕ\u0307"},
+                        {"x<y", "kg*m^2", "x<y", false, "x<y"},
+                        {"E", "J", "E − E₀", true}};
   for (int i = 0; i <= 10; ++i) {
     const double t = i;
     trajectory.rows.push_back({t, std::remainder(t, 2 * M_PI), 1, 0, 1, t * t, 3 + 1e-9 * t});
@@ -106,9 +110,9 @@ TEST_CASE("a plot is XML with a panel for each name, and a curve for each of its
   REQUIRE(document.Parse(svg.c_str()) == tinyxml2::XML_SUCCESS);
   CHECK(count(svg, "font-weight") == 1 + 4);
   CHECK(count(svg, "<path") == 5);
-  CHECK(mentions(svg, "phi [rad]"));
-  CHECK(mentions(svg, "x&lt;y [m]"));
-  CHECK_FALSE(mentions(svg, "dot(phi)"));
+  CHECK(mentions(svg, ">ϕ [rad]<"));
+  CHECK(mentions(svg, ">x&lt;y [kg m²]<"));
+  CHECK_FALSE(mentions(svg, "ϕ\u0307"));
   CHECK_FALSE(mentions(svg, "nan"));
 }
 
@@ -169,8 +173,8 @@ TEST_CASE("the path of a point has equal scales and a marked start") {
   trajectory.path = "bob";
   trajectory.columns = {{"t", "s", ""},
                         {"q", "rad", "q"},
-                        {"x(bob)", "m", ""},
-                        {"y(bob)", "m", ""},
+                        {"x(bob)", "m", "", false, "x(bob)"},
+                        {"y(bob)", "m", "", false, "y(bob)"},
                         {"E", "J", "E − E₀", true}};
   trajectory.rows = {{0, 7, 0, -1, 3}, {1, 8, 1, -1.5, 3}, {2, 9, 2, -1, 3}};
   const std::string svg = to_svg(trajectory);
@@ -209,7 +213,7 @@ TEST_CASE("curves of a panel differ in their dashes, and wrapped angles are inte
   const std::string svg = to_svg(seven_columns());
   CHECK(count(svg, "stroke-dasharray=\"none\"") == 4);
   CHECK(count(svg, "stroke-dasharray=\"9 4\"") == 1);
-  CHECK(mentions(svg, ">e: e_w solid, e_x dashed<"));
+  CHECK(mentions(svg, ">e: e₀ solid, eₓ dashed<"));
   const std::size_t path = svg.find("<path");
   const std::string first = svg.substr(path, svg.find("/>", path) - path);
   CHECK(count(first, "M") == 3);
