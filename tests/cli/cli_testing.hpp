@@ -24,6 +24,20 @@ inline Outcome run(const std::string& command) {
   return workspace.run(command);
 }
 
+/// The element `<output id="state">` after Chromium has opened `page`, with `script` at its end.
+inline std::string state_after(const Workspace& workspace, const std::string& page,
+                               const std::string& script) {
+  workspace.write("moved.html",
+                  replaced(page, "</body>", "<script>" + script + "</script></body>"));
+  const Outcome shown = workspace.run(
+      "chromium --headless=new --no-sandbox --disable-gpu --disable-dev-shm-usage "
+      "--allow-file-access-from-files --force-prefers-reduced-motion --virtual-time-budget=5000 "
+      "--dump-dom moved.html");
+  const std::size_t begin = shown.output.find("<output id=\"state\"");
+  REQUIRE(begin != std::string::npos);
+  return shown.output.substr(begin, shown.output.find("</output>", begin) - begin);
+}
+
 /// A folder with cart_pole.toml and its generated files.
 class Project : public Workspace {
  public:

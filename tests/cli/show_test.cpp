@@ -119,6 +119,24 @@ TEST_CASE("pages in every notation") {
   CHECK(mentions(json, "\"entries\": [\"M + m\", \"m*l*cos(theta)\""));
 }
 
+TEST_CASE("a page of MathML fits a phone, and a browser aligns its equations at their signs") {
+  const std::string html = show(model_path("double_pendulum") + " --what steps --as mathml").output;
+  CHECK(mentions(html, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"));
+  if (!has_program("chromium")) return;
+  const Workspace workspace;
+  const std::string page = replaced(html, "</body>", "<output id=\"state\"></output></body>");
+  const std::string shown = state_after(workspace, page, R"js(
+    const spreads = [...document.querySelectorAll("mtable.lines")].map((table) => {
+      const cells = [...table.children].map((row) => row.children[0].children[0]);
+      const ends = cells.filter((cell) => cell.children.length > 0)
+        .map((cell) => cell.getBoundingClientRect().right);
+      return Math.max(...ends) - Math.min(...ends);
+    });
+    document.getElementById("state").textContent = [spreads.length > 3, 1 > Math.max(...spreads)];
+  )js");
+  CHECK(mentions(shown, ">true,true"));
+}
+
 TEST_CASE("symmetries are shown in every notation, of models and of scenes") {
   const std::string words = model_path("kepler_polar") + " -q --what symmetries";
   const Outcome text = show(words);
