@@ -55,6 +55,9 @@ struct FunctionEquations {
 /// the equation that the accelerations satisfy.
 [[nodiscard]] std::vector<std::string> variable_lines(const Model& model, const Program& program);
 
+/// The expression in the symbols of the model, with its names unexpanded.
+[[nodiscard]] Formula expression_formula(const Model& model, ExpressionId expression);
+
 /// A conserved quantity: the name, for example "p(phi)", and the definition.
 struct ConservedQuantity {
   std::string name = {};

@@ -250,6 +250,10 @@ bool has_gains(const Constraint& constraint) { return constraint.omega && constr
 
 }  // namespace
 
+Formula expression_formula(const Model& model, ExpressionId expression) {
+  return ExpressionPrinter(model)(expression);
+}
+
 std::vector<ConservedQuantity> conserved_quantities(const Model& model, const Program& program) {
   const Function* const energy = find_function(program, OutputKind::energy_function);
   const bool has_momentum = find_function(program, OutputKind::momentum) != nullptr;

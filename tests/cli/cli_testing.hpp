@@ -25,8 +25,8 @@ inline Outcome run(const std::string& command) {
 }
 
 /// The element `<output id="state">` after Chromium has opened `page`, with `script` at its end.
-inline std::string state_after(const Workspace& workspace, const std::string& page,
-                               const std::string& script) {
+inline std::string state_in_browser(const Workspace& workspace, const std::string& page,
+                                    const std::string& script) {
   workspace.write("moved.html",
                   replaced(page, "</body>", "<script>" + script + "</script></body>"));
   const Outcome shown = workspace.run(

@@ -125,7 +125,7 @@ TEST_CASE("a page of MathML fits a phone, and a browser aligns its equations at 
   if (!has_program("chromium")) return;
   const Workspace workspace;
   const std::string page = replaced(html, "</body>", "<output id=\"state\"></output></body>");
-  const std::string shown = state_after(workspace, page, R"js(
+  const std::string shown = state_in_browser(workspace, page, R"js(
     const spreads = [...document.querySelectorAll("mtable.lines")].map((table) => {
       const cells = [...table.children].map((row) => row.children[0].children[0]);
       const ends = cells.filter((cell) => cell.children.length > 0)

@@ -28,6 +28,8 @@ function element([, tag, attributes], options) {
     setAttribute: (name, value) => { made.values[name] = value; },
     addEventListener: (name, act) => { made.listeners[name] = act; },
     nextElementSibling: { textContent: "" },
+    add: (option) => { made.options.push(option); },
+    replaceChildren: () => { made.options = []; },
   });
 }
 
@@ -55,6 +57,7 @@ const context = vm.createContext({
   matchMedia: () => ({ matches: true }),
   getComputedStyle: () => ({ getPropertyValue: () => "#000" }),
   URLSearchParams,
+  Option: function Option(shown, value) { Object.assign(this, { textContent: shown, value: String(value) }); },
   document: {
     documentElement: {},
     addEventListener: () => {},

@@ -18,7 +18,7 @@
 #include "emit/interface/code_interface.hpp"
 #include "formula/glyphs.hpp"
 #include "model/output_units.hpp"
-#include "run/player/player_model.hpp"
+#include "model/symbols.hpp"
 
 namespace elgen {
 namespace {
@@ -26,7 +26,8 @@ namespace {
 struct Slider {
   char kind = 'q';  ///< 'q', 'v', 'u' or 'p'; `index` counts within the kind
   std::size_t index = 0;
-  std::string name = {};
+  std::string name = {};  ///< in the model language
+  Formula symbol = {};
   std::string unit = {};
   double value = 0;
   double half_width = 1;  ///< half the width of the interval, if there is no range
@@ -41,53 +42,56 @@ TemplateData slider_data(const Slider& slider) {
       slider.range ? to_double(slider.range->high) : slider.value + slider.half_width;
   return TemplateRow{{"kind", std::string(1, slider.kind)},
                      {"index", std::to_string(slider.index)},
-                     {"name", escape_xml(slider.name)},
-                     {"unit", html_attribute_text(slider.unit)},
+                     {"name", html_attribute_text(slider.name)},
+                     {"symbol", escape_xml(unicode_text(slider.symbol))},
+                     {"unit", html_attribute_text(unicode_unit(slider.unit))},
                      {"value", fmt::format("{}", slider.value)},
                      {"low", fmt::format("{}", std::min(low, slider.value))},
                      {"high", fmt::format("{}", std::max(high, slider.value))}};
 }
 
 using Sliders = std::vector<Slider>;
+using Symbols = LeafValues<Formula>;
 
-Sliders coordinate_sliders(const Model& model) {
+Sliders coordinate_sliders(const Model& model, const Symbols& symbols) {
   Sliders list;
   for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
     const Coordinate& c = model.coordinates[i];
     const double start = to_double(c.start_value);
     const double reach = is_angle(c) ? std::numbers::pi : default_half_width(start);
-    if (!c.rotation) list.push_back({'q', i, c.name, c.unit_text, start, reach, c.range});
+    if (c.rotation) continue;
+    list.push_back({'q', i, c.name, symbols.q[i], c.unit_text, start, reach, c.range});
   }
   return list;
 }
 
-Sliders velocity_sliders(const Model& model, const LeafNames& leaves) {
+Sliders velocity_sliders(const Model& model, const LeafNames& leaves, const Symbols& symbols) {
   constexpr double turns = 5;
   Sliders list;
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& v = model.velocities[i];
     const double start = to_double(v.start_rate);
     list.push_back({'v', i, leaf_text(leaves, Opcode::velocity, static_cast<std::uint32_t>(i)),
-                    velocity_unit_text(model, v), start, turns * default_half_width(start),
-                    v.rate_range});
+                    symbols.v[i], velocity_unit_text(model, v), start,
+                    turns * default_half_width(start), v.rate_range});
   }
   return list;
 }
 
 /// Sliders of the inputs that have no law.
-Sliders input_sliders(const CheckedModel& checked) {
+Sliders input_sliders(const CheckedModel& checked, const Symbols& symbols) {
   const Model& model = checked.model;
   constexpr double reach = 10;
   Sliders list;
   for (std::size_t k = 0; k < model.inputs.size(); ++k) {
     const Input& input = model.inputs[k];
-    if (find_law(checked.scene, input) == nullptr)
-      list.push_back({'u', k, input.name, input.unit_text, 0, reach, input.limits});
+    if (find_law(checked.scene, input) != nullptr) continue;
+    list.push_back({'u', k, input.name, symbols.u[k], input.unit_text, 0, reach, input.limits});
   }
   return list;
 }
 
-Sliders parameter_sliders(const Model& model, const Program& program) {
+Sliders parameter_sliders(const Model& model, const Program& program, const Symbols& symbols) {
   Sliders list;
   for (const ParameterArray& array : emitted_parameters(model, program)) {
     for (std::uint32_t i = 0; i < array.count; ++i) {
@@ -96,8 +100,8 @@ Sliders parameter_sliders(const Model& model, const Program& program) {
       std::optional<Interval> range = array.range;
       const bool is_above_zero = !range && parameter.assumption != Assumption::none;
       if (is_above_zero) range = Interval{parameter.value / 4, parameter.value * 4};
-      list.push_back({'p', list.size(), parameter.name, array.unit_text, value,
-                      default_half_width(value), range});
+      list.push_back({'p', list.size(), parameter.name, symbols.parameters[array.first + i],
+                      array.unit_text, value, default_half_width(value), range});
     }
   }
   return list;
@@ -117,9 +121,9 @@ TemplateData tolerance_choices(double chosen) {
   });
 }
 
-void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program,
-                  const Products& read) {
+void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program) {
   const Model& model = checked.model;
+  const Symbols symbols = ModelSymbols(model).leaf_symbols();
   constexpr std::size_t most_open = 12;  // groups with more sliders are collapsed at first
   TemplateData groups(TemplateData::type::list);
   const auto add = [&groups](const char* title, const Sliders& sliders) {
@@ -128,24 +132,19 @@ void set_controls(TemplateData& data, const CheckedModel& checked, const Program
                           {"open", sliders.size() > most_open ? "" : " open"},
                           {"sliders", repeated_section(sliders, slider_data)}};
   };
-  add("Start", coordinate_sliders(model));
-  add("Rates at the start", velocity_sliders(model, program.leaves));
-  add("Inputs", input_sliders(checked));
-  add("Parameters", parameter_sliders(model, program));
+  add("Start", coordinate_sliders(model, symbols));
+  add("Rates at the start", velocity_sliders(model, program.leaves, symbols));
+  add("Inputs", input_sliders(checked, symbols));
+  add("Parameters", parameter_sliders(model, program, symbols));
   data.set("groups", groups);
   TemplateData phases(TemplateData::type::list);
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& v = model.velocities[i];
     if (v.rotation) continue;
-    phases << TemplateRow{{"index", std::to_string(i)}, {"name", escape_xml(v.name)}};
+    phases << TemplateRow{{"index", std::to_string(i)},
+                          {"symbol", escape_xml(unicode_text(symbols.q[v.coordinate]))}};
   }
   data.set("phases", phases);
-  TemplateData starts(TemplateData::type::list);
-  for (const ShownStart& start : shown_starts(model, read)) {
-    starts << TemplateRow{{"index", std::to_string(starts.list_value().size())},
-                          {"name", escape_xml(start.name)}};
-  }
-  data.set("starts", starts);
   constexpr std::array paces{"0.1", "0.25", "0.5", "1", "2", "5", "10"};
   data.set("paces", repeated_section(paces, [](const std::string_view pace) {
              return TemplateRow{{"pace", std::string(pace)},

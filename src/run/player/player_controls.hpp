@@ -1,4 +1,4 @@
-// player_controls: the sliders, buttons and choices of a page.
+// player_controls: the sliders and choices of a page.
 #pragma once
 
 #include "base/fill_template.hpp"
@@ -7,9 +7,8 @@
 
 namespace elgen {
 
-/// Sets the variables of `data` for groups of sliders, phase planes, starts and paces.
-void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program,
-                  const Products& read);
+/// Sets the variables of `data` for groups of sliders, phase planes and paces.
+void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program);
 
 /// The options of the page's tolerance; `chosen` is one of them, and selected.
 [[nodiscard]] TemplateData tolerance_choices(double chosen);

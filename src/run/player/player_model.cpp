@@ -6,10 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "analyse/formulas.hpp"
 #include "base/fill_template.hpp"
 #include "base/json.hpp"
+#include "elgen/analysis_pages.hpp"
+#include "elgen/page.hpp"
 #include "elgen/real.hpp"
 #include "elgen/references.hpp"
 #include "elgen/wording.hpp"
@@ -17,29 +22,43 @@
 #include "model/kinks.hpp"
 #include "model/output_units.hpp"
 #include "model/shown_places.hpp"
+#include "model/symbols.hpp"
 #include "program/evaluate/conservation.hpp"
+#include "run/player/player_places.hpp"
 #include "run/steps/methods.hpp"
 #include "run/steps/system.hpp"
 
 namespace elgen {
 namespace {
 
-Json coordinates_json(const Model& model) {
+/// The largest magnitude in a declared range; 0 if no range is declared.
+double largest_in_range(const std::optional<Interval>& range) {
+  return range ? std::max(std::abs(to_double(range->low)), std::abs(to_double(range->high))) : 0;
+}
+
+Json coordinates_json(const Model& model, const LeafValues<Formula>& symbols) {
   Json list = Json::array();
-  for (const Coordinate& c : model.coordinates) {
+  for (std::size_t i = 0; i < model.coordinates.size(); ++i) {
+    const Coordinate& c = model.coordinates[i];
     list.push_back({{"name", c.name},
-                    {"unit", c.unit_text},
+                    {"symbol", unicode_text(symbols.q[i])},
+                    {"unit", unicode_unit(c.unit_text)},
+                    {"range", largest_in_range(c.range)},
                     {"start", to_double(c.start_value)},
                     {"wraps", c.wraps}});
   }
   return list;
 }
 
-Json velocities_json(const Model& model, const LeafNames& leaves) {
+Json velocities_json(const Model& model, const LeafNames& leaves,
+                     const LeafValues<Formula>& symbols) {
   Json list = Json::array();
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& v = model.velocities[i];
     list.push_back({{"name", leaf_text(leaves, Opcode::velocity, static_cast<std::uint32_t>(i))},
+                    {"symbol", unicode_text(symbols.v[i])},
+                    {"unit", unicode_unit(velocity_unit_text(model, v))},
+                    {"range", largest_in_range(v.rate_range)},
                     {"start", to_double(v.start_rate)},
                     {"coordinate", v.coordinate}});
   }
@@ -75,10 +94,11 @@ Json parameters_json(const Model& model, const Program& program, LanguageId lang
   return list;
 }
 
-Json multipliers_json(const Model& model) {
+Json multipliers_json(const Model& model, const LeafValues<Formula>& symbols) {
   Json list = Json::array();
-  for (const Constraint& constraint : model.constraints) {
-    list.push_back({{"name", constraint.name}});
+  for (std::size_t k = 0; k < model.constraints.size(); ++k) {
+    list.push_back(
+        {{"name", model.constraints[k].name}, {"symbol", unicode_text(symbols.multipliers[k])}});
   }
   return list;
 }
@@ -86,90 +106,106 @@ Json multipliers_json(const Model& model) {
 Json integrals_json(const Model& model) {
   Json list = Json::array();
   for (const ExpressionId id : shown_integrals(model)) {
-    list.push_back(to_string(model, id));
+    list.push_back(unicode_text(expression_formula(model, id)));
   }
   return list;
 }
 
-/// The index of each place's first row in the output that contains all places.
-std::vector<std::size_t> first_rows(const Model& model, const std::vector<ShownPlace>& places) {
-  std::vector<std::size_t> rows;
-  std::size_t next = 0;
-  for (const ShownPlace& place : places) {
-    rows.push_back(next);
-    next += place_coordinates(model, place).size() / 3;
-  }
-  return rows;
-}
+/// A start at rest, for the menu of the page.
+struct ShownStart {
+  std::string name = {};  ///< "θ = 0 (stable)", "mode of 4.43 rad/s: θ = 0"
+  std::vector<double> q = {};
+};
 
-bool is_zero(const Model& model, ExpressionId id) {
-  const Expression& e = model.expressions[id];
-  return e.kind == ExpressionKind::number && cln::zerop(e.number);
-}
+/// Labels of points of rest, in the symbols of the model.
+class RestLabels {
+ public:
+  RestLabels(const Model& model, const Equilibria& found)
+      : model_(model), found_(found), symbols_(ModelSymbols(model).leaf_symbols()) {}
 
-/// True if the z component of every place is the number 0, and no place is a frame.
-bool is_planar(const Model& model, const std::vector<ShownPlace>& places) {
-  return std::ranges::all_of(places, [&](const ShownPlace& place) {
-    return place.kind != PlaceKind::frame && is_zero(model, place_coordinates(model, place)[2]);
-  });
-}
+  /// The values of the coordinates: "θ₁ = 0, θ₂ = π". Omits coordinates that are at rest at any
+  /// value, and coordinates that have this value at all points of rest.
+  [[nodiscard]] std::string label(const RestPoint& point) const {
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
+      if (point.coordinates[i].is_arbitrary || (found_.points.size() > 1 && is_common(i))) continue;
+      parts.push_back(
+          fmt::format("{} = {}", unicode_text(symbols_.q[i]), value_text(point.coordinates[i])));
+    }
+    return parts.empty() ? "anywhere" : fmt::format("{}", fmt::join(parts, ", "));
+  }
 
-/// The last axis along which gravity is not the number 0; z if there is no gravity.
-std::size_t up_axis(const Model& model) {
-  if (!model.gravity) return 2;
-  std::size_t up = 2;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (!is_zero(model, (*model.gravity)[i])) up = i;
+ private:
+  [[nodiscard]] bool is_common(std::size_t i) const {
+    const cln::cl_R& first = found_.points.front().coordinates[i].value;
+    return std::ranges::all_of(found_.points, [&](const RestPoint& point) {
+      return to_double(point.coordinates[i].value) == to_double(first);
+    });
   }
-  return up;
-}
 
-void add_places(Json& json, const Model& model) {
-  const std::vector<ShownPlace> places = shown_places(model);
-  const std::vector<std::size_t> rows = first_rows(model, places);
-  Json list = Json::array();
-  std::size_t masses = 0;
-  std::size_t trail = rows.empty() ? 0 : rows.back();
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    list.push_back({{"row", rows[i]},
-                    {"is_frame", places[i].kind == PlaceKind::frame},
-                    {"mass", places[i].mass ? Json(masses++) : Json(nullptr)}});
-    if (places[i].kind == PlaceKind::point) trail = rows[i];
+  /// A closed form without parameters, such as π/2; otherwise six digits.
+  [[nodiscard]] std::string value_text(const RestCoordinate& at) const {
+    const Algebra& algebra = found_.forms.algebra;
+    const bool is_number =
+        at.closed_form && !at.inverse_argument && !contains_leaves(algebra, *at.closed_form);
+    const std::optional<Formula> form =
+        is_number ? readable_formula(model_, algebra, at.closed_form) : std::nullopt;
+    return form ? unicode_text(*form) : fmt::format("{:.6g}", to_double(at.value) + 0.0);
   }
-  Json lines = Json::array();
-  for (const auto& [from, to, is_spring] : shown_lines(model)) {
-    lines.push_back({rows[from], to ? Json(rows[*to]) : Json(nullptr), is_spring});
-  }
-  json["places"] = std::move(list);
-  json["lines"] = std::move(lines);
-  json["trail"] = trail;
-  json["is_planar"] = is_planar(model, places);
-  json["up"] = up_axis(model);
-}
 
-/// The values of the coordinates: "theta = 3.14159". Omits coordinates that are at rest at any
-/// value.
-std::string rest_point_label(const Model& model, const RestPoint& point) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < point.coordinates.size(); ++i) {
-    const RestCoordinate& at = point.coordinates[i];
-    if (at.is_arbitrary) continue;
-    parts.push_back(
-        fmt::format("{} = {:.6g}", model.coordinates[i].name, to_double(at.value) + 0.0));
-  }
-  return parts.empty() ? "anywhere" : fmt::format("{}", fmt::join(parts, ", "));
+  const Model& model_;
+  const Equilibria& found_;
+  LeafValues<Formula> symbols_;
+};
+
+ShownStart rest_start(const RestPoint& point, std::string name) {
+  ShownStart start{std::move(name)};
+  for (const cln::cl_R& value : point.state.q) start.q.push_back(to_double(value) + 0.0);
+  return start;
 }
 
 /// A start at rest: the equilibrium `point` plus 0.1 times the shape of `mode`.
-ShownStart mode_start(const Model& model, const RestPoint& point, const NormalMode& mode) {
+ShownStart mode_start(const Model& model, const RestLabels& labels, const RestPoint& point,
+                      const NormalMode& mode) {
   constexpr double part = 0.1;
   const double omega = std::sqrt(to_double(mode.omega_squared));
-  ShownStart start{fmt::format("Mode of {:.4g} rad/s: {}", omega, rest_point_label(model, point))};
-  for (const cln::cl_R& value : point.state.q) start.q.push_back(to_double(value) + 0.0);
+  ShownStart start =
+      rest_start(point, fmt::format("mode of {:.4g} rad/s: {}", omega, labels.label(point)));
   for (std::size_t i = 0; i < mode.shape.size(); ++i) {
     start.q[model.velocities[i].coordinate] += part * mode.shape[i];
   }
   return start;
+}
+
+/// The equilibria, stable ones first. For models without rotations, also each stable equilibrium
+/// plus 0.1 times the shape of each normal mode with omega^2 > 0.
+std::vector<ShownStart> shown_starts(const Model& model, const Products& read) {
+  std::vector<ShownStart> starts;
+  if (!read.equilibria) return starts;
+  const RestLabels labels(model, *read.equilibria);
+  for (const bool is_wanted_stable : {true, false}) {
+    for (const RestPoint& point : read.equilibria->points) {
+      if (is_stable(point.stability.kind) != is_wanted_stable) continue;
+      const char* const verdict = is_wanted_stable ? " (stable)" : "";
+      starts.push_back(rest_start(point, labels.label(point) + verdict));
+    }
+  }
+  if (!read.modes || !model.rotations.empty()) return starts;
+  for (const LinearMotions& motions : read.modes->motions) {
+    for (const NormalMode& mode : motions.modes) {
+      if (!cln::plusp(mode.omega_squared)) continue;
+      starts.push_back(mode_start(model, labels, motions.point, mode));
+    }
+  }
+  return starts;
+}
+
+Json starts_json(const Model& model, const Products& read) {
+  Json list = Json::array();
+  for (const ShownStart& start : shown_starts(model, read)) {
+    list.push_back({{"name", start.name}, {"q", start.q}});
+  }
+  return list;
 }
 
 /// Simulated seconds per real second: 1 if the run takes 2 to 60 s; otherwise the pace that shows
@@ -209,8 +245,10 @@ Json kinks_json(const CheckedModel& checked) {
 Json run_json(const SimulationOptions& options) {
   const MethodRow method = *find_method(options);
   const StepRule rule = *step_rule(method, options);
-  Json json{
-      {"from", options.from}, {"projects", options.projects}, {"pace", playback_pace(options)}};
+  Json json{{"from", options.from},
+            {"duration", options.duration},
+            {"projects", options.projects},
+            {"pace", playback_pace(options)}};
   if (method.step_kind == StepKind::adaptive) {
     const EmbeddedPair pair = dopri5_pair();
     json["pair"] = {{"rows", pair.rows}, {"instants", pair.instants}, {"errors", pair.errors}};
@@ -228,44 +266,25 @@ Json run_json(const SimulationOptions& options) {
 
 }  // namespace
 
-std::vector<ShownStart> shown_starts(const Model& model, const Products& read) {
-  constexpr std::size_t most = 12;
-  std::vector<ShownStart> starts;
-  if (!read.equilibria) return starts;
-  for (const RestPoint& point : read.equilibria->points) {
-    ShownStart start{fmt::format("At rest: {}{}", rest_point_label(model, point),
-                                 is_stable(point.stability.kind) ? " (stable)" : "")};
-    for (const cln::cl_R& value : point.state.q) start.q.push_back(to_double(value) + 0.0);
-    starts.push_back(std::move(start));
-  }
-  const bool has_modes = read.modes && model.rotations.empty();
-  for (const LinearMotions& motions :
-       has_modes ? read.modes->motions : std::vector<LinearMotions>{}) {
-    for (const NormalMode& mode : motions.modes) {
-      if (cln::plusp(mode.omega_squared)) starts.push_back(mode_start(model, motions.point, mode));
-    }
-  }
-  if (starts.size() > most) starts.resize(most);
-  return starts;
-}
-
 std::string player_model_json(const CheckedModel& checked, const Program& program,
                               const Products& read, const SimulationOptions& options) {
   const Model& model = checked.model;
   const bool is_driven = !model.inputs.empty();
   const Conservation conservation = find_conservation(model, program, is_driven, false);
+  const LeafValues<Formula> symbols = ModelSymbols(model).leaf_symbols();
   Json json;
-  json["coordinates"] = coordinates_json(model);
-  json["velocities"] = velocities_json(model, program.leaves);
+  json["coordinates"] = coordinates_json(model, symbols);
+  json["velocities"] = velocities_json(model, program.leaves, symbols);
   json["inputs"] = model.inputs.size();
   json["laws"] = laws_json(checked);
   json["parameters"] = parameters_json(model, program, checked.scene.emission.language);
-  json["multipliers"] = multipliers_json(model);
+  json["multipliers"] = multipliers_json(model, symbols);
   json["integrals"] = integrals_json(model);
-  add_places(json, model);
+  add_places(json, checked, program);
   json["kinks"] = kinks_json(checked);
-  json["starts"] = Json::array();
-  for (const ShownStart& start : shown_starts(model, read)) json["starts"].push_back(start.q);
+  json["starts"] = starts_json(model, read);
+  json["may_rest_elsewhere"] =
+      read.equilibria && read.equilibria->completeness != Completeness::proved;
   json["power"] = {{"has_time", conservation.has_time},
                    {"is_forced", conservation.is_forced},
                    {"has_moving_constraints", has_moving_constraints(model)}};

@@ -2,8 +2,8 @@
 // and the equations as MathML.
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <utility>
+#include <string>
+#include <vector>
 
 #include "base/fill_template.hpp"
 #include "base/reason.hpp"
@@ -68,22 +68,37 @@ Diagnostics check_run_length(const SimulationOptions& options) {
        "without `--step`, `dopri5` adapts its steps"}};
 }
 
-/// In bytes. A page omits a longer derivation; `show --what steps` prints it.
-constexpr std::size_t longest_derivation = 200'000;
+/// In bytes; about twelve screens of formulas. `show --what steps` prints what a page omits.
+constexpr std::size_t longest_derivation = 60'000;
 
 struct ReadableTexts {
   std::string equations = {};
-  std::string derivation = {};
+  std::string derivation = {};            ///< without the equations of motion
+  std::vector<std::string> omitted = {};  ///< titles of the omitted sections
 };
 
+/// The derivation as HTML. Omits the sections that do not fit after the sections before them.
 ReadableTexts make_readable_texts(const Products& read) {
-  const Model& model = read.checked->model;
   ReadableTexts result;
   if (!read.steps) return result;
-  result.equations = html_sections(derivation_sections(model, *read.steps, equations_title));
-  result.derivation = html_sections(derivation_sections(model, *read.steps));
-  if (result.derivation.size() > longest_derivation) result.derivation.clear();
+  for (const PageSection& section : derivation_sections(read.checked->model, *read.steps)) {
+    const bool is_end = text_of(section.title) == equations_title;
+    std::string& text = is_end ? result.equations : result.derivation;
+    const std::string more = html_sections({section});
+    if (text.size() + more.size() <= longest_derivation) {
+      text += more;
+    } else {
+      result.omitted.push_back(unicode_text(section.title));
+    }
+  }
   return result;
+}
+
+TemplateData derivation_data(const ReadableTexts& texts) {
+  const std::string titles = escape_xml(fmt::format("{}", fmt::join(texts.omitted, ", ")));
+  const TemplateData omitted = optional_section(!titles.empty(), {"titles", titles});
+  return optional_section(!texts.derivation.empty() || !titles.empty(),
+                          TemplateRow{{"text", texts.derivation}, {"omitted", omitted}});
 }
 
 }  // namespace
@@ -131,9 +146,8 @@ Result<std::string> player_page(const Products& run_products, const Products& sh
       {"calls", calls_data(*assembled, program)},
       {"model", player_model_json(*assembled, program, shown_products, options)},
       {"equations", texts.equations},
-      {"derivation",
-       optional_section(!texts.derivation.empty(), TemplateRow{{"text", texts.derivation}})}});
-  set_controls(data, *assembled, program, shown_products);
+      {"derivation", derivation_data(texts)}});
+  set_controls(data, *assembled, program);
   std::string page = fill_template("player/page.html.mustache", data);
   if (page.size() <= limits.page_bytes) return page;
   return Diagnostic{
