@@ -204,24 +204,28 @@ ExVector3 linear_momentum(VectorAlgebra& algebra, const RigidBody& body, const T
   return algebra.scale(body.mass, algebra.add(twist.velocity, carried));
 }
 
-std::vector<Twist> tree_twists(KinematicTree& tree, Tangent& along) {
+Twist child_twist(KinematicTree& tree, std::size_t k, const Twist& from, Tangent& along) {
   VectorAlgebra& algebra = tree.algebra;
+  const NameScope velocity = tree.name_scope("velocity", k);
+  const TreeTransform& transform = tree.transform(k);
+  Twist twist = from;
+  if (transform.kind == TransformKind::translation) {
+    const ExVector3 rate = algebra.rate(transform.vector, along);
+    const ExVector3 carried = algebra.cross(from.spin, transform.vector);
+    twist.velocity = algebra.add(from.velocity, algebra.add(carried, rate));
+  } else {
+    const ExVector3 own = joint_spin(tree, k, along);
+    twist.spin = algebra.add(tree.to_child(k, from.spin), own);
+    twist.velocity = tree.to_child(k, from.velocity);
+  }
+  return twist;
+}
+
+std::vector<Twist> tree_twists(KinematicTree& tree, Tangent& along) {
   std::vector<Twist> twists;
   for (std::size_t k = 0; k < tree.size(); ++k) {
-    const NameScope velocity = tree.name_scope("velocity", k);
-    const TreeTransform& transform = tree.transform(k);
-    const Twist from = transform.parent ? twists[*transform.parent] : Twist{};
-    Twist twist = from;
-    if (transform.kind == TransformKind::translation) {
-      const ExVector3 rate = algebra.rate(transform.vector, along);
-      const ExVector3 carried = algebra.cross(from.spin, transform.vector);
-      twist.velocity = algebra.add(from.velocity, algebra.add(carried, rate));
-    } else {
-      const ExVector3 own = joint_spin(tree, k, along);
-      twist.spin = algebra.add(tree.to_child(k, from.spin), own);
-      twist.velocity = tree.to_child(k, from.velocity);
-    }
-    twists.push_back(twist);
+    const auto& parent = tree.transform(k).parent;
+    twists.push_back(child_twist(tree, k, parent ? twists[*parent] : Twist{}, along));
   }
   return twists;
 }
@@ -245,27 +249,31 @@ TreeForces tree_momentum(KinematicTree& tree) {
   }));
 }
 
+Terms body_kinetic_energy(VectorAlgebra& algebra, const RigidBody& body, const Twist& twist) {
+  const ExVector3 spin = spin_momentum(algebra, body, twist.spin);
+  Terms terms{half * algebra.dot(spin, twist.spin)};
+  if (!has_mass(body)) return terms;
+  if (body.is_about_origin) {
+    // T = 1/2 m v^2 + v.(w x h) + 1/2 w.I w about the origin; 1/2 w.I w is already a term.
+    const ExVector3 turning = algebra.cross(twist.spin, first_moment(algebra, body));
+    const ExVector3 linear = algebra.scale(half * body.mass, twist.velocity);
+    terms.push_back(algebra.dot(twist.velocity, algebra.add(linear, turning)));
+  } else {
+    const ExVector3 carried = algebra.cross(twist.spin, body.com);
+    const ExVector3 velocity = algebra.add(twist.velocity, carried);
+    terms.push_back(half * body.mass * algebra.dot(velocity, velocity));
+  }
+  return terms;
+}
+
 Terms tree_kinetic_energy(KinematicTree& tree, Tangent& along) {
-  VectorAlgebra& algebra = tree.algebra;
   const std::vector<Twist> twists = tree_twists(tree, along);
   Terms terms;
   for (const RigidBody& body : tree.bodies()) {
     if (!body.transform) continue;
     const NameScope energy = tree.name_scope("kinetic", *body.transform);
-    const Twist& twist = twists[*body.transform];
-    const ExVector3 spin = spin_momentum(algebra, body, twist.spin);
-    terms.push_back(half * algebra.dot(spin, twist.spin));
-    if (!has_mass(body)) continue;
-    if (body.is_about_origin) {
-      // T = 1/2 m v^2 + v.(w x h) + 1/2 w.I w about the origin; 1/2 w.I w is already a term.
-      const ExVector3 turning = algebra.cross(twist.spin, first_moment(algebra, body));
-      const ExVector3 linear = algebra.scale(half * body.mass, twist.velocity);
-      terms.push_back(algebra.dot(twist.velocity, algebra.add(linear, turning)));
-    } else {
-      const ExVector3 carried = algebra.cross(twist.spin, body.com);
-      const ExVector3 velocity = algebra.add(twist.velocity, carried);
-      terms.push_back(half * body.mass * algebra.dot(velocity, velocity));
-    }
+    const Terms own = body_kinetic_energy(tree.algebra, body, twists[*body.transform]);
+    terms.insert(terms.end(), own.begin(), own.end());
   }
   return terms;
 }

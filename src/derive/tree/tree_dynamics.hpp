@@ -27,6 +27,10 @@ struct Twist {
 };
 [[nodiscard]] std::vector<Twist> tree_twists(KinematicTree& tree, Tangent& along);
 
+/// The twist of the child frame of transform k, from the twist `from` of its parent frame.
+[[nodiscard]] Twist child_twist(KinematicTree& tree, std::size_t k, const Twist& from,
+                                Tangent& along);
+
 /// Angular velocity of transform k relative to its parent. For a rotation: the velocities of the
 /// rotation, or 0 if `along` does not move the rotation. Otherwise: relative_spin().
 [[nodiscard]] ExVector3 joint_spin(KinematicTree& tree, std::size_t k, Tangent& along);
@@ -36,6 +40,10 @@ struct Twist {
 
 /// Terms of T = sum 1/2 m v_c^2 + 1/2 w.I w, along a direction of motion.
 [[nodiscard]] Terms tree_kinetic_energy(KinematicTree& tree, Tangent& along);
+
+/// The terms of T of one body whose frame has this twist.
+[[nodiscard]] Terms body_kinetic_energy(VectorAlgebra& algebra, const RigidBody& body,
+                                        const Twist& twist);
 
 /// True if the mass or the first moment h is not 0.
 [[nodiscard]] bool has_mass(const RigidBody& body);
