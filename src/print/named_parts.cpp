@@ -83,6 +83,19 @@ class FrameFormulas {
     return table;
   }
 
+  [[nodiscard]] PageTable placement_table() const {
+    PageTable table{{prose("frame"), prose("parent"), latex_formula("H")}};
+    const auto symbol = [](const std::string& name) {
+      return symbol_formula(name, symbol_of_name(name));
+    };
+    for (const Frame& frame : model_.frames) {
+      Formula parent = frame.parent ? symbol(model_.frames[*frame.parent].name) : prose("world");
+      table.cells.insert(table.cells.end(),
+                         {symbol(frame.name), std::move(parent), pose_formula(frame)});
+    }
+    return table;
+  }
+
   [[nodiscard]] PageTable bodies_table() const {
     PageTable table{{latex_formula("i"), latex_formula("m_{b}"), latex_formula("c_{b}"),
                      latex_formula("I_{b}")}};
@@ -152,37 +165,38 @@ class FrameFormulas {
   [[nodiscard]] Formula motion_formula(const ElementaryTransform& transform) const {
     if (transform.kind == TransformKind::translation) {
       Formula by = vector_formula(transform.vector);
-      return std::ranges::all_of(by.parts, is_zero) ? Formula{} : applied("\\mathrm{Trans}", by);
+      return std::ranges::all_of(by.parts, is_zero) ? Formula{} : applied("Trans", by);
     }
     if (transform.kind == TransformKind::turn) {
       const Formula angle = formula(transform.angle);
       if (is_zero(angle)) return {};
-      Glyphs turn = read_latex("\\mathrm{Rot}");
-      add_script(turn, 1, axis_symbol(transform));
-      return apply_symbol(turn, tuple_of({angle}));
+      return applied("Rot", tuple_of({angle}), axis_formula(transform));
     }
-    if (!transform.rotation) return applied("\\mathrm{Rot}", vector_formula(transform.quaternion));
+    if (!transform.rotation) return applied("Rot", vector_formula(transform.quaternion));
     const Rotation& rotation = model_.rotations[*transform.rotation];
     const Glyphs symbol = symbol_of_name(rotation.name, rotation.latex);
-    return applied("\\mathrm{Rot}", tuple_of({symbol_formula(rotation.name, symbol)}));
+    return applied("Rot", tuple_of({symbol_formula(rotation.name, symbol)}));
   }
 
-  /// "Rot(theta)"
-  [[nodiscard]] static Formula apply_symbol(Glyphs name, const Formula& arguments) {
-    append(name, glyphs_of(arguments), false);
-    return symbol_formula("", std::move(name));
-  }
-  [[nodiscard]] static Formula applied(std::string_view name, const Formula& arguments) {
-    return apply_symbol(read_latex(name), arguments);
+  /// "Rot_z(theta)"
+  [[nodiscard]] static Formula applied(std::string name, const Formula& arguments,
+                                       const Formula& axis = {}) {
+    Glyphs symbol = make_row({GlyphKind::word, name});
+    if (!axis.is_empty()) {
+      add_script(symbol, 1, glyphs_of(axis));
+      name += "_" + text_of(axis);
+    }
+    append(symbol, glyphs_of(arguments), false);
+    return symbol_formula(name + text_of(arguments), std::move(symbol));
   }
 
   /// "z"; all three components if the axis is not a coordinate axis.
-  [[nodiscard]] Glyphs axis_symbol(const ElementaryTransform& turn) const {
-    const Formula unit = vector_formula(turn.vector);
+  [[nodiscard]] Formula axis_formula(const ElementaryTransform& turn) const {
+    Formula unit = vector_formula(turn.vector);
     const auto one =
         std::ranges::find_if(unit.parts, [](const Formula& part) { return is_number(part, 1); });
     const bool is_axis = one != unit.parts.end() && std::ranges::count_if(unit.parts, is_zero) == 2;
-    return is_axis ? read_latex(std::string(1, "xyz"[one - unit.parts.begin()])) : glyphs_of(unit);
+    return is_axis ? latex_formula(std::string(1, "xyz"[one - unit.parts.begin()])) : unit;
   }
 
   const Model& model_;
@@ -236,6 +250,8 @@ bool has_frame_recursion(const Model& model) {
          model.is_quadratic && !model.energies.T && !has_combined_lagrangian(model) &&
          !model.approximation;
 }
+
+PageTable placement_table(const Model& model) { return FrameFormulas(model).placement_table(); }
 
 std::vector<PageSection> recursion_sections(const Model& model) {
   const FrameFormulas writer(model);

@@ -39,6 +39,9 @@ struct Heading {
 /// True if program.readable[index] is a closed form, for readers, of program.functions[index].
 [[nodiscard]] bool has_readable_form(const Program& program, std::size_t index);
 
+/// The parent of each frame, and its pose in the parent.
+[[nodiscard]] PageTable placement_table(const Model& model);
+
 /// True if all kinetic energy belongs to bodies and points in frames and to armatures, so that a
 /// recursion over the frames gives M and the forces.
 [[nodiscard]] bool has_frame_recursion(const Model& model);
