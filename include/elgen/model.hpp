@@ -389,6 +389,9 @@ std::uint32_t append_rotation(Model& model, Rotation rotation);
   return model.energies.L.has_value() || has_routhian(model);
 }
 
+/// True if no point and no body has a third component.
+[[nodiscard]] bool has_plane_vectors(const Model& model);
+
 /// The flags has_rotations and has_constraints of `model`, which select the equation of an output.
 [[nodiscard]] inline EquationSetting setting_of(const Model& model) {
   return {!model.rotations.empty(), !model.constraints.empty()};

@@ -10,6 +10,7 @@
 
 #include "elgen/choose.hpp"
 #include "elgen/formula.hpp"
+#include "elgen/frame_quantities.hpp"
 #include "elgen/model.hpp"
 #include "elgen/program.hpp"
 #include "elgen/scene.hpp"
@@ -123,11 +124,19 @@ struct Page {
   std::vector<PageSection> sections = {};
 };
 
+/// The quantities of frames and of the bodies that they carry, for readers.
+struct ReadableFrames {
+  Program program = {};  ///< one function per quantity
+  std::vector<FrameQuantity> quantities = {};
+};
+
 /// The steps of a derivation, for readers.
 struct ReadableDerivation {
   Program program = {};                  ///< one function per step (elgen/steps.hpp)
   std::vector<std::string> masses = {};  ///< names of the points and bodies of the step `positions`
-  std::vector<std::string> omitted_masses = {};  ///< names of other points and bodies with a mass
+  /// Names of points and bodies with a mass that neither `masses` nor `frames` contains.
+  std::vector<std::string> omitted_masses = {};
+  ReadableFrames frames = {};
   /// Forward dynamics, whose short entries end the steps; without functions if the system is too
   /// large to be solved on paper. None if the steps solve every equation, if forward dynamics does
   /// not exist, and on pages that print forward dynamics elsewhere.
@@ -155,9 +164,9 @@ struct PageOptions {
 [[nodiscard]] Page model_page(const Model& model, const Scene& scene, const Program& program,
                               const PageOptions& options = {});
 
-/// One section per step: the action; positions; velocities; energies; Lagrange's equation of each
-/// coordinate, with conserved quantities and their conditions; the system of all equations. If
-/// `title` is not empty, only the section with this title.
+/// One section per step: the action; frames and their bodies; positions; velocities; energies;
+/// Lagrange's equation of each coordinate, with conserved quantities and their conditions; the
+/// system of all equations. If `title` is not empty, only the section with this title.
 [[nodiscard]] std::vector<PageSection> derivation_sections(const Model& model,
                                                            const ReadableDerivation& steps,
                                                            std::string_view title = {});

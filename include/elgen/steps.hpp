@@ -10,6 +10,7 @@
 #pragma once
 
 #include "elgen/equations_of_motion.hpp"
+#include "elgen/frame_quantities.hpp"
 
 namespace elgen {
 
@@ -34,5 +35,18 @@ struct DerivationSteps {
 };
 
 [[nodiscard]] Result<DerivationSteps> derive_textbook_steps(const Lagrangian& lagrangian);
+
+/// The quantities of frames and of the bodies that they carry: one function with one field each,
+/// frames first. In a planar model an angular velocity has one row, and other vectors have two. A
+/// quantity that is long over the leaves of the Lagrangian is written over components of earlier
+/// quantities, which are open values with names such as omega_arm_x.
+struct FrameSteps {
+  EquationsOfMotion equations = {};
+  std::vector<OutputRequest> requests = {};
+  std::vector<FrameQuantity> quantities = {};  ///< of each function
+};
+
+/// Empty if no frame carries a body.
+[[nodiscard]] FrameSteps derive_frame_steps(const Lagrangian& lagrangian, const Model& model);
 
 }  // namespace elgen

@@ -125,6 +125,12 @@ RemainingVariables remaining_variables(const Model& whole) {
   return left;
 }
 
+bool has_plane_vectors(const Model& model) {
+  const auto is_in_plane = [](const auto& entry) { return entry.dimension == 2; };
+  return std::ranges::all_of(model.points, is_in_plane) &&
+         std::ranges::all_of(model.bodies, is_in_plane);
+}
+
 bool eliminates_backward(const Model& model) {
   if (!model.frames.empty() && model.velocities.size() >= min_articulated_velocities) return true;
   std::vector<bool> carries(model.frames.size(), false);

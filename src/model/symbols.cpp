@@ -333,6 +333,10 @@ ModelSymbols::ModelSymbols(const Model& model, const LeafNames& names) {
   leaves_.h = single(Opcode::step, names.h);
   leaves_.E = single(Opcode::energy, names.E);
   add_open_values(model);
+  // A derivation may have more open values than the model: with_open_potential(), FrameQuantity.
+  for (std::size_t i = leaves_.f.size(); i < names.f.size(); ++i) {
+    leaves_.f.push_back(symbol_formula(names.f[i], make_distinct(symbol_of_name(names.f[i]))));
+  }
 }
 
 void ModelSymbols::add_open_values(const Model& model) {

@@ -104,8 +104,8 @@ std::string name_of(const Model& model, const Entity& origin) {
   return {};
 }
 
-/// Names of points and bodies that have a mass but are not in `shown`, because frames carry them or
-/// a scene expands their energies.
+/// Names of points and bodies that have a mass but are not in `shown`, because a scene expands
+/// their energies.
 std::vector<std::string> omitted_masses(const Model& model, const std::vector<Entity>& shown) {
   std::vector<std::string> names;
   const auto add = [&](EntityKind kind, std::uint32_t index, const auto& placed) {
@@ -181,22 +181,30 @@ bool has_readable_terms(const Program& program, const ClosedForms& forms) {
                              is_short);
 }
 
-/// The derivation without the solution for accelerations.
-Result<ReadableDerivation> make_steps(const Lagrangian& lagrangian, const CheckedModel& checked,
-                                      const Limits& limits) {
-  const Result<DerivationSteps> derived = derive_textbook_steps(lagrangian);
-  if (!derived) return derived.diagnostics;
-  Result<Program> lowered = lower(derived->equations, derived->requests, limits);
+/// Lowers, presents and typesets steps like outputs.
+template <class Steps, class Typeset>
+Result<Program> read_steps(const Steps& steps, const Typeset& typeset_forms,
+                           const CheckedModel& checked, const Limits& limits) {
+  Result<Program> lowered = lower(steps.equations, steps.requests, limits);
   if (!lowered) return lowered.diagnostics;
   const Program recursive = cancel(std::move(*lowered));
   const auto typed = with_quotients(checked);
   const ClosedForms forms = typed ? present_quotients(recursive) : present(recursive);
-  ReadableDerivation result{typeset_derivation(typed ? *typed : checked, forms, recursive),
-                            {},
-                            omitted_masses(checked.model, derived->masses)};
-  for (const Entity& mass : derived->masses) {
-    result.masses.push_back(name_of(checked.model, mass));
-  }
+  return typeset_forms(typed ? *typed : checked, forms, recursive);
+}
+
+/// The derivation without frames and without the solution for accelerations.
+Result<ReadableDerivation> make_steps(const Lagrangian& lagrangian, const CheckedModel& checked,
+                                      const Limits& limits) {
+  const Result<DerivationSteps> derived = derive_textbook_steps(lagrangian);
+  if (!derived) return derived.diagnostics;
+  Result<Program> program = read_steps(*derived, typeset_derivation, checked, limits);
+  if (!program) return program.diagnostics;
+  ReadableDerivation result{.program = std::move(*program)};
+  std::vector<Entity> shown = derived->masses;
+  for (const Entity& mass : shown) result.masses.push_back(name_of(checked.model, mass));
+  for (const RigidBody& body : lagrangian.tree.bodies) shown.push_back(body.origin);
+  result.omitted_masses = omitted_masses(checked.model, shown);
   return result;
 }
 
@@ -268,10 +276,15 @@ Result<ReadableDerivation> make_readable_derivation(const Lagrangian& lagrangian
                                                     const CheckedModel& checked,
                                                     const Limits& limits) {
   Result<ReadableDerivation> result = make_steps(lagrangian, checked, limits);
+  if (!result) return result;
+  const FrameSteps frames = derive_frame_steps(lagrangian, checked.model);
+  Result<Program> motion = read_steps(frames, typeset, checked, limits);
+  if (!motion) return motion.diagnostics;
+  result->frames = {std::move(*motion), frames.quantities};
   const bool is_solvable =
       !checked.model.approximation &&
       !available_requests(checked.model, {OutputKind::forward_dynamics}).empty();
-  if (!result || !is_solvable || are_rows_solved(*result)) return result;
+  if (!is_solvable || are_rows_solved(*result)) return result;
   Result<Program> solution = solve_on_paper(lagrangian, checked, limits);
   if (!solution) return solution.diagnostics;
   result->solution = std::move(*solution);

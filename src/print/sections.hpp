@@ -39,6 +39,11 @@ struct Heading {
 /// True if program.readable[index] is a closed form, for readers, of program.functions[index].
 [[nodiscard]] bool has_readable_form(const Program& program, std::size_t index);
 
+/// The sections on frames and their bodies: a table of the frames, angular velocities, then the
+/// centre of mass and the kinetic energy of each body. Empty if the model has no frames.
+[[nodiscard]] std::vector<PageSection> frame_sections(const Model& model,
+                                                      const ReadableFrames& frames);
+
 /// The parent of each frame, and its pose in the parent.
 [[nodiscard]] PageTable placement_table(const Model& model);
 

@@ -35,6 +35,8 @@ class DerivationOutline {
 
   std::vector<PageSection> operator()() {
     add_action();
+    for (PageSection& section : frame_sections(model_, steps_.frames))
+      outline_.push_back(std::move(section));
     std::size_t function = 0;
     if (!steps_.masses.empty()) {
       add_motions(
@@ -91,17 +93,6 @@ class DerivationOutline {
                                     : steps_.program.functions[function];
   }
 
-  /// The number of printed components: two for planar models.
-  [[nodiscard]] std::uint32_t component_count() const {
-    for (const Point& point : model_.points) {
-      if (point.dimension == 3) return 3;
-    }
-    for (const Body& body : model_.bodies) {
-      if (body.dimension == 3) return 3;
-    }
-    return 2;
-  }
-
   PageSection& add_section(Formula title, std::string doc) {
     functions_.clear();
     return outline_.emplace_back(PageSection{.title = std::move(title), .doc = std::move(doc)});
@@ -153,7 +144,7 @@ class DerivationOutline {
       append(place, places_[i], true);
       add_equation(
           symbol_formula(are_rates ? fmt::format("d({})/dt", name) : name, std::move(place)),
-          function, i, component_count());
+          function, i, has_plane_vectors(model_) ? 2U : 3U);
     }
     end_section();
   }
