@@ -211,6 +211,12 @@ struct CheckedModel {
   Scene scene;
 };
 
+/// True if the scene declares the row whose name has this span. Such rows follow the rows of the
+/// model in each list.
+[[nodiscard]] inline bool is_of_scene(const Model& model, const Span& span) {
+  return span.source != nullptr && span.source != model.source.get();
+}
+
 /// The requirements of a command on check(), in addition to the scene. Each comment below says what
 /// check() does if the member is true.
 struct Purpose {

@@ -159,8 +159,8 @@ struct ChoiceRow {
 
 /// The properties of an entry of the file.
 struct EntryRow {
-  std::string_view entry;
-  bool repeated = false;  ///< true: an array of tables, [[…]]
+  std::string_view entry;  ///< in scenes "scene.outputs", …
+  bool repeated = false;   ///< true: an array of tables, [[…]]
   bool required = false;
   bool supported = true;
   std::string_view doc;
@@ -171,6 +171,9 @@ struct EntryRow {
 [[nodiscard]] std::span<const KeyRow> key_table();
 [[nodiscard]] std::span<const ChoiceRow> choice_table();
 [[nodiscard]] std::span<const EntryRow> entry_table();
+/// The entry whose keys `entry` has: "frame" for "scene.frame", because both have the same keys;
+/// otherwise `entry`.
+[[nodiscard]] std::string_view entry_of_keys(std::string_view entry);
 /// True if only drawings depend on the key.
 [[nodiscard]] bool is_drawing_key(std::string_view entry, std::string_view key);
 /// The permitted words of a key of KeyType::choice or choice_list; empty for other types.

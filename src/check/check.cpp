@@ -2,8 +2,14 @@
 //
 // The order of the steps matters and is fixed only here. Sizes and names come first, so that
 // expressions may use names that the file declares later. Resolved expressions are checked for
-// cycles, ingredients (leaves and functions), degrees and units. The scene is last. Errors are
-// collected throughout; a step that could only repeat earlier errors is skipped.
+// cycles, ingredients (leaves and functions), degrees and units. The scene is last, except for the
+// entries that it adds to those of the model. Errors are collected throughout; a step that could
+// only repeat earlier errors is skipped.
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <string_view>
+
 #include "check/entries/entries.hpp"
 #include "check/expressions/expand.hpp"
 #include "check/expressions/open_functions.hpp"
@@ -58,8 +64,28 @@ void read_all_entries(Context& context, const FileSyntax& syntax) {
       {{"input", read_wrench_input}, {"force", read_force}, {"equilibrium", read_equilibrium}});
   read_constraints(context, instances);
   read_entries(context, instances, {{"output", read_output}});
-  check_plane(context);
-  check_output_names(context.model, context.report);
+}
+
+/// The entries of a scene that are read like entries of a model.
+constexpr std::array<std::string_view, 2> added_entries{"frame", "output"};
+
+FileSyntax entries_added_by(const FileSyntax* scene) {
+  FileSyntax added;
+  if (scene == nullptr) return added;
+  const auto is_added = [](const EntrySyntax& entry) {
+    return std::ranges::find(added_entries, entry.name) != added_entries.end();
+  };
+  std::ranges::copy_if(scene->entries, std::back_inserter(added.entries), is_added);
+  return added;
+}
+
+/// Reads the entries that the scene adds, after all entries of the model.
+void read_added_entries(Context& context, const FileSyntax* scene) {
+  const FileSyntax added = entries_added_by(scene);
+  const std::vector<EntryInstance> instances = expand_entries(context, added);
+  if (context.is_beyond_limits) return;
+  read_entries(context, instances, {{"frame", read_frame}});
+  read_entries(context, instances, {{"output", read_output}});
 }
 
 /// Sets UserOutput::argument_kinds, without q, from the leaves in the values of each output.
@@ -122,7 +148,10 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   read_sizes(context, model, scene, options);
   read_function_replacements(context, model, scene, options);
   read_all_entries(context, model);
+  if (!context.is_beyond_limits) read_added_entries(context, scene);
   if (context.is_beyond_limits) return context.report.sorted_diagnostics();
+  check_plane(context);
+  check_output_names(context.model, context.report);
   read_held_coordinates(context, scene);
   mark_wanted_outputs(context.model, scene, options);
   Scene checked_scene;

@@ -133,7 +133,8 @@ std::string entry_header(const std::string& name) {
 }
 
 /// The keys of the entry `name` and of the tables inside this entry. If models have no entry
-/// `name`, the keys of the entry of scenes: `routh` means `scene.routh`.
+/// `name`, the keys of the entry of scenes: `routh` means `scene.routh`. `scene.frame` has the keys
+/// of `frame`.
 std::vector<KeyRow> keys_of_entry(const std::string& name) {
   std::vector<KeyRow> keys;
   for (const KeyRow& key : key_table()) {
@@ -183,13 +184,16 @@ ExitCode print_row(const GlobalOptions& global, const Row& row) {
 
 ExitCode explain(const GlobalOptions& global, const std::string& name) {
   if (const CodeRow* row = find_code(upper_case(name))) return print_row(global, *row);
-  const std::vector<KeyRow> keys = keys_of_entry(name);
+  const std::string owner(entry_of_keys(name));
+  const std::vector<KeyRow> keys = keys_of_entry(owner);
   if (!keys.empty()) {
     Json list = Json::array();
     for (const KeyRow& key : keys) list.push_back(json_of(key));
     // If an entry and an output have the same name, such as `gravity`, both are printed.
     const OutputRow* namesake = find_output(name);
-    const std::string text = text_of(keys) + (namesake == nullptr ? "" : "\n" + text_of(*namesake));
+    const std::string header = owner == name ? "" : entry_header(name) + "\n";
+    const std::string text =
+        header + text_of(keys) + (namesake == nullptr ? "" : "\n" + text_of(*namesake));
     return print(global, wants_json(global) ? list.dump(2) + "\n" : text);
   }
   if (const OutputRow* row = find_output(name)) return print_row(global, *row);

@@ -165,7 +165,8 @@ class KeyComparison {
 
  private:
   void set_current_entry(const IdentifiedEntry& found) {
-    place_ = {.table = std::string(prefix_) + found.entry->name, .entry = text_of(found)};
+    const std::string table = std::string(prefix_) + found.entry->name;
+    place_ = {.table = std::string(entry_of_keys(table)), .entry = text_of(found)};
   }
 
   void add_change(KeyPath path, std::string before, std::string after, Span old_at, Span new_at) {

@@ -72,7 +72,8 @@ std::string_view table_prefix(const FileSyntax& file) {
 
 FileSyntax apply_renames(FileSyntax file, const Renames& renames) {
   const std::string prefix(table_prefix(file));
-  for (EntrySyntax& entry : file.entries) rename(entry.keys, prefix + entry.name, renames);
+  for (EntrySyntax& entry : file.entries)
+    rename(entry.keys, std::string(entry_of_keys(prefix + entry.name)), renames);
   return file;
 }
 

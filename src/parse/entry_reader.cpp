@@ -147,6 +147,20 @@ class EntryReader {
 
 }  // namespace
 
+std::string_view entry_of_keys(std::string_view entry) {
+  const bool is_entry = std::ranges::count(entry_table(), entry, &EntryRow::entry) > 0;
+  const bool has_keys = std::ranges::count(key_table(), entry, &KeyRow::entry) > 0;
+  return is_entry && !has_keys && entry.starts_with(scene_prefix)
+             ? entry.substr(scene_prefix.size())
+             : entry;
+}
+
+bool is_drawing_key(std::string_view entry, std::string_view key) {
+  return std::ranges::any_of(key_table(), [&](const KeyRow& row) {
+    return row.is_for_drawings && row.entry == entry && row.key == key;
+  });
+}
+
 std::vector<EntryRow> entry_rows_of(FileKind kind) {
   std::vector<EntryRow> result;
   for (EntryRow row : entry_table()) {
@@ -159,7 +173,8 @@ std::vector<EntryRow> entry_rows_of(FileKind kind) {
 }
 
 std::string qualified_entry_name(FileKind kind, const EntryRow& row) {
-  return fmt::format("{}{}", kind == FileKind::scene ? scene_prefix : "", row.entry);
+  return std::string(
+      entry_of_keys(fmt::format("{}{}", kind == FileKind::scene ? scene_prefix : "", row.entry)));
 }
 
 std::vector<EntrySyntax> read_entries(const TomlValue& root, FileKind kind,

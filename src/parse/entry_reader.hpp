@@ -8,7 +8,7 @@ namespace elgen {
 /// The rows of the entry table for one kind of file. Entries of scenes have no prefix "scene.".
 [[nodiscard]] std::vector<EntryRow> entry_rows_of(FileKind kind);
 
-/// The name of the row's entry in the key table: "scene.outputs".
+/// The name of the row's entry in the key table: "scene.outputs"; "frame" in models and scenes.
 [[nodiscard]] std::string qualified_entry_name(FileKind kind, const EntryRow& row);
 
 /// Top-level keys and entries in file order. Reports E103–E109 and the errors of the values to

@@ -98,9 +98,11 @@ std::string entry_section(const std::string& heading, const EntryRow& entry) {
   std::string doc = fmt::format("{}. {}", entry.doc, entry.details);
   if (doc[0] >= 'a' && doc[0] <= 'z') doc[0] = static_cast<char>(doc[0] - 'a' + 'A');
   if (doc.ends_with(' ')) doc.pop_back();
-  return fmt::format(
-      "\n### {}\n\n{}\n\n| key | type | default | meaning |\n|---|---|---|---|\n{}{}{}", heading,
-      break_lines(doc, page_width, ""), rows, details.empty() ? "" : "\n", details);
+  const std::string text =
+      fmt::format("\n### {}\n\n{}\n", heading, break_lines(doc, page_width, ""));
+  if (rows.empty()) return text;
+  return fmt::format("{}\n| key | type | default | meaning |\n|---|---|---|---|\n{}{}{}", text,
+                     rows, details.empty() ? "" : "\n", details);
 }
 
 }  // namespace

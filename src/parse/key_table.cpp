@@ -281,6 +281,8 @@ constexpr auto entry_rows = std::to_array<EntryRow>({
     {"scene.lock", single, optional, true, "coordinates that are known functions of time"},
     {"scene.routh", single, optional, true, "cyclic coordinates that are eliminated"},
     {"scene.functions", single, optional, true, "expressions of functions left open"},
+    {"scene.frame", repeated, optional, true, "a tool, which is fixed to a frame of the model"},
+    {"scene.output", repeated, optional, true, "a function to emit besides those of the model"},
     {"scene.regressor", single, optional, true, "further columns of the regressor"},
     {"scene.approximate", single, optional, true, "polynomial expansion about an equilibrium"},
     {"scene.numeric", single, optional, true, "arithmetic of the code"},
@@ -326,11 +328,5 @@ constexpr auto documented_entries = [] {
 
 std::span<const KeyRow> key_table() { return documented_keys; }
 std::span<const EntryRow> entry_table() { return documented_entries; }
-
-bool is_drawing_key(std::string_view entry, std::string_view key) {
-  return std::ranges::any_of(key_rows, [&](const KeyRow& row) {
-    return row.is_for_drawings && row.entry == entry && row.key == key;
-  });
-}
 
 }  // namespace elgen

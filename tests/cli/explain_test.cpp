@@ -47,6 +47,9 @@ TEST_CASE("explain knows every entry and its keys") {
     CHECK(mentions(frame, "\n  " + std::string(row.key) + " "));
   }
   CHECK(mentions(frame, "\n  x_parent = translate + R x."));
+  const std::string tool = run("elgen explain scene.frame").output;
+  CHECK(tool.starts_with("[[frame]]: a tool, which is fixed to a frame of the model\n"));
+  CHECK(tool.ends_with(frame));
 }
 
 TEST_CASE("explain accepts codes in any case, outputs and functions") {

@@ -111,6 +111,7 @@ TEST_CASE("the schema has every key with its choices and documentation") {
   const auto scene = nlohmann::json::parse(schema_of("scene"));
   CHECK(scene.at("properties").at("outputs").at("properties").contains("mass_matrix"));
   CHECK_FALSE(scene.at("properties").at("numeric").at("properties").contains("check"));
+  CHECK(scene.at("properties").at("frame").at("items").at("properties") == frame);
 }
 
 TEST_CASE("an unknown schema is refused") {

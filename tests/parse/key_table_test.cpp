@@ -187,8 +187,9 @@ TEST_CASE("every row belongs to an entry or to a key that is a table", "[parse]"
 
 TEST_CASE("every supported entry has keys, and every choice has words", "[parse]") {
   for (const EntryRow& entry : entry_table()) {
+    const std::string_view owner = entry_of_keys(entry.entry);
     const bool has_keys = std::any_of(key_table().begin(), key_table().end(),
-                                      [&](const KeyRow& k) { return k.entry == entry.entry; });
+                                      [&](const KeyRow& k) { return k.entry == owner; });
     INFO(entry.entry);
     CHECK(has_keys == entry.supported);
   }
@@ -199,6 +200,19 @@ TEST_CASE("every supported entry has keys, and every choice has words", "[parse]
     INFO(row.entry << "." << row.key);
     CHECK(has_words == is_choice(row));
   }
+}
+
+TEST_CASE("an entry of scenes without keys has the keys of the entry of models", "[parse]") {
+  CHECK(entry_of_keys("scene.frame") == "frame");
+  CHECK(entry_of_keys("scene.outputs") == "scene.outputs");
+  CHECK(entry_of_keys("frame") == "frame");
+  CHECK(entry_of_keys("scene.coordinate") == "scene.coordinate");  // scenes have no such entry
+  const std::string head = "format = 1\nmodel = \"m.toml\"\nname = \"s\"\n";
+  CHECK(scene_answer(head + "[[frame]]\nname = \"f\"\nparent = \"g\"\nrpy = [0, 0, 1]\n") ==
+        "[]\n  format = 1\n  model = \"m.toml\"\n  name = s\n"
+        "[frame]\n  name = f\n  parent = g\n  rpy = [0, 0, 1]\n");
+  CHECK(scene_answer(head + "[[frame]]\nname = \"f\"\nparent = \"g\"\nmass = 1\n") == "E103 7:1");
+  CHECK(mentions(reference_page(), "\n### `[[frame]]` of a scene\n\nA tool, "));
 }
 
 TEST_CASE("a model prints in file order, whatever its white space", "[parse]") {

@@ -165,6 +165,7 @@ void derive_kinematics(Context& context, Frame& frame) {
 
 const RootRequest angle_request{{"an angle", place::configuration_terms}, find_unit("rad")};
 const RootRequest length_request{{place::position, place::configuration_terms}, find_unit("m")};
+const RootRequest quaternion_request{{"a quaternion", place::configuration_terms}, {}};
 constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "quaternion",
                                                        "rotation"};
 
@@ -232,9 +233,15 @@ class FrameReader {
   }
 
  private:
+  /// The request for a value of this frame. A frame of a scene is fixed to its parent.
+  [[nodiscard]] RootRequest request(const RootRequest& usual) const {
+    if (!is_of_scene(context_.model, frame_.span)) return usual;
+    return {{"a frame of a scene", place::parameters_only}, usual.unit};
+  }
+
   void read_translation(const ValueSyntax& value) {
     if (!values_.check_vector(value)) return;
-    const Vector3 offset = pad_to_three(values_.read_roots(value, length_request));
+    const Vector3 offset = pad_to_three(values_.read_roots(value, request(length_request)));
     frame_.transforms.push_back({TransformKind::translation, offset});
   }
 
@@ -264,7 +271,7 @@ class FrameReader {
   void read_turns(const ValueSyntax& turns) {
     for (const ValueSyntax& turn : turns.items) {
       const ValueSyntax& axis = turn.items[0];
-      const ExpressionId angle = values_.root(turn.items[1], angle_request);
+      const ExpressionId angle = values_.root(turn.items[1], request(angle_request));
       report_angle_in_degrees(turn.items[1], angle);
       if (axis.kind == ValueKind::list) {
         const std::optional<Vector3> direction = read_unit_axis(values_, axis);
@@ -281,7 +288,7 @@ class FrameReader {
 
   void read_rpy(const ValueSyntax& value) {
     if (!check_count(value, 3, "`rpy`", report_)) return;
-    const std::vector<ExpressionId> angles = values_.read_roots(value, angle_request);
+    const std::vector<ExpressionId> angles = values_.read_roots(value, request(angle_request));
     for (const std::size_t axis : {2U, 1U, 0U}) {
       if (value.kind == ValueKind::list) report_angle_in_degrees(value.items[axis], angles[axis]);
       add_turn(axis, angles[axis]);
@@ -299,10 +306,10 @@ class FrameReader {
   }
 
   void read_dh(const ValueSyntax& table) {
-    const auto a = values_.root(table, "a", length_request);
-    const auto alpha = values_.root(table, "alpha", angle_request);
-    const auto d = values_.root(table, "d", length_request);
-    const auto theta = values_.root(table, "theta", angle_request);
+    const auto a = values_.root(table, "a", request(length_request));
+    const auto alpha = values_.root(table, "alpha", request(angle_request));
+    const auto d = values_.root(table, "d", request(length_request));
+    const auto theta = values_.root(table, "theta", request(angle_request));
     if (alpha) report_angle_in_degrees(table.find("alpha")->value, *alpha);
     if (theta) report_angle_in_degrees(table.find("theta")->value, *theta);
     const bool is_modified = text_value(table, "convention") == "modified";
@@ -313,8 +320,8 @@ class FrameReader {
 
   void read_quaternion(const ValueSyntax& value) {
     if (!check_count(value, 4, "a quaternion", report_)) return;
-    const ExpressionRole place{"a quaternion", place::configuration_terms};
-    const std::vector<ExpressionId> components = values_.read_roots(value, {place});
+    const std::vector<ExpressionId> components =
+        values_.read_roots(value, request(quaternion_request));
     ElementaryTransform transform{TransformKind::quaternion};
     std::copy(components.begin(), components.end(), transform.quaternion.begin());
     const auto is_zero = [&](ExpressionId id) { return context_.constants[id] == 0; };
@@ -328,6 +335,11 @@ class FrameReader {
   void read_rotation(const ValueSyntax& value) {
     const std::optional<std::uint32_t> rotation = values_.resolve_rotation_name(value);
     if (!rotation) return;
+    if (is_of_scene(context_.model, frame_.span)) {
+      report_.add(Code::E319, value.span,
+                  in_backticks(value.span) + " is a rotation, but a frame of a scene takes none");
+      return;
+    }
     NodeBuilder nodes(context_, frame_.span);
     ElementaryTransform transform{TransformKind::quaternion};
     for (std::uint32_t i = 0; i < quaternion_size; ++i) {
@@ -349,44 +361,6 @@ class FrameReader {
 
 void read_frame(ValueReader& values, const EntrySyntax& entry, std::uint32_t target) {
   FrameReader(values, entry, values.context().model.frames[target]).read();
-}
-
-namespace {
-
-/// Reports E516 at the expression `blamed` unless all components are 0.
-void require_zero(Context& context, const std::vector<ExpressionId>& components,
-                  ExpressionId blamed, const std::string& moves) {
-  const auto is_zero = [&](ExpressionId id) { return context.constants[id] == 0; };
-  if (std::ranges::all_of(components, is_zero)) return;
-  const Span& span = context.model.expressions[blamed].span;
-  context.report.add(Code::E516, span,
-                     in_backticks(span) + " " + moves +
-                         " out of the plane of a model whose vectors have 2 components");
-}
-
-void check_transform(Context& context, const ElementaryTransform& transform) {
-  const auto& [x, y, z] = transform.vector;
-  switch (transform.kind) {
-    case TransformKind::translation:
-      return require_zero(context, {z}, z, "shifts");
-    case TransformKind::turn:
-      if (context.constants[transform.angle] == 0) return;
-      return require_zero(context, {x, y}, transform.angle, "turns");
-    case TransformKind::quaternion:
-      require_zero(context, {transform.quaternion[1]}, transform.quaternion[1], "turns");
-      require_zero(context, {transform.quaternion[2]}, transform.quaternion[2], "turns");
-  }
-}
-
-}  // namespace
-
-void check_plane(Context& context) {
-  // In a planar model, vectors of three components are already errors.
-  if (context.dimension != 2 || context.report.error_count() > 0) return;
-  for (const Frame& frame : context.model.frames) {
-    for (const ElementaryTransform& transform : frame.transforms)
-      check_transform(context, transform);
-  }
 }
 
 }  // namespace elgen

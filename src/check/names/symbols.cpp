@@ -96,7 +96,9 @@ bool SymbolTable::report_duplicate(const NewName& name, const DeclaredName& firs
       Code::E203, name.span,
       quote_text(name.text()) + " is already " + with_article(symbol_noun(first.kind))};
   if (first.span.source != nullptr) {
-    diagnostic.hint = "first at " + at_line(first.span);
+    const bool is_same_file = first.span.source == name.span.source;
+    diagnostic.hint = "first " + (is_same_file ? "at " + at_line(first.span)
+                                               : "in " + quote_text(file_name(*first.span.source)));
     diagnostic.related = first.span;
     diagnostic.related_message = "first declared here";
   }

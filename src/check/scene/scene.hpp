@@ -82,7 +82,7 @@ void read_held_coordinates(Context& context, const FileSyntax* scene);
 void set_cyclic_momentum(Model& model, std::uint32_t parameter, const cln::cl_R& value);
 
 /// Sets UserOutput::is_requested: true for all outputs if the scene has no `[outputs]`, otherwise
-/// true if the scene or an option names a function of the output.
+/// true if the scene declares the output, or if the scene or an option names a function of it.
 void mark_wanted_outputs(Model& model, const FileSyntax* scene, const SceneOptions& options);
 
 /// Adds to a model the outputs that an animated page needs: one for each kind in ShownValues that

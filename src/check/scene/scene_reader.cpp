@@ -96,6 +96,7 @@ class SceneReader {
       if (options_.step) request_step(*options_.step);
     } else if (outputs != nullptr) {
       for (const KeySyntax& key : outputs->keys) read_output(key);
+      request_own_outputs(*outputs);
     } else {
       scene_.outputs = full_scene_requests(model_);
       scene_.omitted_outputs = outputs_omitted_by_full(model_);
@@ -106,6 +107,16 @@ class SceneReader {
     check_function_names();
     check_dynamics();
     check_steps(context_, scene_.outputs);
+  }
+
+  /// Requests the functions of each [[output]] of the scene, except those of `[outputs]`.
+  void request_own_outputs(const EntrySyntax& outputs) {
+    for (const OutputRequest& request : full_scene_requests(model_)) {
+      if (!output_row(request.kind).is_user_output || outputs.find(request.name) != nullptr)
+        continue;
+      const Span& span = model_.outputs[request.user].span;
+      if (is_of_scene(model_, span)) add_request(request.name, span);
+    }
   }
 
   /// The scene's entry for the step `name`, a standard or a new name; null if absent.

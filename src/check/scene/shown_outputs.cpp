@@ -63,7 +63,7 @@ std::vector<ExpressionId> kink_arguments(const Model& model, const Scene& scene)
 void mark_wanted_outputs(Model& model, const FileSyntax* scene, const SceneOptions& options) {
   const EntrySyntax* const outputs = find_entry(scene, "outputs");
   if (outputs == nullptr) return;
-  for (UserOutput& output : model.outputs) output.is_requested = false;
+  for (UserOutput& output : model.outputs) output.is_requested = is_of_scene(model, output.span);
   const auto want = [&](std::string_view name) {
     const std::optional<OutputRequest> request = find_request(model, name);
     const bool is_user = request && output_row(request->kind).is_user_output;

@@ -1,0 +1,112 @@
+// Frames and outputs that a scene adds to a model.
+#include <catch2/catch.hpp>
+
+#include "check_testing.hpp"
+
+namespace elgen::test {
+namespace {
+
+const std::string leg = R"toml(format = 1
+[model]
+name = "leg"
+[[coordinate]]
+name = "hip"
+unit = "rad"
+[parameters]
+m = { value = 1, unit = "kg" }
+l = { value = 0.3, unit = "m" }
+[[frame]]
+name = "thigh"
+parent = "world"
+rotate = [["z", "hip"]]
+[[point]]
+name = "knee"
+frame = "thigh"
+at = ["l", "0"]
+mass = "m"
+[[output]]
+name = "tip"
+value = "x(knee)"
+)toml";
+
+/// A frame on lines 4 to 8 of the scene.
+const std::string pen =
+    "[[frame]]\nname = \"pen\"\nparent = \"thigh\"\ntranslate = [\"l\", \"0.1*l\"]\n"
+    "rotate = [[\"z\", \"pi/2\"]]\n";
+const std::string pose = "[[output]]\nname = \"pose\"\nframe = \"pen\"\njacobian = true\n";
+
+/// A scene of `leg`; the text `more` starts on line 4.
+CheckOptions adding(const std::string& more) {
+  return {.scene = "format = 1\nmodel = \"leg.toml\"\nname = \"tool\"\n" + more};
+}
+
+bool emits(const std::string& scene, const std::string& output) {
+  return find_request(checked(leg, adding(scene)).scene, output) != nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("the rows of a scene follow the rows of the model") {
+  const auto [model, scene] = checked(leg, adding(pen + pose));
+  REQUIRE(model.frames.size() == 2);
+  CHECK(model.frames[1].name == "pen");
+  CHECK(model.frames[1].parent == 0U);
+  REQUIRE(model.outputs.size() == 2);
+  CHECK(model.outputs[1].name == "pose");
+  CHECK(model.outputs[1].frame == 1U);
+  CHECK_FALSE(is_of_scene(model, model.outputs[0].span));
+  CHECK(is_of_scene(model, model.outputs[1].span));
+}
+
+TEST_CASE("additions change the text of the scene, not of the model") {
+  const auto [model, scene] = checked(leg, adding(pen + pose));
+  CHECK(model.canonical_text == checked(leg).model.canonical_text);
+  CHECK(scene.canonical_text != checked(leg, adding("")).scene.canonical_text);
+  CHECK(mentions(scene.canonical_text, "[frame]\n  name = pen\n"));
+}
+
+TEST_CASE("a scene emits its outputs unless it refuses them") {
+  CHECK(emits(pen + pose, "tip"));
+  CHECK(emits(pen + pose, "pose_bias"));
+  const std::string chosen = "[outputs]\nmass_matrix = true\n";
+  CHECK_FALSE(emits(pen + pose + chosen, "tip"));
+  CHECK(emits(pen + pose + chosen, "mass_matrix"));
+  CHECK(emits(pen + pose + chosen, "pose"));
+  CHECK_FALSE(emits(pen + pose + chosen + "pose = false\n", "pose"));
+  CHECK(emits(pen + pose + chosen + "pose = false\n", "pose_jacobian"));
+  CHECK(emits(pen + pose + chosen + "pose = { rename = \"grip\" }\n", "grip"));
+  CHECK_FALSE(emits(pen + pose + chosen + "pose = { rename = \"grip\" }\n", "pose"));
+}
+
+TEST_CASE("mistakes in additions are reported in the scene") {
+  const auto answer = [](const std::string& more) { return messages(leg, adding(more)); };
+  const std::string frame = "[[frame]]\nname = \"pen\"\nparent = \"thigh\"\n";
+  check_rows(
+      {
+          {pen + pose, ""},
+          {"[[frame]]\nname = \"thigh\"\nparent = \"world\"\n",
+           "E203 5:9 `thigh` is already a frame | first in `model.toml`\n"},
+          {"[[output]]\nname = \"m\"\nvalue = \"hip\"\n",
+           "E203 5:9 `m` is already a parameter | first in `model.toml`\n"},
+          {frame + "rotate = [[\"z\", \"hip\"]]\n",
+           "E319 7:18 `hip` is a coordinate, but a frame of a scene takes none\n"},
+          {frame + "translate = [\"l*sin(hip)\", 0]\n",
+           "E319 7:21 `hip` is a coordinate, but a frame of a scene takes none\n"},
+          {frame + "rotate = [[\"z\", \"t\"]]\n",
+           "E319 7:18 `t` is time, but a frame of a scene takes none\n"},
+      },
+      answer);
+}
+
+TEST_CASE("a frame of a scene is not turned by a rotation") {
+  const std::string top =
+      "format = 1\n[model]\nname = \"top\"\n[[coordinate]]\nname = \"attitude\"\n"
+      "kind = \"rotation\"\n[[frame]]\nname = \"hull\"\nparent = \"world\"\n"
+      "rotation = \"attitude\"\n[energy]\n"
+      "T = \"1/2*(dot(attitude[1])^2 + dot(attitude[2])^2 + dot(attitude[3])^2)\"\n";
+  CHECK(messages(top, adding("[[frame]]\nname = \"tool\"\nparent = \"hull\"\n"
+                             "rotation = \"attitude\"\n")) ==
+        "E319 7:13 `attitude` is a rotation, but a frame of a scene takes none\n");
+}
+
+}  // namespace elgen::test
