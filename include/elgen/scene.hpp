@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -188,6 +189,9 @@ struct Scene {
   std::map<std::string, ExpressionId> laws = {};
   /// Index in Model::outputs -> kind of values, for each output that is added for an animation.
   std::map<std::uint32_t, ShownValues> page_outputs = {};
+  /// The model without the additions of the scene, on which its [[expect]] are judged; null if the
+  /// scene adds no input.
+  std::shared_ptr<const Model> model_alone = {};
   bool has_options = false;  ///< true: --outputs, --fix, --size or --language is set
   /// Text of the scene file and of the options of `has_options`; stamps contain a hash of the text.
   /// "" for the built-in scene `full` without options.
@@ -204,6 +208,12 @@ struct Scene {
 [[nodiscard]] inline const ExpressionId* find_law(const Scene& scene, const Input& input) {
   const auto found = scene.laws.find(input.name);
   return found == scene.laws.end() ? nullptr : &found->second;
+}
+
+/// True if the model or the scene has an [[expect]].
+[[nodiscard]] inline bool has_expectations(const Model& model, const Scene& scene) {
+  return !model.expectations.empty() ||
+         (scene.model_alone != nullptr && !scene.model_alone->expectations.empty());
 }
 
 struct CheckedModel {

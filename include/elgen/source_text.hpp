@@ -30,6 +30,8 @@ struct Span {
   const SourceText* source = nullptr;
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
+
+  bool operator==(const Span&) const = default;
 };
 
 [[nodiscard]] SourcePointer make_source(std::string path, std::string text);

@@ -7,9 +7,11 @@
 // only repeat earlier errors is skipped.
 #include <algorithm>
 #include <array>
-#include <iterator>
+#include <memory>
 #include <string_view>
+#include <utility>
 
+#include "base/reason.hpp"
 #include "check/entries/entries.hpp"
 #include "check/expressions/expand.hpp"
 #include "check/expressions/open_functions.hpp"
@@ -18,6 +20,7 @@
 #include "check/expressions/rotations.hpp"
 #include "check/expressions/traits.hpp"
 #include "check/expressions/units.hpp"
+#include "check/expressions/wrench_input.hpp"
 #include "check/judge/judge.hpp"
 #include "check/names/context.hpp"
 #include "check/scene/scene.hpp"
@@ -67,25 +70,35 @@ void read_all_entries(Context& context, const FileSyntax& syntax) {
 }
 
 /// The entries of a scene that are read like entries of a model.
-constexpr std::array<std::string_view, 2> added_entries{"frame", "output"};
+constexpr std::array<std::string_view, 3> added_entries{"frame", "input", "output"};
 
-FileSyntax entries_added_by(const FileSyntax* scene) {
+/// The entries that the scene adds. E112 for an input that is no external force.
+FileSyntax entries_added_by(const FileSyntax* scene, Context& context) {
   FileSyntax added;
   if (scene == nullptr) return added;
-  const auto is_added = [](const EntrySyntax& entry) {
-    return std::ranges::find(added_entries, entry.name) != added_entries.end();
-  };
-  std::ranges::copy_if(scene->entries, std::back_inserter(added.entries), is_added);
+  for (const EntrySyntax& entry : scene->entries) {
+    if (std::ranges::find(added_entries, entry.name) == added_entries.end()) continue;
+    if (entry.name != "input" || is_wrench_input(entry)) {
+      added.entries.push_back(entry);
+      continue;
+    }
+    context.report.add(Reason::input_of_scene, entry.span,
+                       "an input of a scene has `wrench` or `at`");
+    context.symbols.mark_failed(entry.find("name")->value.expression.text);
+  }
   return added;
 }
 
 /// Reads the entries that the scene adds, after all entries of the model.
 void read_added_entries(Context& context, const FileSyntax* scene) {
-  const FileSyntax added = entries_added_by(scene);
+  const FileSyntax added = entries_added_by(scene, context);
   const std::vector<EntryInstance> instances = expand_entries(context, added);
   if (context.is_beyond_limits) return;
-  read_entries(context, instances, {{"frame", read_frame}});
+  read_entries(context, instances, {{"input", read_input}, {"frame", read_frame}});
+  read_entries(context, instances, {{"input", read_wrench_input}});
   read_entries(context, instances, {{"output", read_output}});
+  Model& model = context.model;
+  for (Equilibrium& equilibrium : model.equilibria) equilibrium.inputs.resize(model.inputs.size());
 }
 
 /// Sets UserOutput::argument_kinds, without q, from the leaves in the values of each output.
@@ -113,7 +126,8 @@ void check_model_and_scene(Context& context, const FileSyntax& syntax,
     set_output_arguments(context.model, traits);
     check_mechanics(context, traits);
   }
-  read_expectations(context, syntax, options.purpose.keeps_large_forms);
+  const bool is_judged_alone = find_entry(scene_syntax, "input") != nullptr;
+  read_expectations(context, syntax, {options.purpose.keeps_large_forms, is_judged_alone});
   if (!options.purpose.ignores_expansion) read_approximation(context, scene_syntax);
   read_starts(context, options, scene);
   read_laws(context, options, scene);
@@ -133,6 +147,26 @@ void reduce_model(Context& context) {
   while (context.constants.size() < context.model.expressions.size()) {
     (void)context.constants.evaluate_next(context.model.expressions);
   }
+}
+
+/// The model without the scene, except for its sizes. Its errors are reported, because the scene
+/// cannot mend them. Null after an error, or if the scene adds no input: only inputs change the
+/// equations and the shapes of outputs.
+std::shared_ptr<const Model> check_model_alone(Context& context, const FileSyntax& model,
+                                               const FileSyntax* scene,
+                                               const SceneOptions& options) {
+  if (find_entry(scene, "input") == nullptr) return nullptr;
+  FileSyntax sizes{scene->source, {}};
+  if (const EntrySyntax* const given = find_entry(scene, "sizes")) sizes.entries.push_back(*given);
+  SceneOptions alone;
+  alone.sizes = options.sizes;
+  alone.purpose.keeps_large_forms = options.purpose.keeps_large_forms;
+  Result<CheckedModel> result = check(model, &sizes, alone, context.limits);
+  for (Diagnostic& diagnostic : result.diagnostics) {
+    const bool is_error = code_row(diagnostic.code).severity == Severity::error;
+    if (is_error) context.report.add(std::move(diagnostic));
+  }
+  return result ? std::make_shared<const Model>(std::move(result->model)) : nullptr;
 }
 
 }  // namespace
@@ -155,6 +189,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   read_held_coordinates(context, scene);
   mark_wanted_outputs(context.model, scene, options);
   Scene checked_scene;
+  checked_scene.model_alone = check_model_alone(context, model, scene, options);
   check_model_and_scene(context, model, scene, options, checked_scene);
   if (options.purpose.shows_motion && context.report.error_count() == 0)
     add_shown_outputs(context.model, checked_scene);

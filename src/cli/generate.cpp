@@ -275,7 +275,7 @@ void report_files(const GlobalOptions& global, const GenerateOptions& options, c
     print_message(global, (is_new ? "wrote " : "unchanged ") + printable_path(file.path));
   }
   const std::string checked = self_check_text(*job.products.self_check);
-  const char* more = model.expectations.empty() ? "" : "; `elgen verify` checks [[expect]]";
+  const char* more = has_expectations(model, scene) ? "; `elgen verify` checks [[expect]]" : "";
   print_message(global, fmt::format("{}: {}{}", job.scene().base_name, checked, more));
   if (global.verbose) print_message(global, next_commands(job.path));
 }

@@ -228,8 +228,8 @@ class KeyComparison {
   }
 
   /// Compares the orders of coordinates, inputs, constraints and parameters, on which callers rely.
+  /// Of these, a scene declares only inputs.
   void compare_orders(const IdentifiedEntries& olds, const IdentifiedEntries& news) {
-    if (!prefix_.empty()) return;  // a scene only refers to these names
     for (const char* const kind : {"coordinate", "input", "constraint"}) {
       place_ = {.table = kind, .entry = fmt::format("[[{}]]", kind), .is_reordering = true};
       compare_order(names_of(olds, kind), names_of(news, kind));

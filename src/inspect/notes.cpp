@@ -95,7 +95,7 @@ Diagnostics inspect_omissions(const InspectedModel& subject) {
     // The components of a wrench are one entry, so they get one note.
     std::vector<std::string> names;
     const Span& span = whole.inputs[i].span;
-    for (; i < whole.inputs.size() && whole.inputs[i].span.begin == span.begin; ++i) {
+    for (; i < whole.inputs.size() && whole.inputs[i].span == span; ++i) {
       if (!inputs[i]) names.push_back(quote_text(whole.inputs[i].name));
     }
     if (names.empty()) continue;

@@ -107,7 +107,7 @@ RemainingIndices remaining_inputs(const Model& whole) {
     // An input that does no work is removed if its wrench has an input that acts only on locks.
     for (std::uint32_t k = 0; k < whole.inputs.size() && alone[i] == WorkTarget::nothing; ++k) {
       const bool is_of_wrench =
-          whole.inputs[i].is_external && whole.inputs[k].span.begin == whole.inputs[i].span.begin;
+          whole.inputs[i].is_external && whole.inputs[k].span == whole.inputs[i].span;
       if (is_of_wrench && alone[k] == WorkTarget::locks) reaches[i] = WorkTarget::locks;
     }
     if (reaches[i] == WorkTarget::locks) left.remove(i, 1);

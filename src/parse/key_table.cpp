@@ -282,6 +282,7 @@ constexpr auto entry_rows = std::to_array<EntryRow>({
     {"scene.routh", single, optional, true, "cyclic coordinates that are eliminated"},
     {"scene.functions", single, optional, true, "expressions of functions left open"},
     {"scene.frame", repeated, optional, true, "a tool, which is fixed to a frame of the model"},
+    {"scene.input", repeated, optional, true, "an external force or wrench"},
     {"scene.output", repeated, optional, true, "a function to emit besides those of the model"},
     {"scene.regressor", single, optional, true, "further columns of the regressor"},
     {"scene.approximate", single, optional, true, "polynomial expansion about an equilibrium"},

@@ -1,4 +1,4 @@
-// Frames and outputs that a scene adds to a model.
+// Frames, outputs and external forces that a scene adds to a model.
 #include <catch2/catch.hpp>
 
 #include "check_testing.hpp"
@@ -34,6 +34,13 @@ const std::string pen =
     "[[frame]]\nname = \"pen\"\nparent = \"thigh\"\ntranslate = [\"l\", \"0.1*l\"]\n"
     "rotate = [[\"z\", \"pi/2\"]]\n";
 const std::string pose = "[[output]]\nname = \"pose\"\nframe = \"pen\"\njacobian = true\n";
+
+const std::string push = "[[input]]\nname = \"push\"\nat = \"knee\"\n";
+
+/// The leg with a motor, and with the lines `more`.
+std::string driven_leg(const std::string& more) {
+  return leg + "[[input]]\nname = \"motor\"\nunit = \"N*m\"\non = \"hip\"\n" + more;
+}
 
 /// A scene of `leg`; the text `more` starts on line 4.
 CheckOptions adding(const std::string& more) {
@@ -78,6 +85,26 @@ TEST_CASE("a scene emits its outputs unless it refuses them") {
   CHECK_FALSE(emits(pen + pose + chosen + "pose = { rename = \"grip\" }\n", "pose"));
 }
 
+TEST_CASE("the inputs of a scene follow the inputs of the model") {
+  const std::string rest = "[[equilibrium]]\nname = \"rest\"\nat = { hip = 0 }\n";
+  const auto [model, scene] = checked(driven_leg(rest), adding(push));
+  REQUIRE(model.inputs.size() == 3);
+  CHECK(model.inputs[0].name == "motor");
+  CHECK_FALSE(is_of_scene(model, model.inputs[0].span));
+  CHECK(is_of_scene(model, model.inputs[1].span));
+  CHECK(model.inputs[2].is_external);
+  CHECK(model.equilibria[0].inputs.size() == 3);
+  REQUIRE(scene.model_alone != nullptr);
+  CHECK(scene.model_alone->inputs.size() == 1);
+  CHECK(checked(leg, adding(pen + pose)).scene.model_alone == nullptr);
+}
+
+TEST_CASE("a wrong expectation of the model is one error, also if the scene adds inputs") {
+  const std::string wrong = driven_leg("[[expect]]\ninput_matrix = [[\"1\", \"2\"]]\n");
+  CHECK(mentions(messages(wrong), "E517 27:16 "));
+  CHECK(messages(wrong, adding(push)) == messages(wrong));
+}
+
 TEST_CASE("mistakes in additions are reported in the scene") {
   const auto answer = [](const std::string& more) { return messages(leg, adding(more)); };
   const std::string frame = "[[frame]]\nname = \"pen\"\nparent = \"thigh\"\n";
@@ -88,6 +115,10 @@ TEST_CASE("mistakes in additions are reported in the scene") {
            "E203 5:9 `thigh` is already a frame | first in `model.toml`\n"},
           {"[[output]]\nname = \"m\"\nvalue = \"hip\"\n",
            "E203 5:9 `m` is already a parameter | first in `model.toml`\n"},
+          {"[[input]]\nname = \"u\"\nunit = \"N*m\"\non = \"hip\"\n",
+           "E112 4:1 an input of a scene has `wrench` or `at`\n"},
+          {"[[input]]\nname = \"m\"\nat = \"knee\"\n",
+           "E203 5:9 `m[1]` is already a parameter | first in `model.toml`\n"},
           {frame + "rotate = [[\"z\", \"hip\"]]\n",
            "E319 7:18 `hip` is a coordinate, but a frame of a scene takes none\n"},
           {frame + "translate = [\"l*sin(hip)\", 0]\n",

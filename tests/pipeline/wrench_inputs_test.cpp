@@ -4,6 +4,7 @@
 
 #include "pipeline/constrained_testing.hpp"
 #include "sample/states.hpp"
+#include "verify/structure/expectations.hpp"
 
 namespace elgen::test {
 namespace {
@@ -49,6 +50,20 @@ frame = "shank"
 at = ["0", "0"]
 mass = "m"
 )toml" + more;
+}
+
+/// A frame, a wrench on it and its pose, for a model or a scene of the leg.
+const std::string sole =
+    "[[frame]]\nname = \"sole\"\nparent = \"shank\"\ntranslate = [\"l\", \"0\"]\n"
+    "rotate = [[\"z\", \"pi/3\"]]\n[[input]]\nname = \"w\"\nwrench = \"sole\"\n"
+    "in = \"sole\"\n[[output]]\nname = \"pose\"\nframe = \"sole\"\njacobian = true\n";
+
+/// The report on the [[expect]] of the leg with a motor at the knee, in a scene with `sole`.
+ExpectationReport judged(const std::string& expect) {
+  const std::string motor = "[[input]]\nname = \"motor\"\nunit = \"N*m\"\non = \"knee\"\n";
+  const Products products = derived(inputs_of(leg(motor + "[[expect]]\n" + expect), sole), "bias");
+  const auto& [model, scene] = *products.checked;
+  return check_expectations({model, scene, *products.program}, nullptr, 1);
 }
 
 std::vector<std::string> input_names_of(const Model& model) {
@@ -126,6 +141,30 @@ TEST_CASE("components that act only on locked coordinates are removed, with a no
 TEST_CASE("a wrench on a moving frame keeps all components") {
   const std::string model = leg("[[input]]\nname = \"w\"\nwrench = \"thigh\"\n");
   CHECK_FALSE(mentions(messages(model, "[lock]\nknee = { value = 0.4 }\n"), "E616"));
+}
+
+TEST_CASE("additions of a scene give the values that additions of the model give") {
+  const std::string outputs = "input_matrix,bias,pose,pose_jacobian";
+  const Constrained whole(leg(sole), outputs);
+  const Constrained system(leg(""), outputs, sole);
+  State state = system.nominal();
+  Sampler draw(3);
+  draw_motion(system.model(), draw, 0, state);
+  for (const OutputKind kind : {OutputKind::input_matrix, OutputKind::bias, OutputKind::user_value,
+                                OutputKind::user_jacobian}) {
+    check_digits(system.exactly(kind, "", state), whole.exactly(kind, "", state), 50);
+  }
+}
+
+TEST_CASE("the model's expectations are judged without the inputs of the scene") {
+  const ExpectationReport right =
+      judged("input_matrix = [[\"0\"], [\"1\"]]\nconserved = [\"E\"]\n");
+  CHECK(right.diagnostics.empty());
+  REQUIRE(right.rows.size() == 3);
+  for (const CertificateRow& row : right.rows) CHECK(row.verdict == Verdict::holds);
+  const ExpectationReport wrong = judged("input_matrix = [[\"1\"], [\"1\"]]\n");
+  REQUIRE(wrong.diagnostics.size() == 1);
+  CHECK(wrong.diagnostics[0].code == Code::E510);
 }
 
 TEST_CASE("invalid wrenches are refused") {

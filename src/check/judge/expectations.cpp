@@ -317,14 +317,16 @@ void check_expected_equations(Context& context, const std::vector<ExpressionTrai
   }
 }
 
-void read_expectations(Context& context, const FileSyntax& syntax, bool large) {
+void read_expectations(Context& context, const FileSyntax& syntax,
+                       const ExpectationOptions& options) {
   for (const EntrySyntax& entry : syntax.entries) {
     if (entry.name != "expect") continue;
     const std::optional<ExpectationState> at = read_expected_state(context, entry);
     for (const KeySyntax& key : entry.keys) {
       const bool is_of_state = key.key == "at" || key.key == "within";
       if (is_of_state || uses_closed_derivative(context, key.value)) continue;
-      if (large) {
+      if (options.only_conserved && key.key != "conserved") continue;
+      if (options.keeps_large_forms) {
         ExpectationReader(context, at).read(key);
       } else {
         read_within_node_limit(context, at, key);

@@ -33,9 +33,16 @@ void check_constraints(Context& context);
 /// Reports E540 if an equation of [[expect]] contains neither accelerations nor multipliers.
 void check_expected_equations(Context& context, const std::vector<ExpressionTraits>& traits);
 
-/// Resolves every closed form and compares its shape with the output's. Closed forms of sized
-/// models grow faster than the model, so forms with more than 4096 nodes are kept only if `large`.
-/// E517, E601, and the errors of require_request() and read_expected_state().
-void read_expectations(Context& context, const FileSyntax& syntax, bool large);
+struct ExpectationOptions {
+  /// True: closed forms with more than 4096 nodes are kept, although the forms of sized models grow
+  /// faster than the model.
+  bool keeps_large_forms = false;
+  bool only_conserved = false;  ///< true: only the keys `conserved` are read
+};
+
+/// Resolves every closed form and compares its shape with the output's. E517, E601, and the errors
+/// of require_request() and read_expected_state().
+void read_expectations(Context& context, const FileSyntax& syntax,
+                       const ExpectationOptions& options);
 
 }  // namespace elgen

@@ -5,8 +5,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "elgen/wording.hpp"
+#include "sample/states.hpp"
 
 namespace elgen {
 
@@ -44,6 +46,21 @@ std::string KinkCoverage::one_sided_kinks_text() const {
     if (std::ranges::count(texts, text) == 0) texts.push_back(text);
   }
   return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+CoveringStates draw_covering_states(const Model& model, const Scene& scene, std::size_t count,
+                                    std::uint64_t seed) {
+  Sampler draw(seed);
+  KinkCoverage kinks(model);
+  CoveringStates drawn;
+  for (std::size_t turn = 0; turn < most_draws_for_kinks; ++turn) {
+    if (turn >= count && kinks.is_complete()) break;
+    State state = draw_state(model, scene, draw, turn);
+    const bool is_new = kinks.add_state(state);
+    if (turn < count || is_new) drawn.states.push_back(std::move(state));
+  }
+  drawn.one_sided_kinks = kinks.one_sided_kinks_text();
+  return drawn;
 }
 
 }  // namespace elgen

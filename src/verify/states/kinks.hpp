@@ -4,10 +4,13 @@
 // both sides have a state.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "elgen/oracle.hpp"
+#include "elgen/scene.hpp"
 
 namespace elgen {
 
@@ -38,5 +41,15 @@ class KinkCoverage {
   const Model& model_;
   std::vector<Kink> one_sided_kinks_ = {};
 };
+
+/// Random states, and the kinks that have states on one side only.
+struct CoveringStates {
+  std::vector<State> states = {};
+  std::string one_sided_kinks = {};
+};
+
+/// `count` states by draw_state(), and more states if these lie on one side of a kink only.
+[[nodiscard]] CoveringStates draw_covering_states(const Model& model, const Scene& scene,
+                                                  std::size_t count, std::uint64_t seed);
 
 }  // namespace elgen

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "elgen/leaf_names.hpp"
 #include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
 #include "sample/states.hpp"
@@ -33,26 +34,6 @@ constexpr const char* equation_proof_reason =
 /// With the file's parameter values, a form either holds at all states or fails at most of them, so
 /// few states suffice.
 constexpr std::size_t states_of_values = 16;
-
-/// The states at which expectations are sampled, and the kinks that have states on one side only.
-struct ExpectationStates {
-  std::vector<State> states = {};
-  std::string one_sided_kinks = {};
-};
-
-ExpectationStates draw_states(const Model& model, std::uint64_t seed) {
-  Sampler draw(seed);
-  KinkCoverage kinks(model);
-  ExpectationStates points;
-  for (std::size_t turn = 0; turn < most_draws_for_kinks; ++turn) {
-    if (turn >= point_count && kinks.is_complete()) break;
-    State state = draw_state(model, {}, draw, turn);
-    const bool is_new = kinks.add_state(state);
-    if (turn < point_count || is_new) points.states.push_back(std::move(state));
-  }
-  points.one_sided_kinks = kinks.one_sided_kinks_text();
-  return points;
-}
 
 double relative_difference(const cl_R& difference, const cl_R& scale) {
   if (cln::zerop(difference)) return 0;
@@ -323,7 +304,7 @@ void compare_entry(ExpectationReport& report, const ExpectedEntry& entry, Expect
 }
 
 void check_expectation(ExpectationReport& report, const Expectation& expectation,
-                       ExpectationProver& proofs, const ExpectationStates& all) {
+                       ExpectationProver& proofs, const CoveringStates& all) {
   const SystemUnderTest& subject = proofs.subject();
   const bool incomplete =
       expectation.claims_equations() && is_incomplete(subject.model, expectation);
@@ -341,6 +322,21 @@ void check_expectation(ExpectationReport& report, const Expectation& expectation
   }
   if (expectation.claims_equations()) {
     check_rank(report, expectation, subject, all.states);
+  }
+}
+
+void check_all_expectations(ExpectationReport& report, const SystemUnderTest& subject,
+                            ClosedForms* forms, std::uint64_t seed) {
+  // Expectations describe the exact model, not an expansion of it.
+  if (subject.model.expectations.empty() || subject.model.approximation) return;
+  ExpectationProver proofs(subject, forms);
+  const CoveringStates points = draw_covering_states(subject.model, {}, point_count, seed);
+  for (const Expectation& expectation : subject.model.expectations) {
+    if (expectation.state) {
+      check_numbers(report, expectation, subject);
+    } else {
+      check_expectation(report, expectation, proofs, points);
+    }
   }
 }
 
@@ -364,17 +360,15 @@ CertificateRow unjudged_row(const ExpectedEntry& entry) {
 ExpectationReport check_expectations(const SystemUnderTest& subject, ClosedForms* forms,
                                      std::uint64_t seed) {
   ExpectationReport report;
-  // Expectations describe the exact model, not an expansion of it.
-  if (subject.model.expectations.empty() || subject.model.approximation) return report;
-  ExpectationProver proofs(subject, forms);
-  const ExpectationStates points = draw_states(subject.model, seed);
-  for (const Expectation& expectation : subject.model.expectations) {
-    if (expectation.state) {
-      check_numbers(report, expectation, subject);
-    } else {
-      check_expectation(report, expectation, proofs, points);
-    }
+  if (subject.scene.model_alone == nullptr) {
+    check_all_expectations(report, subject, forms, seed);
+    return report;
   }
+  const Model& alone = *subject.scene.model_alone;
+  Program no_functions;
+  no_functions.leaves = leaf_names(alone);
+  const Scene no_changes;
+  check_all_expectations(report, {alone, no_changes, no_functions}, nullptr, seed);
   return report;
 }
 

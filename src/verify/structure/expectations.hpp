@@ -42,8 +42,9 @@ struct ExpectedEntry {
 /// ranges. Parameters lie between half and twice their values; even parameters that the scene
 /// fixes, because an expectation describes the model. A `conserved` entry holds if its rate along
 /// the motion at u = 0 is 0; an equation, if left - right is 0 along the motion. Expectations `at`
-/// a state are compared at that state. Hints give the difference of a wrong entry from the derived
-/// one in closed form.
+/// a state are compared at that state. If the scene adds inputs, the expectations of the model are
+/// sampled on Scene::model_alone, because `forms` describe another system. Hints give the
+/// difference of a wrong entry from the derived one in closed form.
 [[nodiscard]] ExpectationReport check_expectations(const SystemUnderTest& subject,
                                                    ClosedForms* forms, std::uint64_t seed);
 
