@@ -53,6 +53,10 @@ void name_optional_leaves(LeafSet takes, LeafNames& leaves);
 [[nodiscard]] std::string leaf_text(const LeafNames& leaves, Opcode kind, std::uint32_t number);
 [[nodiscard]] std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number);
 
+/// The name of a component of a wrench if `name` is its indexed name: "hand_tx" for "hand[1]";
+/// otherwise `name`.
+[[nodiscard]] std::string component_name(const Model& model, const std::string& name);
+
 /// The identifier for a name: keeps word characters and replaces "[" by "_". "q[3]" -> "q_3".
 [[nodiscard]] std::string identifier_of(std::string_view name);
 

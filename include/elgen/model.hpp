@@ -45,8 +45,7 @@ struct Coordinate {
   std::optional<Interval> range = {};
   cln::cl_R start_value = 0;
   bool wraps = false;  ///< true: an angle that may make full turns and is compared modulo 2 pi
-  /// Index of dq/dt in Model::velocities; for a component of a rotation, index of the first
-  /// velocity of the rotation.
+  /// Index of dq/dt in Model::velocities; for a component of a rotation, of its first velocity.
   std::uint32_t velocity = 0;
   /// For a component of a rotation: index in Model::rotations.
   std::optional<std::uint32_t> rotation = {};
@@ -208,6 +207,7 @@ struct Body {
 struct Input {
   std::string name;
   std::string identifier;
+  std::string indexed_name = {};  ///< "hand[1]" for the component "hand_tx" of a wrench; else ""
   /// Index of the velocity on which the input acts; none: the input acts through `forces`.
   std::optional<std::uint32_t> velocity = {};
   bool is_external = false;  ///< true: a component of an external force or torque; false: a motor

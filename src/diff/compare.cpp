@@ -123,6 +123,16 @@ void set_key_impacts(SystemChange& system, Impact of_entries) {
   }
 }
 
+/// Adds the renames of the components of renamed wrenches: f_tx of f.
+void rename_components(const Model& before, Renames& renames) {
+  for (const Input& input : before.inputs) {
+    const std::string wrench = input.indexed_name.substr(0, input.indexed_name.find('['));
+    const auto found = renames.find(wrench);
+    if (wrench.empty() || found == renames.end()) continue;
+    renames[input.name] = found->second + input.name.substr(wrench.size());
+  }
+}
+
 std::string source_text(const SourcePointer& source) { return source ? source->text : ""; }
 
 /// The syntax of the scene; an empty file for a model without a scene.
@@ -247,7 +257,9 @@ bool has_changes(const SystemChange& system) {
 }
 
 SystemChange compare(const Version& before, const Version& after, const CompareOptions& options) {
-  const Renames& renames = options.renames;
+  CompareOptions all = options;
+  rename_components(before.checked.model, all.renames);
+  const Renames& renames = all.renames;
   SystemChange result{.name = after.checked.scene.base_name};
   result.keys = all_changed_keys(before, after, renames);
   if (has_same_texts(before, after)) return result;
@@ -263,7 +275,7 @@ SystemChange compare(const Version& before, const Version& after, const CompareO
   Impact of_entries = Impact::equal;
   const bool are_values = std::ranges::none_of(result.keys, may_change_equations);
   if (has_entry_verdict(result.outputs, EntryVerdict::different)) {
-    if (!are_values) result.extension = extension_text(before, after, options);
+    if (!are_values) result.extension = extension_text(before, after, all);
     of_entries = impact_of_entries(result, are_values);
   }
   set_key_impacts(result, of_entries);

@@ -97,6 +97,11 @@ std::string leaf_text(const Model& model, Opcode kind, std::uint32_t number) {
   return fmt::format(fmt::runtime(row.text), name);
 }
 
+std::string component_name(const Model& model, const std::string& name) {
+  const auto found = std::ranges::find(model.inputs, name, &Input::indexed_name);
+  return name.empty() || found == model.inputs.end() ? name : found->name;
+}
+
 std::string identifier_of(std::string_view name) {
   std::string identifier;
   for (const char c : name) {

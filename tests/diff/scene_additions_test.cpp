@@ -1,4 +1,5 @@
 // Entries that a scene adds to a model are changes of the scene.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "diff/renamed.hpp"
@@ -29,6 +30,30 @@ TEST_CASE("a description in an addition changes no equation") {
   const LoweredVersion old = lowered(cart, height + chosen);
   const LoweredVersion now = lowered(cart, height + "doc = \"of the bob\"\n" + chosen);
   CHECK(compare(old.version(), now.version()).impact == Impact::values);
+}
+
+TEST_CASE("the components of a renamed wrench keep their meaning") {
+  const auto has_other_inputs = [](const Renames& renames) {
+    const LoweredVersion old = lowered(cart, "[[input]]\nname = \"f\"\nat = \"bob\"\n" + chosen);
+    const LoweredVersion now = lowered(cart, "[[input]]\nname = \"pull\"\nat = \"bob\"\n" + chosen);
+    const SystemChange system = compare(old.version(), now.version(), {.renames = renames});
+    return std::ranges::any_of(system.interface, [](const InterfaceChange& change) {
+      return mentions(change.text,
+                      "the inputs or their order changed: u, f_fx, f_fy -> u, pull_fx, pull_fy");
+    });
+  };
+  CHECK(has_other_inputs({}));
+  CHECK_FALSE(has_other_inputs({{"f", "pull"}}));
+}
+
+TEST_CASE("the order of inputs in a scene is compared") {
+  const auto inputs = [](const std::string& first, const std::string& second) {
+    return "[[input]]\nname = \"" + first + "\"\nat = \"bob\"\n[[input]]\nname = \"" + second +
+           "\"\nat = \"bob\"\n" + chosen;
+  };
+  const LoweredVersion old = lowered(cart, inputs("f", "g"));
+  const LoweredVersion now = lowered(cart, inputs("g", "f"));
+  CHECK(breaks_silently(compare(old.version(), now.version())));
 }
 
 TEST_CASE("a renamed coordinate is renamed in additions") {

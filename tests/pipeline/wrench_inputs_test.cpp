@@ -94,7 +94,7 @@ TEST_CASE("the columns of a wrench are the transposed Jacobian of the twist") {
       for (std::size_t i = 0; i < 7; ++i) block.push_back(b[i * 13 + 7 + row]);
     }
     check_digits(block, jacobian, 50);
-    CHECK(system.model().inputs[7].name == "f[1]");
+    CHECK(system.model().inputs[7].name == "f_tx");
     CHECK(system.model().inputs[9].unit_text == "N*m");
     CHECK(system.model().inputs[10].unit_text == "N");
   }
@@ -105,7 +105,7 @@ TEST_CASE("in a plane a torque has one component and a force has two") {
                                "\"g\"\nat = \"toe\"\n"),
                            "input_matrix");
   CHECK(input_names_of(system.model()) ==
-        std::vector<std::string>{"w[1]", "w[2]", "w[3]", "g[1]", "g[2]"});
+        std::vector<std::string>{"w_tz", "w_fx", "w_fy", "g_fx", "g_fy"});
   State state = system.nominal();
   state.q = {cln::cl_RA(3) / 10, cln::cl_RA(-7) / 5};
   const double l = 0.3;
@@ -134,8 +134,8 @@ TEST_CASE("components that act only on locked coordinates are removed, with a no
   const std::string found_messages = messages(model, "[lock]\nhip = { value = 0.4 }\n");
   using Catch::Contains;
   CHECK_THAT(found_messages,
-             Contains("E616") && Contains("`w[1]`, `w[2]`, `w[3]` act only on locked coordinates"));
-  CHECK_THAT(found_messages, !Contains("`g[1]` acts on what"));
+             Contains("E616") && Contains("`w_tz`, `w_fx`, `w_fy` act only on locked coordinates"));
+  CHECK_THAT(found_messages, !Contains("`g_fx`"));
 }
 
 TEST_CASE("a wrench on a moving frame keeps all components") {
@@ -165,6 +165,26 @@ TEST_CASE("the model's expectations are judged without the inputs of the scene")
   const ExpectationReport wrong = judged("input_matrix = [[\"1\"], [\"1\"]]\n");
   REQUIRE(wrong.diagnostics.size() == 1);
   CHECK(wrong.diagnostics[0].code == Code::E510);
+}
+
+TEST_CASE("files and options may number the components of a wrench") {
+  const PipelineSources inputs =
+      inputs_of(leg("[[input]]\nname = \"g\"\nat = \"toe\"\n"
+                    "[[output]]\nname = \"load\"\nvalue = [\"g[2]\", \"g_fy\"]\n"
+                    "[[equilibrium]]\nname = \"rest\"\nat = { hip = 0, knee = 0 }\n"
+                    "inputs = { \"g[2]\" = 0 }\n"
+                    "[[expect]]\nload = [1, 1]\nat = { \"g[2]\" = 1 }\n"),
+                "[numeric]\nmax_error = 1e-9\nranges = { \"g[1]\" = [-1, 1] }\n");
+  const Products products = products_with(
+      &Products::checked, inputs,
+      {.scene = {.laws = {make_source("command line", "g[1]=2")}}, .goals = {Goal::check}});
+  const auto& [model, scene] = *products.checked;
+  for (const ExpressionId value : model.outputs[0].values) CHECK(to_string(model, value) == "g_fy");
+  CHECK_FALSE(model.equilibria[0].inputs[0].has_value());
+  CHECK(model.equilibria[0].inputs[1].has_value());
+  CHECK(model.expectations[0].state->leaves[0].number == 1);
+  CHECK(scene.numerics.ranges[0].name == "g_fx");
+  CHECK(scene.laws.count("g_fx") == 1);
 }
 
 TEST_CASE("invalid wrenches are refused") {

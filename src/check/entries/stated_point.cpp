@@ -22,7 +22,10 @@ template <class Entries>
 std::vector<std::uint32_t> find_indices_by_name(const Entries& entries, std::string_view name) {
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < entries.size(); ++i) {
-    if (denotes_variable(entries[i].name, name)) found.push_back(i);
+    bool is_denoted = denotes_variable(entries[i].name, name);
+    if constexpr (requires { entries[i].indexed_name; })
+      is_denoted = is_denoted || denotes_variable(entries[i].indexed_name, name);
+    if (is_denoted) found.push_back(i);
   }
   return found;
 }

@@ -2,6 +2,7 @@
 #include "check/expressions/wrench_input.hpp"
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "base/reason.hpp"
@@ -10,6 +11,15 @@ namespace elgen {
 namespace {
 
 constexpr std::array<std::string_view, 2> acting_keys{"wrench", "at"};
+
+/// "_tx" … "_fz": what the name of a component adds to the name of its wrench.
+std::string component_suffix(const WrenchComponentCounts& count, std::uint32_t component) {
+  constexpr std::string_view axes = "xyz";
+  const bool is_torque = component < count.torque;
+  const bool is_planar_torque = is_torque && count.torque == 1;
+  const std::uint32_t axis = is_planar_torque ? 2U : component - (is_torque ? 0U : count.torque);
+  return std::string(is_torque ? "_t" : "_f") + axes[axis];
+}
 
 void set_units(Input* first, std::uint32_t count, const Unit& unit, const std::string& text) {
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -54,11 +64,15 @@ std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntryS
   const WrenchComponentCounts count = count_wrench_components(context, entry);
   const auto first = static_cast<std::uint32_t>(context.model.inputs.size());
   for (std::uint32_t i = 0; i < count.torque + count.force; ++i) {
-    const NewName component{name.base, i + 1, name.span};
+    const NewName indexed{name.base, i + 1, name.span};
+    const NewName component{name.base + component_suffix(count, i), {}, name.span};
     context.model.inputs.push_back(make_row<Input>(entry, component));
+    context.model.inputs.back().indexed_name = indexed.text();
     context.model.inputs.back().is_external = true;
-    if (!context.symbols.declare(component, SymbolKind::input, first + i, context.report)) {
-      return std::nullopt;
+    for (const NewName& each : {indexed, component}) {
+      if (!context.symbols.declare(each, SymbolKind::input, first + i, context.report)) {
+        return std::nullopt;
+      }
     }
   }
   const Unit newton = *find_unit("N");

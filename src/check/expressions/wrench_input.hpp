@@ -1,12 +1,13 @@
 // Inputs that are external forces: a wrench on a frame, or a force at a point. One entry declares
 // an input for each component, and the forces with these components:
 //
-//     wrench = "hand"    f[1] … f[3] torque in N*m, f[4] … f[6] force in N at the frame's origin
-//     at = "toe"         f[1] … f[3] force in N
+//     wrench = "hand"    f_tx f_ty f_tz torque in N*m, f_fx f_fy f_fz force in N at the origin
+//     at = "toe"         f_fx f_fy f_fz force in N
 //
-// The components are in world axes, or in the axes of the frame that `in` names. In a plane a
-// torque has one component, and a force has two. The order is the same as in the twist of an
-// [[output]] with this frame, so the columns of B are the transposed Jacobian of the twist.
+// Expressions may also write f[1], f[2], …. The components are in world axes, or in the axes of the
+// frame that `in` names. In a plane they are f_tz, f_fx and f_fy. The order is the same as in the
+// twist of an [[output]] with this frame, so the columns of B are the transposed Jacobian of the
+// twist.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ namespace elgen {
 
 [[nodiscard]] bool is_wrench_input(const EntrySyntax& entry);
 
-/// Adds the inputs NAME[1], NAME[2], …; returns the index of the first. E112 if the entry is
+/// Adds the inputs NAME_tx, NAME_ty, …; returns the index of the first. E112 if the entry is
 /// repeated, or also has `on` or `unit`.
 std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntrySyntax& entry,
                                                   const NewName& name);

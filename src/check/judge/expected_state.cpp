@@ -36,7 +36,8 @@ std::vector<LeafAssignment> read_leaves(Context& context, const std::vector<KeyS
   const std::vector<Named> known = stated_leaves(context.model);
   std::vector<LeafAssignment> leaves;
   for (const KeySyntax& key : keys) {
-    const auto found = std::ranges::find(known, key.key, &Named::first);
+    const std::string name = component_name(context.model, key.key);
+    const auto found = std::ranges::find(known, name, &Named::first);
     if (found == known.end()) {
       context.report.add(Reason::unknown_state_name, key.key_span,
                          "unknown name " + quote_text(key.key),

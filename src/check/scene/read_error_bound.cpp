@@ -44,7 +44,8 @@ class ErrorBoundReader {
   }
 
   void read_range(const KeySyntax& key, const std::vector<std::string>& names) {
-    if (std::ranges::find(names, key.key) == names.end()) {
+    const std::string name = component_name(context_.model, key.key);
+    if (std::ranges::find(names, name) == names.end()) {
       return report_range_error(
           key.key_span, quote_text(key.key) + " is no coordinate, rate, acceleration or input",
           suggestion(key.key, names));
@@ -56,7 +57,7 @@ class ErrorBoundReader {
       return report_range_error(key.value.span,
                                 "the range " + in_backticks(key.value.span) + " is empty");
     }
-    numerics_.ranges.push_back({key.key, *low, *high});
+    numerics_.ranges.push_back({name, *low, *high});
   }
 
  private:

@@ -140,7 +140,8 @@ class StartReader {
 
 /// Reads the law of an input. Gains are plain numbers, so the units of a law are not checked.
 void read_law(Context& context, const KeySyntax& key, Scene& scene) {
-  const auto input = std::ranges::find(context.model.inputs, key.key, &Input::name);
+  const std::string name = component_name(context.model, key.key);
+  const auto input = std::ranges::find(context.model.inputs, name, &Input::name);
   if (input == context.model.inputs.end()) {
     const std::vector<std::string> names = context.symbols.names({SymbolKind::input});
     context.report.add(Reason::unknown_input, key.key_span, "unknown input " + quote_text(key.key),

@@ -10,6 +10,7 @@
 
 #include "base/reason.hpp"
 #include "elgen/evaluate.hpp"
+#include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
 #include "elgen/wording.hpp"
 #include "model/output_units.hpp"
@@ -233,7 +234,7 @@ Diagnostics choose_curves(const SimulationOptions& options, const Model& model,
                           std::vector<TrajectoryColumn>& columns) {
   Diagnostics wrong;
   for (const std::string& each : options.panel_columns) {
-    const std::string name = collapse_blanks(each);
+    const std::string name = component_name(model, collapse_blanks(each));
     const auto found = std::ranges::find(columns, name, &TrajectoryColumn::name);
     if (found == columns.end()) {
       wrong.push_back(
