@@ -114,6 +114,14 @@ void set_output_arguments(Model& model, const std::vector<ExpressionTraits>& tra
   }
 }
 
+/// Reads the [[expect]] of the scene. They describe the model that the scene emits, so their shapes
+/// are those of the reduced model.
+void read_scene_expectations(Context& context, const FileSyntax* scene, bool keeps_large_forms) {
+  if (find_entry(scene, "expect") == nullptr || context.report.error_count() > 0) return;
+  const Model emitted = eliminate_held_coordinates(context.model);
+  read_expectations(context, *scene, {keeps_large_forms, false, emitted});
+}
+
 /// Checks the energies. Then reads the closed forms of [[expect]], which need the outputs of the
 /// model, and three parts of the scene: expansion point, starts and laws. Last, checks all
 /// expressions together.
@@ -127,8 +135,10 @@ void check_model_and_scene(Context& context, const FileSyntax& syntax,
     check_mechanics(context, traits);
   }
   const bool is_judged_alone = find_entry(scene_syntax, "input") != nullptr;
-  read_expectations(context, syntax, {options.purpose.keeps_large_forms, is_judged_alone});
+  const bool keeps_large_forms = options.purpose.keeps_large_forms;
+  read_expectations(context, syntax, {keeps_large_forms, is_judged_alone, context.model});
   if (!options.purpose.ignores_expansion) read_approximation(context, scene_syntax);
+  read_scene_expectations(context, scene_syntax, keeps_large_forms);
   read_starts(context, options, scene);
   read_laws(context, options, scene);
   if (!has_order) return;

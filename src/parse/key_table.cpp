@@ -284,6 +284,8 @@ constexpr auto entry_rows = std::to_array<EntryRow>({
     {"scene.frame", repeated, optional, true, "a tool, which is fixed to a frame of the model"},
     {"scene.input", repeated, optional, true, "an external force or wrench"},
     {"scene.output", repeated, optional, true, "a function to emit besides those of the model"},
+    {"scene.expect", repeated, optional, true,
+     "closed forms, equations and numbers of what the scene emits"},
     {"scene.regressor", single, optional, true, "further columns of the regressor"},
     {"scene.approximate", single, optional, true, "polynomial expansion about an equilibrium"},
     {"scene.numeric", single, optional, true, "arithmetic of the code"},

@@ -105,6 +105,29 @@ TEST_CASE("a wrong expectation of the model is one error, also if the scene adds
   CHECK(messages(wrong, adding(push)) == messages(wrong));
 }
 
+TEST_CASE("the expectations of a scene have the shapes of the scene") {
+  const std::string pair =
+      "format = 1\n[model]\nname = \"pair\"\n[[coordinate]]\nname = \"x\"\n[[coordinate]]\n"
+      "name = \"y\"\n[energy]\nT = \"dot(x)^2 + x^2*dot(y)^2\"\n"
+      "[[expect]]\nmomentum = [\"2*dot(x)\", \"2*x^2*dot(y)\"]\n";
+  const std::string locked = "[lock]\nx = { value = \"t\" }\n[[expect]]\n";
+  const auto [model, scene] = checked(pair, adding(locked + "mass_matrix = [[\"2*x^2\"]]\n"));
+  REQUIRE(model.expectations.size() == 1);
+  CHECK(model.expectations[0].output == "mass_matrix");
+  CHECK(to_string(model, model.expectations[0].entries[0]) == "2*x^2");
+  check_rows(
+      {
+          {"mass_matrix = [[\"2\", \"0\"], [\"0\", \"2*x^2\"]]\n",
+           "E517 7:15 2 x 2 entries, but `mass_matrix` is 1 x 1 | a matrix is a list of rows: "
+           "[[…], […]]\n"},
+          {"conserved = [\"p(y)\"]\n", ""},
+          {"conserved = [\"p(x)\"]\n", "E319 7:15 `p(x)` is the momentum of a locked coordinate\n"},
+          {"equations = [\"dot(dot(y)) = 0\"]\n", ""},
+          {"mass_matrix = [[1]]\nat = { x = 1 }\n", "E201 8:8 unknown name `x`\n"},
+      },
+      [&](const std::string& claim) { return messages(pair, adding(locked + claim)); });
+}
+
 TEST_CASE("mistakes in additions are reported in the scene") {
   const auto answer = [](const std::string& more) { return messages(leg, adding(more)); };
   const std::string frame = "[[frame]]\nname = \"pen\"\nparent = \"thigh\"\n";

@@ -79,11 +79,10 @@ std::string observed_dimensions_text(const Rows& rows) {
 }
 
 /// The output and field with this name; none after an error of require_request.
-std::optional<ExpectedField> require_field(Context& context, std::string_view name,
-                                           const Span& span) {
-  const Model& model = context.model;
+std::optional<ExpectedField> require_field(const Model& model, std::string_view name,
+                                           const Span& span, Report& report) {
   const bool is_field = name == multipliers && !model.constraints.empty();
-  auto request = require_request(model, is_field ? "forward_dynamics" : name, span, context.report);
+  auto request = require_request(model, is_field ? "forward_dynamics" : name, span, report);
   if (!request) return std::nullopt;
   if (!is_field) return ExpectedField{std::move(*request)};
   ExpectedField expected{std::move(*request), std::string(name)};
@@ -136,8 +135,9 @@ bool check_complete(Expectation& expectation, const Span& span, Report& report) 
 class ExpectationReader {
  public:
   /// `at`: the state of the expected values; none if the values hold in all states.
-  ExpectationReader(Context& context, const std::optional<ExpectationState>& at)
-      : context_(context), values_(context), at_(at) {}
+  ExpectationReader(Context& context, const Model& described,
+                    const std::optional<ExpectationState>& at)
+      : context_(context), described_(described), values_(context), at_(at) {}
 
   void read(const KeySyntax& key) {
     if (key.key == "conserved") {
@@ -146,7 +146,8 @@ class ExpectationReader {
       read_column(key, equation_of_motion);
     } else if (key.value.kind == ValueKind::table) {
       read_entry_formula(key);
-    } else if (const auto expected = require_field(context_, key.key, key.key_span)) {
+    } else if (const auto expected =
+                   require_field(described_, key.key, key.key_span, context_.report)) {
       read_matrix(key, *expected);
     }
   }
@@ -211,7 +212,7 @@ class ExpectationReader {
   RootRequest entry_request(const ExpectedField& expected, std::size_t index) const {
     const auto& [output, field, first] = expected;
     const FieldEntry place{output.kind, field, index / output.columns, index % output.columns};
-    return {role_of_field(expected), unit_of_entry(context_.model, place)};
+    return {role_of_field(expected), unit_of_entry(described_, place)};
   }
 
   void add_entry(Expectation& expectation, const ValueSyntax& value, const RootRequest& entry) {
@@ -229,7 +230,7 @@ class ExpectationReader {
       return;
     }
     const std::string_view output = name.substr(0, name.size() - entry_suffix.size());
-    const auto expected = require_field(context_, output, key.key_span);
+    const auto expected = require_field(described_, output, key.key_span, context_.report);
     const KeySyntax* repetition = key.value.find("for");
     const KeySyntax* value = key.value.find("value");
     if (!expected || repetition == nullptr || value == nullptr) return;
@@ -269,20 +270,21 @@ class ExpectationReader {
   }
 
   Context& context_;
+  const Model& described_;
   ValueReader values_;
   const std::optional<ExpectationState>& at_;
 };
 
 /// Reads one closed form with at most 4096 nodes. A larger form is removed again, but the errors
 /// found before the limit are reported.
-void read_within_node_limit(Context& context, const std::optional<ExpectationState>& at,
-                            const KeySyntax& key) {
+void read_within_node_limit(Context& context, const Model& described,
+                            const std::optional<ExpectationState>& at, const KeySyntax& key) {
   constexpr std::uint64_t few_nodes = 4096;
   const std::size_t nodes = context.model.expressions.size();
   const std::size_t roots = context.roots.size();
   const std::uint64_t limit = std::exchange(context.node_limit, nodes + few_nodes);
   Report outer = std::exchange(context.report, Report{});
-  ExpectationReader(context, at).read(key);
+  ExpectationReader(context, described, at).read(key);
   const Report inner = std::exchange(context.report, std::move(outer));
   context.node_limit = limit;
   if (std::exchange(context.is_beyond_limits, false)) {
@@ -297,6 +299,27 @@ void read_within_node_limit(Context& context, const std::optional<ExpectationSta
 /// True if `entry` contains `no_expression`: a part with an error, or the z of a planar point.
 bool contains_error(const Model& model, ExpressionId entry) {
   return std::ranges::count(reachable_expressions(model, {entry}), no_expression) > 0;
+}
+
+bool is_locked_velocity(const Model& model, std::uint32_t velocity) {
+  return std::ranges::any_of(model.reduction.locks, [velocity](const LockedCoordinate& lock) {
+    return lock.has_velocity(velocity);
+  });
+}
+
+/// Reports E319 for each momentum of a locked coordinate in the scene, whose functions do not take
+/// it.
+void refuse_locked_momenta(Context& context) {
+  const Model& model = context.model;
+  for (const Expectation& expectation : model.expectations) {
+    if (!is_of_scene(model, expectation.span)) continue;
+    for (const ExpressionId id : reachable_expressions(model, expectation.entries)) {
+      const Expression& node = model.expressions[id];
+      if (!is_leaf(node, Opcode::momentum) || !is_locked_velocity(model, node.index)) continue;
+      context.report.add(Code::E319, node.span,
+                         in_backticks(node.span) + " is the momentum of a locked coordinate");
+    }
+  }
 }
 
 }  // namespace
@@ -321,18 +344,19 @@ void read_expectations(Context& context, const FileSyntax& syntax,
                        const ExpectationOptions& options) {
   for (const EntrySyntax& entry : syntax.entries) {
     if (entry.name != "expect") continue;
-    const std::optional<ExpectationState> at = read_expected_state(context, entry);
+    const auto at = read_expected_state(context, options.described, entry);
     for (const KeySyntax& key : entry.keys) {
       const bool is_of_state = key.key == "at" || key.key == "within";
       if (is_of_state || uses_closed_derivative(context, key.value)) continue;
       if (options.only_conserved && key.key != "conserved") continue;
       if (options.keeps_large_forms) {
-        ExpectationReader(context, at).read(key);
+        ExpectationReader(context, options.described, at).read(key);
       } else {
-        read_within_node_limit(context, at, key);
+        read_within_node_limit(context, options.described, at, key);
       }
     }
   }
+  refuse_locked_momenta(context);
 }
 
 }  // namespace elgen

@@ -31,12 +31,13 @@ std::vector<std::pair<std::string, LeafAssignment>> stated_leaves(const Model& m
 }
 
 /// Reads NAME = value. E201 for an unknown name, E319 for a value that is not constant.
-std::vector<LeafAssignment> read_leaves(Context& context, const std::vector<KeySyntax>& keys) {
+std::vector<LeafAssignment> read_leaves(Context& context, const Model& described,
+                                        const std::vector<KeySyntax>& keys) {
   using Named = std::pair<std::string, LeafAssignment>;
-  const std::vector<Named> known = stated_leaves(context.model);
+  const std::vector<Named> known = stated_leaves(described);
   std::vector<LeafAssignment> leaves;
   for (const KeySyntax& key : keys) {
-    const std::string name = component_name(context.model, key.key);
+    const std::string name = component_name(described, key.key);
     const auto found = std::ranges::find(known, name, &Named::first);
     if (found == known.end()) {
       context.report.add(Reason::unknown_state_name, key.key_span,
@@ -47,7 +48,7 @@ std::vector<LeafAssignment> read_leaves(Context& context, const std::vector<KeyS
     LeafAssignment leaf = found->second;
     const std::optional<cln::cl_R> value = ValueReader(context).read_constant(key.value);
     if (leaf.kind == Opcode::coordinate) {
-      note_degrees(context.report, key.value.span, context.model.coordinates[leaf.number], value);
+      note_degrees(context.report, key.value.span, described.coordinates[leaf.number], value);
     }
     leaf.value = value.value_or(leaf.value);
     leaves.push_back(leaf);
@@ -63,7 +64,8 @@ bool is_output_key(const KeySyntax& key) {
 
 }  // namespace
 
-std::optional<ExpectationState> read_expected_state(Context& context, const EntrySyntax& entry) {
+std::optional<ExpectationState> read_expected_state(Context& context, const Model& described,
+                                                    const EntrySyntax& entry) {
   const KeySyntax* const at = entry.find("at");
   const KeySyntax* const within = entry.find("within");
   if (at == nullptr) {
@@ -78,7 +80,7 @@ std::optional<ExpectationState> read_expected_state(Context& context, const Entr
                        "`conserved` and `equations` hold at all states");
   }
   // The default tolerance 1e-12 fits tables of doubles.
-  ExpectationState state{read_leaves(context, at->value.entries), power_of_ten(-12)};
+  ExpectationState state{read_leaves(context, described, at->value.entries), power_of_ten(-12)};
   if (within == nullptr) return state;
   state.tolerance = ValueReader(context).read_constant(within->value).value_or(state.tolerance);
   if (!cln::plusp(state.tolerance)) {

@@ -26,8 +26,10 @@ void rewrite_quotients(Context& context);
 /// Checks the constraints of a reduced model: E535, E536, E539.
 void check_constraints(Context& context);
 
-/// The state of an [[expect]]; none if it has no `at`. E112, E201, E319.
+/// The state of an [[expect]], with leaves of `described`; none if it has no `at`. E112, E201,
+/// E319.
 [[nodiscard]] std::optional<ExpectationState> read_expected_state(Context& context,
+                                                                  const Model& described,
                                                                   const EntrySyntax& entry);
 
 /// Reports E540 if an equation of [[expect]] contains neither accelerations nor multipliers.
@@ -38,10 +40,14 @@ struct ExpectationOptions {
   /// faster than the model.
   bool keeps_large_forms = false;
   bool only_conserved = false;  ///< true: only the keys `conserved` are read
+  /// The model with the shapes and leaves of the claims: Context::model, or this model without the
+  /// variables that the scene holds.
+  const Model& described;
 };
 
 /// Resolves every closed form and compares its shape with the output's. E517, E601, and the errors
-/// of require_request() and read_expected_state().
+/// of require_request() and read_expected_state(). E319: a momentum of a locked coordinate in a
+/// scene.
 void read_expectations(Context& context, const FileSyntax& syntax,
                        const ExpectationOptions& options);
 

@@ -91,8 +91,8 @@ void add_shown_outputs(Model& model, Scene& scene);
 
 /// The reduced model: functions of time replace the locked coordinates of Model::reduction, and 0
 /// replaces the cyclic coordinates. Its `reduction.unreduced` is the given model. A model without
-/// held coordinates is returned unchanged. The closed forms of [[expect]] and the equilibria are
-/// removed, because they describe the unreduced model.
+/// held coordinates is returned unchanged. The equilibria and the [[expect]] of the model are
+/// removed, because they describe the unreduced model; the [[expect]] of the scene stay.
 [[nodiscard]] Model eliminate_held_coordinates(Model whole);
 
 /// Reports E635 if an input, a force or D acts on a cyclic coordinate or contains it, if L is not

@@ -71,7 +71,9 @@ class ModelReducer {
       remaining_.inputs.erase_removed(model_.approximation->inputs);
     }
     model_.equilibria.clear();
-    model_.expectations.clear();
+    std::erase_if(model_.expectations, [this](const Expectation& expectation) {
+      return !is_of_scene(whole_, expectation.span);
+    });
     return std::move(model_);
   }
 
@@ -132,6 +134,9 @@ class ModelReducer {
     } else if (is_leaf(node, Opcode::velocity) || is_leaf(node, Opcode::acceleration)) {
       const auto index = remaining_.velocities[node.index];
       index ? void(node.index = *index) : rewrite_rate(node);
+    } else if (is_leaf(node, Opcode::momentum)) {
+      const auto index = remaining_.velocities[node.index];
+      index ? void(node.index = *index) : rewrite_momentum(node);
     } else if (is_leaf(node, Opcode::input)) {
       // A removed input occurs only in forces that are removed too.
       const auto index = remaining_.inputs[node.index];
@@ -150,6 +155,16 @@ class ModelReducer {
     const HeldReplacement& held = replacements_[velocity.coordinate];
     const bool is_rate = is_leaf(node, Opcode::velocity);
     set_prescribed_name(node, is_rate ? held.rate : held.acceleration);
+  }
+
+  /// Replaces `node`, the momentum of a cyclic coordinate, by its parameter.
+  void rewrite_momentum(Expression& node) const {
+    for (const CyclicCoordinate& cyclic : whole_.reduction.cyclic) {
+      if (cyclic.velocity != node.index) continue;
+      node.leaf = Opcode::parameter;
+      node.index = cyclic.parameter;
+      return;
+    }
   }
 
   void renumber_variables(const RemainingIndices& rotations) {

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 
 #include "elgen/leaf_names.hpp"
@@ -239,7 +241,7 @@ double error_of(const ComparedValue& sample) {
 /// 5/7 g sin(alpha) of a homogeneous ball.
 bool holds_at_file_values(const ExpectedEntry& entry, const std::vector<SampledPoint>& points) {
   const Model& model = entry.subject.model;
-  const State nominal = nominal_state(model, {});
+  const State nominal = nominal_state(model, fixing_scene(entry.subject, entry.expectation));
   std::vector<State> states;
   for (std::size_t i = 0; i < points.size() && i < states_of_values; ++i) {
     states.push_back(points[i].state);
@@ -327,20 +329,31 @@ void check_expectation(ExpectationReport& report, const Expectation& expectation
 
 void check_all_expectations(ExpectationReport& report, const SystemUnderTest& subject,
                             ClosedForms* forms, std::uint64_t seed) {
-  // Expectations describe the exact model, not an expansion of it.
-  if (subject.model.expectations.empty() || subject.model.approximation) return;
+  const Model& model = subject.model;
+  // Expectations of the model describe neither an expansion of it nor inputs of the scene.
+  const bool is_whole = !model.approximation && subject.scene.model_alone == nullptr;
   ExpectationProver proofs(subject, forms);
-  const CoveringStates points = draw_covering_states(subject.model, {}, point_count, seed);
-  for (const Expectation& expectation : subject.model.expectations) {
+  std::array<std::optional<CoveringStates>, 2> drawn;  // of the model, and of the scene
+  for (const Expectation& expectation : model.expectations) {
+    const bool is_from_scene = is_of_scene(model, expectation.span);
+    if (!is_whole && !is_from_scene) continue;
     if (expectation.state) {
       check_numbers(report, expectation, subject);
-    } else {
-      check_expectation(report, expectation, proofs, points);
+      continue;
     }
+    std::optional<CoveringStates>& points = drawn[is_from_scene ? 1 : 0];
+    const Scene& scene = fixing_scene(subject, expectation);
+    if (!points) points = draw_covering_states(model, scene, point_count, seed);
+    check_expectation(report, expectation, proofs, *points);
   }
 }
 
 }  // namespace
+
+const Scene& fixing_scene(const SystemUnderTest& subject, const Expectation& expectation) {
+  static const Scene fixes_nothing;
+  return is_of_scene(subject.model, expectation.span) ? subject.scene : fixes_nothing;
+}
 
 std::string name_of(const ExpectedEntry& entry) {
   const Field field{.columns = std::max(entry.expectation.columns, 1U),
@@ -360,15 +373,14 @@ CertificateRow unjudged_row(const ExpectedEntry& entry) {
 ExpectationReport check_expectations(const SystemUnderTest& subject, ClosedForms* forms,
                                      std::uint64_t seed) {
   ExpectationReport report;
-  if (subject.scene.model_alone == nullptr) {
-    check_all_expectations(report, subject, forms, seed);
-    return report;
+  if (subject.scene.model_alone != nullptr) {
+    const Model& alone = *subject.scene.model_alone;
+    Program no_functions;
+    no_functions.leaves = leaf_names(alone);
+    const Scene no_changes;
+    check_all_expectations(report, {alone, no_changes, no_functions}, nullptr, seed);
   }
-  const Model& alone = *subject.scene.model_alone;
-  Program no_functions;
-  no_functions.leaves = leaf_names(alone);
-  const Scene no_changes;
-  check_all_expectations(report, {alone, no_changes, no_functions}, nullptr, seed);
+  check_all_expectations(report, subject, forms, seed);
   return report;
 }
 

@@ -31,6 +31,11 @@ struct ExpectedEntry {
   }
 };
 
+/// The scene that fixes the parameters of an expectation: subject.scene, or for an expectation of
+/// the model a scene that fixes none.
+[[nodiscard]] const Scene& fixing_scene(const SystemUnderTest& subject,
+                                        const Expectation& expectation);
+
 /// The name of the entry in the file: "gravity[2]".
 [[nodiscard]] std::string name_of(const ExpectedEntry& entry);
 
@@ -39,12 +44,13 @@ struct ExpectedEntry {
 
 /// Proves each entry by `forms`. If `forms` is null or gives no proof, the entry is sampled at 64
 /// points or more, and its row says so. Coordinates, rates and inputs are rational numbers in their
-/// ranges. Parameters lie between half and twice their values; even parameters that the scene
-/// fixes, because an expectation describes the model. A `conserved` entry holds if its rate along
-/// the motion at u = 0 is 0; an equation, if left - right is 0 along the motion. Expectations `at`
-/// a state are compared at that state. If the scene adds inputs, the expectations of the model are
-/// sampled on Scene::model_alone, because `forms` describe another system. Hints give the
-/// difference of a wrong entry from the derived one in closed form.
+/// ranges. Parameters lie between half and twice their values; for an expectation of the model even
+/// parameters that the scene fixes. A `conserved` entry holds if its rate along the motion at u = 0
+/// is 0; an equation, if left - right is 0 along the motion. Expectations `at` a state are compared
+/// at that state. If the scene adds inputs, the expectations of the model are sampled on
+/// Scene::model_alone, because `forms` describe another system. If the scene expands the model,
+/// only the expectations of the scene are judged. Hints give the difference of a wrong entry from
+/// the derived one in closed form.
 [[nodiscard]] ExpectationReport check_expectations(const SystemUnderTest& subject,
                                                    ClosedForms* forms, std::uint64_t seed);
 

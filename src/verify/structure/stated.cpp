@@ -230,12 +230,13 @@ std::string difference_from_constant(const ExpectationProver& proofs, const Frac
              : fmt::format("compared with a conserved quantity: {}", fmt::join(words, ", or "));
 }
 
-/// Compares at one state in 60 digits. Parameters have the values of the file, even if the scene
-/// fixes others, because an expectation describes the model.
+/// Compares at one state in 60 digits. For an expectation of the model, parameters have the values
+/// of its file, even if the scene fixes others.
 void check_numbers(ExpectationReport& report, const Expectation& expectation,
                    const SystemUnderTest& subject) {
   const Model& model = subject.model;
-  const State state = with_leaves(model, start_state(model, {}), expectation.state->leaves);
+  const State start = start_state(model, fixing_scene(subject, expectation));
+  const State state = with_leaves(model, start, expectation.state->leaves);
   const std::string where = describe_state(subject, state);
   const StableValues settled = expected_field_values(model, expectation, state);
   const std::vector<cl_R> field = settled.values.value_or(std::vector<cl_R>());
