@@ -160,7 +160,8 @@ struct SelfCheck {
 
 /// "compared with 60-digit arithmetic at 32 states; at most 0.4 digits lost", and if they apply:
 /// "; 3 outside the domain"; "; not finite in double at 11 of 16 states inside the ranges" (if more
-/// than a tenth); "; 2 entries rely on zeros sampled at 64 points, not proved".
+/// than a tenth); "; 2 entries rely on zeros sampled at 64 points, not proved: `elgen verify -v`
+/// names them and compares them at more states".
 [[nodiscard]] std::string self_check_text(const SelfCheck& result);
 
 }  // namespace elgen

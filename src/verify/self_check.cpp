@@ -214,9 +214,11 @@ std::string self_check_text(const SelfCheck& result) {
   }
   if (result.sampled_zeros == 0) return text;
   const bool is_one = result.sampled_zeros == 1;
-  return text + fmt::format("; {} entr{} on zeros sampled at {} points, not proved",
-                            result.sampled_zeros, is_one ? "y relies" : "ies rely",
-                            zero_sample_count);
+  return text + fmt::format(
+                    "; {} entr{} on zeros sampled at {} points, not proved: `elgen verify "
+                    "-v` names {} and compares {} at more states",
+                    result.sampled_zeros, is_one ? "y relies" : "ies rely", zero_sample_count,
+                    is_one ? "it" : "them", is_one ? "it" : "them");
 }
 
 }  // namespace elgen

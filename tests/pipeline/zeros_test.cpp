@@ -243,6 +243,8 @@ TEST_CASE("generate and verify report zeros that are sampled and not proved") {
   CHECK(verified.status == 0);
   CHECK(std::regex_search(verified.output,
                           std::regex("holds    linearization .*, relies on unproved zeros\n")));
+  CHECK(std::regex_search(folder.run("elgen verify -v --quick '" + model + "'").output,
+                          std::regex("in entries [0-9, ]+")));
 }
 
 }  // namespace elgen::test

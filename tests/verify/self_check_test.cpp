@@ -148,7 +148,9 @@ TEST_CASE("the receipt and the certificate report zeros that are not proved") {
   CHECK(check(cart_pole_system()).sampled_zeros == 0);
   const System system = with_sampled_zeros();
   const std::string text = self_check_text(check(system));
-  CHECK(mentions(text, "; 2 entries rely on zeros sampled at 64 points, not proved"));
+  CHECK(mentions(text,
+                 "; 2 entries rely on zeros sampled at 64 points, not proved: `elgen verify -v` "
+                 "names them and compares them at more states"));
   CHECK(mentions(self_check_text({2, 1.0, "", 1}), "; 1 entry relies on zeros"));
   std::vector<CertificateRow> rows =
       verify(system.model, system.scene, system.program, {}, {1, true, 1}).certificate.rows;
