@@ -7,7 +7,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace elgen {
 
@@ -64,6 +66,28 @@ struct FunctionRow {
 
 /// The row of the function `name`; null if no function has this name.
 [[nodiscard]] const FunctionRow* find_function(std::string_view name);
+
+/// A function of the language that no later stage knows, because `check` replaces its calls: a row
+/// of src/base/expanded_functions.def or composite_functions.def.
+struct CallRow {
+  std::string_view name;
+  bool is_reserved;        ///< false: a model may use the name, such as `x`
+  std::string_view usage;  ///< "dot(e)"
+  std::string_view doc;
+};
+
+[[nodiscard]] std::span<const CallRow> call_table();
+
+/// The row of the call `name`; null if the table has no such row.
+[[nodiscard]] const CallRow* find_call(std::string_view name);
+
+/// The call in the language for a function of other languages: "log(x)" for ln(x), "x^2" for
+/// pow(x, 2); "" for other names. A product or sum among the arguments is in brackets.
+[[nodiscard]] std::string translate_call(std::string_view name,
+                                         const std::vector<std::string>& arguments);
+
+/// True if `name` is a function of expressions and nothing else: `sin` and `dot`, but not `x`.
+[[nodiscard]] bool is_reserved_function(std::string_view name);
 
 /// True if the function has no derivative at some argument, so that only forces may call it.
 [[nodiscard]] inline bool is_kinked(FunctionId id) {

@@ -26,6 +26,8 @@
 // k = -36.
 #include "elgen/functions.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -89,6 +91,38 @@ constexpr std::array table{
 }  // namespace
 }  // namespace laws
 
+namespace {
+
+constexpr std::array expanded_calls{
+#define ELGEN_EXPANDED(name, rule, is_reserved, usage, doc) CallRow{#name, is_reserved, usage, doc},
+#include "base/expanded_functions.def"
+#undef ELGEN_EXPANDED
+#define ELGEN_COMPOSITE(name, arity, definition, in_space, usage, doc) \
+  CallRow{#name, true, usage, doc},
+#include "base/composite_functions.def"
+#undef ELGEN_COMPOSITE
+};
+
+struct ForeignCallRow {
+  std::string_view name;
+  std::size_t arity;
+  std::string_view pattern;
+};
+
+constexpr auto foreign_calls = std::to_array<ForeignCallRow>({{"ln", 1, "log({})"},
+                                                              {"log10", 1, "log({})/log(10)"},
+                                                              {"arcsin", 1, "asin({})"},
+                                                              {"arccos", 1, "acos({})"},
+                                                              {"arctan", 1, "atan({})"},
+                                                              {"arctan2", 2, "atan2({}, {})"},
+                                                              {"cot", 1, "1/tan({})"},
+                                                              {"sgn", 1, "sign({})"},
+                                                              {"fabs", 1, "abs({})"},
+                                                              {"pow", 2, "{}^{}"},
+                                                              {"ddot", 1, "dot(dot({}))"}});
+
+}  // namespace
+
 std::span<const FunctionRow> function_table() { return laws::table; }
 
 const FunctionRow& function_row(FunctionId id) { return laws::table[static_cast<std::size_t>(id)]; }
@@ -96,6 +130,24 @@ const FunctionRow& function_row(FunctionId id) { return laws::table[static_cast<
 const FunctionRow* find_function(std::string_view name) {
   const auto* const row = std::ranges::find(laws::table, name, &FunctionRow::name);
   return row == laws::table.end() ? nullptr : row;
+}
+
+std::span<const CallRow> call_table() { return expanded_calls; }
+
+const CallRow* find_call(std::string_view name) {
+  const auto* const row = std::ranges::find(expanded_calls, name, &CallRow::name);
+  return row == expanded_calls.end() ? nullptr : row;
+}
+
+std::string translate_call(std::string_view name, const std::vector<std::string>& arguments) {
+  const auto* const row = std::ranges::find(foreign_calls, name, &ForeignCallRow::name);
+  if (row == foreign_calls.end() || row->arity != arguments.size()) return {};
+  return fmt::format(fmt::runtime(row->pattern), arguments.front(), arguments.back());
+}
+
+bool is_reserved_function(std::string_view name) {
+  const CallRow* const call = find_call(name);
+  return call == nullptr ? find_function(name) != nullptr : call->is_reserved;
 }
 
 }  // namespace elgen

@@ -17,9 +17,9 @@ namespace elgen {
 namespace {
 
 constexpr std::array composites{
-#define ELGEN_COMPOSITE(name, arity, definition, in_space) \
+#define ELGEN_COMPOSITE(name, arity, definition, in_space, usage, doc) \
   Resolver::CompositeFunction{#name, arity, definition, in_space},
-#include "check/names/composite_functions.def"
+#include "base/composite_functions.def"
 #undef ELGEN_COMPOSITE
 };
 
@@ -61,9 +61,9 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
   if (const CompositeFunction* composite = find_composite(call.text)) {
     return resolve_composite(call, *composite);
   }
-#define ELGEN_EXPANDED(name, rule) \
+#define ELGEN_EXPANDED(name, rule, is_reserved, usage, doc) \
   if (call.text == #name) return rule(call);
-#include "check/names/expanded_functions.def"
+#include "base/expanded_functions.def"
 #undef ELGEN_EXPANDED
   // not in the table, since a model may declare a `p`
   if (call.text == "p") return resolve_momentum(call);

@@ -6,6 +6,8 @@
 #include <array>
 
 #include "base/ascii.hpp"
+#include "elgen/functions.hpp"
+#include "elgen/wording.hpp"
 
 namespace elgen {
 
@@ -27,17 +29,9 @@ constexpr std::array more_macros{"HUGE",  "OVERFLOW", "UNDERFLOW", "DOMAIN", "SI
 constexpr std::array macro_prefixes{"M_",    "FP_",  "MATH_",  "DBL_",  "FLT_",
                                     "LDBL_", "INT_", "EIGEN_", "ELGEN_"};
 
-/// Functions whose names are not reserved: their arguments distinguish a call from a variable.
-constexpr std::array component_names{"x",  "y",  "z",  "vx",   "vy",    "vz",
-                                     "wx", "wy", "wz", "axis", "lambda"};
-
 template <class List>
 bool contains(const List& list, std::string_view name) {
   return std::ranges::find(list, name) != list.end();
-}
-
-bool is_function(std::string_view name) {
-  return contains(function_names(), name) && !contains(component_names, name);
 }
 
 bool has_macro_prefix(std::string_view name) {
@@ -81,24 +75,18 @@ bool is_macro(std::string_view name) {
 }  // namespace
 
 const std::vector<std::string>& function_names() {
-  static const std::vector<std::string> all{
-#define ELGEN_FUNCTION(name, arity) #name,
-#include "elgen/functions.def"
-#undef ELGEN_FUNCTION
-#define ELGEN_EXPANDED(name, rule) #name,
-#include "check/names/expanded_functions.def"
-#undef ELGEN_EXPANDED
-#define ELGEN_COMPOSITE(name, arity, definition, in_space) #name,
-#include "check/names/composite_functions.def"
-#undef ELGEN_COMPOSITE
-  };
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names = column_words(function_table(), &FunctionRow::name);
+    for (const CallRow& call : call_table()) names.emplace_back(call.name);
+    return names;
+  }();
   return all;
 }
 
 std::string_view reserved_reason(std::string_view name) {
   if (name == "t") return "it is time";
   if (name == "pi") return "it is the number pi";
-  if (is_function(name)) return "it is a function of expressions";
+  if (is_reserved_function(name)) return "it is a function of expressions";
   if (contains(keywords, name)) return "it is a keyword of C++";
   if (is_macro(name)) return "it is a macro of C or C++";
   if (name.find("__") != std::string_view::npos) {
