@@ -33,10 +33,19 @@ struct UnitRow {
 
 [[nodiscard]] const std::vector<UnitRow>& unit_table();
 
+/// A unit outside the language, as a multiple of a unit of the language: 1 mm is 0.001 m.
+struct UnitMultipleRow {
+  std::string_view name;
+  std::string_view factor;
+  std::string_view unit;
+};
+
 [[nodiscard]] Unit operator*(const Unit& a, const Unit& b);
 [[nodiscard]] Unit operator/(const Unit& a, const Unit& b);
 [[nodiscard]] Unit power(const Unit& base, Exponent exponent);
 [[nodiscard]] std::optional<Unit> find_unit(std::string_view name);
+/// The row of a unit outside the language; null for other names.
+[[nodiscard]] const UnitMultipleRow* find_unit_multiple(std::string_view name);
 
 /// The shortest known spelling, for messages and documentation: "N*m", "kg*m^2/s", "1".
 [[nodiscard]] std::string to_string(const Unit& unit);

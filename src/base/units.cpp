@@ -45,6 +45,23 @@ Unit integer_unit(std::int32_t m, std::int32_t kg, std::int32_t s, std::int32_t 
   return Unit{{{{m, 1}, {kg, 1}, {s, 1}, {ampere, 1}, {kelvin, 1}}}};
 }
 
+constexpr std::array<UnitMultipleRow, 16> unit_multiples{{{"deg", "pi/180", "rad"},
+                                                          {"g", "0.001", "kg"},
+                                                          {"lb", "0.45359237", "kg"},
+                                                          {"mm", "0.001", "m"},
+                                                          {"cm", "0.01", "m"},
+                                                          {"km", "1000", "m"},
+                                                          {"ms", "0.001", "s"},
+                                                          {"min", "60", "s"},
+                                                          {"h", "3600", "s"},
+                                                          {"rpm", "pi/30", "rad/s"},
+                                                          {"mN", "0.001", "N"},
+                                                          {"kN", "1000", "N"},
+                                                          {"kW", "1000", "W"},
+                                                          {"mA", "0.001", "A"},
+                                                          {"mH", "0.001", "H"},
+                                                          {"uF", "1e-6", "F"}}};
+
 /// A unit as a product of at most one derived unit (such as N) and of powers of base units.
 struct UnitSpelling {
   std::string text;
@@ -148,6 +165,11 @@ Unit power(const Unit& base, Exponent exponent) {
 std::optional<Unit> find_unit(std::string_view name) {
   const auto row = std::ranges::find(unit_table(), name, &UnitRow::name);
   return row == unit_table().end() ? std::nullopt : std::optional(row->unit);
+}
+
+const UnitMultipleRow* find_unit_multiple(std::string_view name) {
+  const auto* const row = std::ranges::find(unit_multiples, name, &UnitMultipleRow::name);
+  return row == unit_multiples.end() ? nullptr : row;
 }
 
 std::string to_string(const Unit& unit) {

@@ -7,40 +7,19 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <string>
+#include <utility>
 
 #include "base/ascii.hpp"
+#include "base/utf8.hpp"
 #include "check/expressions/units.hpp"
 
 namespace elgen {
 namespace {
 
-/// A unit outside the language, as a multiple of a unit of the language.
-struct ForeignUnitRow {
-  std::string_view name;
-  std::string_view factor;
-  std::string_view unit;
-};
-
-constexpr std::array<ForeignUnitRow, 16> foreign_units{{{"deg", "pi/180", "rad"},
-                                                        {"g", "0.001", "kg"},
-                                                        {"lb", "0.45359237", "kg"},
-                                                        {"mm", "0.001", "m"},
-                                                        {"cm", "0.01", "m"},
-                                                        {"km", "1000", "m"},
-                                                        {"ms", "0.001", "s"},
-                                                        {"min", "60", "s"},
-                                                        {"h", "3600", "s"},
-                                                        {"rpm", "pi/30", "rad/s"},
-                                                        {"mN", "0.001", "N"},
-                                                        {"kN", "1000", "N"},
-                                                        {"kW", "1000", "W"},
-                                                        {"mA", "0.001", "A"},
-                                                        {"mH", "0.001", "H"},
-                                                        {"uF", "1e-6", "F"}}};
-
 /// Hint with the value in a unit of the language; only the conversion factor if the value is
 /// unknown.
-std::string conversion_hint(const ForeignUnitRow& row, const ValueSyntax* value) {
+std::string conversion_hint(const UnitMultipleRow& row, const ValueSyntax* value) {
   const std::string factor(row.factor);
   const std::string unit(row.unit);
   const std::string equation = "1 " + std::string(row.name) + " is " + factor + " " + unit;
@@ -64,8 +43,8 @@ std::string missing_operator_hint(std::string_view name) {
 /// Hint on an unknown unit. `value` is the number in this unit; null if the number is unknown or
 /// the unit text contains other units.
 std::string unknown_unit_hint(std::string_view name, const ValueSyntax* value) {
-  const auto* const multiple = std::ranges::find(foreign_units, name, &ForeignUnitRow::name);
-  if (multiple != foreign_units.end()) return conversion_hint(*multiple, value);
+  if (const UnitMultipleRow* const row = find_unit_multiple(name))
+    return conversion_hint(*row, value);
   std::vector<std::string> candidates{missing_operator_hint(name)};
   if (candidates.front().empty()) {
     candidates.clear();
@@ -83,7 +62,9 @@ class UnitReader {
     std::optional<Unit> unit = parse_product(0);
     skip_spaces();
     if (unit && position_ != text_.size()) {
-      return fail(position_, position_ + 1, "unexpected " + quote_text(text_.substr(position_, 1)));
+      const std::size_t bytes = std::max<std::size_t>(1, code_point_at(text_, position_).bytes);
+      const std::string found = quote_text(text_.substr(position_, bytes));
+      return fail(position_, position_ + bytes, "unexpected " + found);
     }
     return unit;
   }
@@ -193,10 +174,59 @@ class UnitReader {
   std::size_t position_ = 0;
 };
 
+/// Signs of other notations, and the signs of the language.
+constexpr auto unit_signs =
+    std::to_array<std::pair<std::string_view, std::string_view>>({{"**", "^"},
+                                                                  {".", "*"},
+                                                                  {"\u00B7", "*"},
+                                                                  {"\u22C5", "*"},
+                                                                  {"\u00D7", "*"},
+                                                                  {"\u207B", "^-"},
+                                                                  {"\u2126", "ohm"},
+                                                                  {"\u03A9", "ohm"},
+                                                                  {"^-\u00B9", "^-1"},
+                                                                  {"^-\u00B2", "^-2"},
+                                                                  {"^-\u00B3", "^-3"},
+                                                                  {"\u00B2", "^2"},
+                                                                  {"\u00B3", "^3"}});
+
+/// The unit with the signs of the language, with `*` between factors, and with `^` before
+/// exponents: "kg*m^2" for "kg m²", "m/s^2" for "m/s2".
+std::string usual_spelling(std::string text) {
+  for (const auto& [sign, usual] : unit_signs) {
+    for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at)) {
+      text.replace(at, sign.size(), usual);
+      at += usual.size();
+    }
+  }
+  std::string result;
+  bool after_space = false;
+  for (const char c : text) {
+    const char last = result.empty() ? ' ' : result.back();
+    const bool begins_factor = is_word_character(c) || c == '(';
+    if (after_space && begins_factor && (is_word_character(last) || last == ')')) result += '*';
+    if (!after_space && is_letter(last) && is_digit(c)) result += '^';
+    after_space = c == ' ';
+    if (!after_space) result += c;
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<Unit> read_unit(const ValueSyntax& unit, Report& report, const ValueSyntax* value) {
-  return UnitReader(unit, report, value).read();
+  Report found;
+  const std::optional<Unit> result = UnitReader(unit, found, value).read();
+  if (result) return result;
+  ValueSyntax usual = unit;
+  usual.text = usual_spelling(unit.text);
+  Report unheard;
+  const bool is_mended = usual.text != unit.text && UnitReader(usual, unheard, nullptr).read();
+  for (Diagnostic error : found.sorted_diagnostics()) {
+    if (is_mended) error.hint = "write " + quote_text(usual.text);
+    report.add(std::move(error));
+  }
+  return std::nullopt;
 }
 
 }  // namespace elgen
