@@ -164,6 +164,15 @@ std::string exact_text(const cln::cl_R& value) {
   return text;
 }
 
+std::string multiple_of_pi(const cln::cl_RA& multiple) {
+  if (cln::zerop(multiple)) return "0";
+  const cln::cl_I numerator = cln::numerator(multiple);
+  const cln::cl_I denominator = cln::denominator(multiple);
+  std::string text = numerator == -1 ? "-pi" : "pi";
+  if (cln::abs(numerator) != 1) text = exact_text(numerator) + "*" + text;
+  return denominator == 1 ? text : text + "/" + exact_text(denominator);
+}
+
 std::string number_text(const cln::cl_R& value) {
   // The value has 100 digits; 30 of them distinguish any two numbers that a file can define.
   constexpr int printed_digits = 30;

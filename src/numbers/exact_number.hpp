@@ -56,6 +56,9 @@ struct Decimal {
 /// The exact value for readers: "9.81", "1/3". An irrational value has 50 digits.
 [[nodiscard]] std::string exact_text(const cln::cl_R& value);
 
+/// `multiple` times pi in the model language: "pi/2", "-3*pi/4", "0".
+[[nodiscard]] std::string multiple_of_pi(const cln::cl_RA& multiple);
+
 /// "3", "-1/2"; an irrational number as a decimal of 30 digits, "3.14159…e0".
 [[nodiscard]] std::string number_text(const cln::cl_R& value);
 

@@ -16,6 +16,9 @@
 #include <deque>
 #include <utility>
 
+#include "elgen/functions.hpp"
+#include "elgen/units.hpp"
+#include "elgen/wording.hpp"
 #include "parse/decimal.hpp"
 #include "parse/syntax_errors.hpp"
 
@@ -24,6 +27,15 @@ namespace elgen {
 namespace {
 
 Span join(const Span& first, const Span& last) { return {first.source, first.begin, last.end}; }
+
+bool is_unit(std::string_view name) {
+  return find_unit(name) || find_unit_multiple(name) != nullptr;
+}
+
+bool contains_only_units(const ExpressionSyntax& tree) {
+  if (tree.kind == SyntaxKind::name) return tree.operands.empty() && is_unit(tree.text);
+  return tree.kind != SyntaxKind::call && std::ranges::all_of(tree.operands, contains_only_units);
+}
 
 /// A subtree, and its depth as counted against the limit.
 struct Subtree {
@@ -58,8 +70,14 @@ class ExpressionParser {
   MaybeSubtree parse_call(Subtree named);
   MaybeSubtree parse_brackets();
   bool parse_arguments(Subtree& call);
+  void set_quantity_hint(const ExpressionSyntax& before);
+  bool lacks_brackets(const ExpressionSyntax& base, std::string_view power);
 
   [[nodiscard]] bool is_at(TokenKind kind) const { return tokens_.is_at(kind); }
+  /// The text from a byte to the end of the previous token.
+  [[nodiscard]] std::string_view text_from(std::size_t begin) const {
+    return tokens_.text({TokenKind::name, begin, tokens_.previous().end});
+  }
 
   Subtree make_node(SyntaxKind kind, const Token& token, std::deque<Subtree> operands) const;
   Subtree negate_node(const Token& minus, Subtree operand) const;
@@ -84,9 +102,59 @@ Result<ExpressionSyntax> ExpressionParser::parse() {
     return Diagnostic{Code::E310, whole_span_, "empty expression", "write `0` for nothing"};
   }
   MaybeSubtree result = parse_sum();
-  if (result && !is_at(TokenKind::end)) fail(misplaced_token_error(tokens_));
+  if (result && !is_at(TokenKind::end)) {
+    fail(misplaced_token_error(tokens_));
+    set_quantity_hint(result->tree);
+  }
   if (problem_) return *problem_;
   return std::move(result->tree);
+}
+
+/// Sets the hint of E303 if `before` is a number and units follow it up to the end.
+void ExpressionParser::set_quantity_hint(const ExpressionSyntax& before) {
+  const bool is_negated = before.kind == SyntaxKind::negate;
+  const ExpressionSyntax& number = is_negated ? before.operands.front() : before;
+  const Token first = tokens_.current();
+  const bool is_angle = tokens_.text(first) == "deg";
+  if (number.kind != SyntaxKind::number || !is_unit(tokens_.text(first)) || is_angle) return;
+  Diagnostic error = *std::exchange(problem_, std::nullopt);
+  bool has_units = true;
+  while (has_units && is_at(TokenKind::name)) {
+    const MaybeSubtree factor = parse_product();
+    has_units = factor && contains_only_units(factor->tree);
+  }
+  const std::string_view text = is_at(TokenKind::end) ? text_from(first.begin) : "…";
+  if (has_units && (is_at(TokenKind::end) || is_at(TokenKind::invalid))) {
+    const std::string_view value = covered_text(before.span);
+    const UnitMultipleRow* const row = find_unit_multiple(text);
+    error.hint = fmt::format(
+        "units have a key of their own: `{{ value = {}, unit = \"{}\" }}`",
+        row == nullptr ? std::string(value) : fmt::format("\"{}*{}\"", row->factor, value),
+        row == nullptr ? text : row->unit);
+  }
+  problem_ = std::move(error);
+}
+
+/// Reports E303 at the operand in `sin x` or `sin^2(x)`. `power`: the text of the exponent. False
+/// if `base` is no function, or if no operand follows.
+bool ExpressionParser::lacks_brackets(const ExpressionSyntax& base, std::string_view power) {
+  const bool has_operand =
+      is_at(TokenKind::name) || is_at(TokenKind::number) || is_at(TokenKind::left_parenthesis);
+  if (!has_operand || base.kind != SyntaxKind::name || !base.operands.empty()) return false;
+  std::string call = translate_call(base.text, {"…"});
+  if (call.empty() && !is_reserved_function(base.text)) return false;
+  Diagnostic error = misplaced_token_error(tokens_);
+  const std::size_t begin = tokens_.current().begin;
+  // In `sin 2*x` the whole product is the argument.
+  const MaybeSubtree operand = is_at(TokenKind::number) ? parse_product() : parse_primary();
+  std::string argument(operand && !is_at(TokenKind::name) ? text_from(begin) : "…");
+  if (!argument.starts_with('(')) argument = "(" + argument + ")";
+  if (call.empty()) call = base.text + argument;
+  error.hint = "write " + quote_text(call + (power.empty() ? "" : "^") + std::string(power));
+  if (power == "-1" && find_function("a" + base.text) != nullptr)
+    error.hint += fmt::format(", or `a{}` for the inverse function", call);
+  fail(std::move(error));
+  return true;
 }
 
 MaybeSubtree ExpressionParser::parse_sum() {
@@ -159,12 +227,14 @@ MaybeSubtree ExpressionParser::parse_unary() {
 
 MaybeSubtree ExpressionParser::parse_power() {
   MaybeSubtree base = parse_primary();
+  if (base && lacks_brackets(base->tree, "")) return std::nullopt;
   if (!base || !is_at(TokenKind::power)) return base;
   if (!enter_level(tokens_.current())) return std::nullopt;
   const Token token = tokens_.advance();
+  const std::size_t begin = tokens_.current().begin;
   MaybeSubtree exponent = parse_unary();
   leave_level();
-  if (!exponent) return std::nullopt;
+  if (!exponent || lacks_brackets(base->tree, text_from(begin))) return std::nullopt;
   std::deque<Subtree> operands;
   operands.push_back(*std::move(base));
   operands.push_back(*std::move(exponent));

@@ -148,6 +148,8 @@ std::string ascii_hint(char32_t character) {
       return "there is no factorial";
     case U';':
       return "one string holds one expression";
+    case U'\\':
+      return "LaTeX is not read: write `theta`, `dot(x)`, `a/b`";
     default:
       return replacement_hint(character);
   }

@@ -4,6 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "elgen/functions.hpp"
+#include "numbers/exact_number.hpp"
+#include "parse/decimal.hpp"
+
 namespace elgen {
 
 namespace {
@@ -26,10 +32,27 @@ Diagnostic misplaced_comma_error(const Lexer& tokens) {
                             fmt::format("`{},{}` has a decimal comma", whole, fraction),
                             fmt::format("write `{}.{}`", whole, fraction));
   }
-  return error_at_current(tokens, Code::E301, "`,` outside the arguments of a function");
+  return error_at_current(tokens, Code::E301, "`,` outside the arguments of a function",
+                          "a list is written `[\"x(P)\", \"y(P)\"]`");
 }
 
-/// E303 for `2x`, `x y`, `2(x + y)`, `(x)(y)`.
+/// The lexer's error of the current token. For `cart.x` and `np.sin(x)` with a hint on the call.
+Diagnostic invalid_token_error(const Lexer& tokens) {
+  Diagnostic error = *tokens.problem();
+  const Token& object = tokens.previous();
+  const std::string_view text = tokens.text(tokens.current());
+  const bool is_member = object.kind == TokenKind::name && object.end == tokens.current().begin;
+  if (!is_member || !text.starts_with('.')) return error;
+  const std::string_view member = text.substr(1);
+  if (find_function(member) != nullptr) {
+    error.hint = fmt::format("write `{}(…)`", member);
+  } else if (find_call(member) != nullptr && (member.size() == 1 || member == "dot")) {
+    error.hint = fmt::format("write `{}({})`", member, tokens.text(object));
+  }
+  return error;
+}
+
+/// E303 for `2x`, `x y`, `2(x + y)`, `(x)(y)`, `30 deg`.
 Diagnostic missing_operator_error(const Lexer& tokens) {
   const Token& left = tokens.previous();
   const Token& right = tokens.current();
@@ -37,12 +60,17 @@ Diagnostic missing_operator_error(const Lexer& tokens) {
   const bool both_words = left.kind == TokenKind::number || left.kind == TokenKind::name;
   const bool shown_whole = both_words && right.end - left.begin <= short_enough &&
                            !tokens.is_at(TokenKind::left_parenthesis);
+  std::string hint = shown_whole
+                         ? fmt::format("write `{}*{}`", tokens.text(left), tokens.text(right))
+                         : "a product is written with `*`";
+  if (left.kind == TokenKind::number && tokens.text(right).starts_with("deg")) {
+    const cln::cl_RA half_turns = decimal_value(decimal_parts(tokens.text(left))) / 180;
+    hint = fmt::format("angles are in rad: write `{}`", multiple_of_pi(half_turns));
+  }
   return error_at_current(tokens, Code::E303,
                           tokens.token_in_backticks(right) + " follows " +
                               tokens.token_in_backticks(left) + " without an operator",
-                          shown_whole
-                              ? fmt::format("write `{}*{}`", tokens.text(left), tokens.text(right))
-                              : "a product is written with `*`");
+                          std::move(hint));
 }
 
 }  // namespace
@@ -66,7 +94,7 @@ Diagnostic missing_operand_error(const Lexer& tokens) {
 Diagnostic misplaced_token_error(const Lexer& tokens) {
   switch (tokens.current().kind) {
     case TokenKind::invalid:
-      return *tokens.problem();
+      return invalid_token_error(tokens);
     case TokenKind::comma:
       return misplaced_comma_error(tokens);
     case TokenKind::left_bracket:

@@ -211,12 +211,19 @@ TEST_CASE("a syntax error names the token found and suggests a correction", "[pa
       {"sin(x y)", Code::E303, 6, "`y` follows `x` without an operator", "write `x*y`"},
       {"1,5", Code::E306, 1, "`1,5` has a decimal comma", "write `1.5`"},
       {"(0,25)*x", Code::E306, 2, "`0,25` has a decimal comma", "write `0.25`"},
-      {"1, 5", Code::E301, 1, "`,` outside the arguments of a function", ""},
-      {"(x,y)", Code::E301, 2, "`,` outside the arguments of a function", ""},
+      {"1, 5", Code::E301, 1, "`,` outside the arguments of a function",
+       "a list is written `[\"x(P)\", \"y(P)\"]`"},
+      {"(x,y)", Code::E301, 2, "`,` outside the arguments of a function",
+       "a list is written `[\"x(P)\", \"y(P)\"]`"},
       {"q[1,2]", Code::E306, 3, "`1,2` has a decimal comma", "write `1.2`"},
       {"q[1][2]", Code::E301, 4, "`[` after `]`", "a name takes one index: `q[i]`"},
       {"x)", Code::E304, 1, "`)` was never opened", ""},
       {"x]", Code::E304, 1, "`]` was never opened", ""},
+      {"cart.x", Code::E308, 4, "`.x` is not a number", "write `x(cart)`"},
+      {"2*theta.dot", Code::E308, 7, "`.dot` is not a number", "write `dot(theta)`"},
+      {"np.sin(x)", Code::E308, 2, "`.sin` is not a number", "write `sin(…)`"},
+      {"bob.mass", Code::E308, 3, "`.mass` is not a number",
+       "numbers are written `12`, `0.5` or `1e-3`"},
       {"", Code::E310, 0, "empty expression", "write `0` for nothing"},
       {"  \n", Code::E310, 0, "empty expression", "write `0` for nothing"},
   }));
@@ -225,6 +232,59 @@ TEST_CASE("a syntax error names the token found and suggests a correction", "[pa
   CHECK(error.code == row.code);
   CHECK(error.span.begin == row.begin);
   CHECK(error.message == row.message);
+  CHECK(error.hint == row.hint);
+}
+
+TEST_CASE("a function without brackets gets them, also with a power", "[parse]") {
+  const auto row = GENERATE(values<GrammarRow>({
+      {"sin theta", Code::E303, 4, "`theta` follows `sin`", "write `sin(theta)`"},
+      {"cos dot(x) + 1", Code::E303, 4, "`dot` follows `cos`", "write `cos(dot(x))`"},
+      {"l*sin 2*theta", Code::E303, 6, "`2` follows `sin`", "write `sin(2*theta)`"},
+      {"cos 2 q[1]", Code::E303, 4, "`2` follows `cos`", "write `cos(…)`"},
+      {"sqrt 2", Code::E303, 5, "`2` follows `sqrt`", "write `sqrt(2)`"},
+      {"ln x", Code::E303, 3, "`x` follows `ln`", "write `log(…)`"},
+      {"tan p(x", Code::E303, 4, "`p` follows `tan`", "write `tan(…)`"},
+      {"sin^2(theta)", Code::E303, 5, "`(` follows `2`", "write `sin(theta)^2`"},
+      {"(m*tan^2 x)", Code::E303, 9, "`x` follows `2`", "write `tan(x)^2`"},
+      {"cos^ 3 (x + y)", Code::E303, 7, "`(` follows `3`", "write `cos(x + y)^3`"},
+      {"sin^-1(x)", Code::E303, 6, "`(` follows `1`",
+       "write `sin(x)^-1`, or `asin(x)` for the inverse function"},
+      {"exp^-1(x)", Code::E303, 6, "`(` follows `1`", "write `exp(x)^-1`"},
+      {"x^2(y)", Code::E303, 3, "`(` follows `2`", "a product is written with `*`"},
+  }));
+  INFO(row.input);
+  const Diagnostic error = expression_error(row.input);
+  CHECK(error.code == row.code);
+  CHECK(error.span.begin == row.begin);
+  CHECK(error.message == row.message + " without an operator");
+  CHECK(error.hint == row.hint);
+}
+
+TEST_CASE("a number with a unit gets a table, an angle in degrees a multiple of pi", "[parse]") {
+  struct Row {
+    std::string input;
+    std::string hint;
+  };
+  const std::string table = "units have a key of their own: `{ value = ";
+  const auto row = GENERATE_COPY(values<Row>({
+      {"1.5 kg", table + "1.5, unit = \"kg\" }`"},
+      {"-9.81m/s^2", table + "-9.81, unit = \"m/s^2\" }`"},
+      {"3 m s^-2", table + "3, unit = \"m s^-2\" }`"},
+      {"2 N/(m*s)", table + "2, unit = \"N/(m*s)\" }`"},
+      {"5 mm", table + "\"0.001*5\", unit = \"m\" }`"},
+      {"60 rpm", table + "\"pi/30*60\", unit = \"rad/s\" }`"},
+      {"9.81 m/s²", table + "9.81, unit = \"…\" }`"},
+      {"5 km/h", table + "5, unit = \"km/h\" }`"},
+      {"2 m*x", "write `2*m`"},
+      {"2 m + 1", "write `2*m`"},
+      {"90deg", "angles are in rad: write `pi/2`"},
+      {"cos(-45 degrees)", "angles are in rad: write `pi/4`"},
+      {"33.5 deg", "angles are in rad: write `67*pi/360`"},
+      {"0 deg", "angles are in rad: write `0`"},
+  }));
+  INFO(row.input);
+  const Diagnostic error = expression_error(row.input);
+  CHECK(error.code == Code::E303);
   CHECK(error.hint == row.hint);
 }
 

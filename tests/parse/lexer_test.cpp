@@ -64,6 +64,8 @@ TEST_CASE("text that is no token is reported", "[parse]") {
       {"x # note", Code::E301, 2, "`#` has no meaning in an expression",
        "put the comment outside the quotes"},
       {"_a", Code::E301, 0, "`_` has no meaning in an expression", "a name starts with a letter"},
+      {"\\dot{x}", Code::E301, 0, "`\\` has no meaning in an expression",
+       "LaTeX is not read: write `theta`, `dot(x)`, `a/b`"},
       {"{x}", Code::E301, 0, "`{` has no meaning in an expression", "write `(`"},
       {"x\x01", Code::E301, 1, "`U+0001` has no meaning in an expression", ""},
       {"2\u00B7x", Code::E307, 1, "`\u00B7` (U+00B7) is not ASCII",

@@ -28,15 +28,6 @@ bool is_numeric(const std::vector<Expression>& nodes, ExpressionId first, Expres
   });
 }
 
-/// "pi/2", "-3*pi/4"
-std::string multiple_of_pi(const cln::cl_RA& multiple) {
-  const cln::cl_I numerator = cln::numerator(multiple);
-  const cln::cl_I denominator = cln::denominator(multiple);
-  std::string text = numerator == -1 ? "-pi" : "pi";
-  if (cln::abs(numerator) != 1) text = exact_text(numerator) + "*" + text;
-  return denominator == 1 ? text : text + "/" + exact_text(denominator);
-}
-
 }  // namespace
 
 void report_degrees(Report& report, const Span& span, const cln::cl_RA& angle) {
