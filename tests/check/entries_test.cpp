@@ -162,7 +162,9 @@ TEST_CASE("refused masses and inertias") {
        "| give the inertia about the centre of mass, or give the body a frame; if the body turns "
        "about a fixed point, omit its mass and add its weight to `[energy] V`\n"},
       {"[[body]]\nname = \"b\"\nmass = \"m\"\n", "E105 19:1 `b` has `mass` but no `com`\n"},
-      {"[[body]]\nname = \"b\"\ninertia = \"J\"\n", "E105 19:1 `b` has `inertia` but no `spin`\n"},
+      {"[[body]]\nname = \"b\"\ninertia = \"J\"\n",
+       "E105 19:1 `b` has `inertia` but no `spin` | give it a `frame`, or a `spin` such as "
+       "`dot(theta)`\n"},
       {"[[body]]\nname = \"b\"\nspin = \"dot(q)\"\n",
        "E105 19:1 `b` has `spin` but no `inertia`\n"},
       {"[[body]]\nname = \"b\"\nspin = \"dot(q)\"\ninertia = [\"J\", \"J\", \"J\"]\n",
@@ -231,7 +233,8 @@ TEST_CASE("refused forces and outputs") {
       {"[[force]]\nvalue = \"u\"\n", "E112 24:1 the force has none of `on`, `at` and `frame`\n"},
       {"[[force]]\nat = \"p\"\non = \"x\"\nvalue = \"u\"\n",
        "E112 26:1 a force has exactly one of `on`, `at` and `frame`\n"},
-      {"[[force]]\non = \"p\"\nvalue = \"u\"\n", "E201 25:7 unknown coordinate `p`\n"},
+      {"[[force]]\non = \"p\"\nvalue = \"u\"\n",
+       "E201 25:7 unknown coordinate `p` | `p` is a point: write `at` in the place of `on`\n"},
       {"[[force]]\non = \"x\"\nvalue = [\"u\", \"0\"]\n",
        "E104 26:9 a list, but a generalised force is one number\n"},
       {"[[force]]\nat = \"p\"\nvalue = \"u\"\n", "E516 26:10 1 component, but the point has 2\n"},
@@ -312,7 +315,8 @@ TEST_CASE("energies are in joule, dissipation in watt, and neither depends on an
       {"V = \"m*x\"\n", "E403 12:6 `m*x` is in kg*m, but V is in J\n"},
       {"D = \"k*x^2\"\n", "E403 12:6 `k*x^2` is in J, but D is in W\n"},
       {"V = \"u*x\"\n[[input]]\nname = \"u\"\nunit = \"N\"\n",
-       "E319 12:6 `u` is an input, but V takes none\n"},
+       "E319 12:6 `u` is an input, but V takes none | an input acts by its key `on`, or in a "
+       "`[[force]]`\n"},
       {"V = \"abs(k*x^2)\"\n",
        "E315 12:6 `abs(k*x^2)` is a function with a kink, but V takes none | a smooth "
        "approximation is tanh(x/width)\n"},

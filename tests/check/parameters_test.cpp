@@ -56,7 +56,9 @@ TEST_CASE("refused values") {
        "E209 13:26 the size is 0, so there is no element\n"},
       {"a = { value = 1, size = \"k\", unit = \"m\" }\n", "E201 13:26 unknown index `k`\n"},
       {"a = { value = \"b\", unit = \"m\" }\n", "E201 13:16 unknown name `b`\n"},
-      {"a = { value = \"2*x\", unit = \"m\" }\n", "E319 13:16 `2*x` is not a constant number\n"},
+      {"a = { value = \"2*x\", unit = \"m\" }\n",
+       "E319 13:16 `2*x` is not a constant number | a formula of other names stands in "
+       "`[define]`\n"},
       {"a = { value = 1, unit = \"m\", min = 3, max = 2 }\n",
        "E518 13:15 `1` is outside `min` or `max` of `a`\n"
        "E112 13:45 `2` is below `min`\n"},

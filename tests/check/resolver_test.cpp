@@ -161,6 +161,20 @@ TEST_CASE("each kind of unknown or misused name has its own message") {
       {"x[k]", "E201 22:8 unknown index `k`"},
       {"x[1.5]", "E318 22:8 `1.5` is not integer arithmetic over sizes and indices"},
       {"top", "E319 22:6 `top` is a point, not a number | its components are `x(top)` and so on"},
+      {"y[top]", "E201 22:6 unknown name `y` | write `y(top)`"},
+      {"y", "E201 22:6 unknown name `y` | declare it, or write `y(P)`"},
+      {"PI*k", "E201 22:6 unknown name `PI` | write `pi`"},
+      {"3*kg", "E201 22:8 unknown name `kg` | units have a key of their own: `unit = \"kg\"`"},
+      {"e^k", "E201 22:6 unknown name `e` | write `exp(k)`"},
+      {"e^(-k/m[1])", "E201 22:6 unknown name `e` | write `exp(-k/m[1])`"},
+      {"v_x[2]", "E201 22:6 unknown name `v_x` | a rate is written `dot(x[2])`"},
+      {"pow(k, 2)", "E202 22:6 unknown function `pow` | write `k^2`"},
+      {"pow(x[1] + k, 1/2)", "E202 22:6 unknown function `pow` | write `(x[1] + k)^(1/2)`"},
+      {"ln(k + 1)", "E202 22:6 unknown function `ln` | write `log(k + 1)`"},
+      {"arctan2(k, 2)", "E202 22:6 unknown function `arctan2` | write `atan2(k, 2)`"},
+      {"ddot(x[1])", "E202 22:6 unknown function `ddot` | write `dot(dot(x[1]))`"},
+      {"diff(x[1], t)", "E202 22:6 unknown function `diff` | write `dot(x[1])`"},
+      {"diff(x[1], k)", "E202 22:6 unknown function `diff`"},
   };
   for (const auto& [text, error] : rows) {
     INFO(text);
@@ -171,6 +185,13 @@ TEST_CASE("each kind of unknown or misused name has its own message") {
 TEST_CASE("a very long name is cut in the message") {
   const std::string message = masses_error(std::string(100'000, 'x'));
   CHECK(message == "E201 22:6 unknown name `" + std::string(60, 'x') + "…`\n");
+}
+
+TEST_CASE("uses of a coordinate t, whose declaration fails, are not the time") {
+  CHECK(messages("format = 1\n[model]\nname = \"a\"\n[[coordinate]]\nname = \"t\"\nunit = \"m\"\n"
+                 "[parameters]\nm = { value = 1, unit = \"kg\" }\n[energy]\n"
+                 "T = \"1/2*m*dot(t)^2\"\nV = \"m*t\"\nD = \"m*cos(t)\"\n") ==
+        "E204 5:9 `t` is reserved: it is time | `t_1` is free\n");
 }
 
 TEST_CASE("uses of a name whose declaration failed are not reported") {

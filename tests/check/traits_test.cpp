@@ -128,8 +128,12 @@ TEST_CASE("ingredients") {
 
 TEST_CASE("a refused ingredient is reported at its position, also inside a definition") {
   const Rows rows{
-      {"V = \"k*x^2 + u*x\"\n", "E319 12:14 `u` is an input, but V takes none\n"},
-      {"V = \"drive\"\n", "E319 12:6 `drive` contains an input, but V takes none\n"},
+      {"V = \"k*x^2 + u*x\"\n",
+       "E319 12:14 `u` is an input, but V takes none | an input acts by its key `on`, or in a "
+       "`[[force]]`\n"},
+      {"V = \"drive\"\n",
+       "E319 12:6 `drive` contains an input, but V takes none | an input acts by its key `on`, or "
+       "in a `[[force]]`\n"},
       {"V = \"T0*dot(dot(x))^2\"\n",
        "E502 12:9 `dot(dot(x))` is a second derivative, but V takes none\n"},
       {"V = \"T0*dot(speed)^2\"\n",
@@ -138,8 +142,10 @@ TEST_CASE("a refused ingredient is reported at its position, also inside a defin
        "E315 12:8 `max(x, 0)` is a function with a kink, but V takes none | a smooth approximation "
        "is tanh(x/width)\n"},
       {"V = \"u*x + u*x\"\n",
-       "E319 12:6 `u` is an input, but V takes none\n"
-       "E319 12:12 `u` is an input, but V takes none\n"},
+       "E319 12:6 `u` is an input, but V takes none | an input acts by its key `on`, or in a "
+       "`[[force]]`\n"
+       "E319 12:12 `u` is an input, but V takes none | an input acts by its key `on`, or in a "
+       "`[[force]]`\n"},
   };
   check_rows(rows, [&](const std::string& energy) { return messages(block(energy + entries)); });
 }

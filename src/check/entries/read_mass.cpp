@@ -110,14 +110,17 @@ class BodyReader {
     if (body_.mass && entry_.find("com") == nullptr && entry_.find("frame") == nullptr) {
       report_missing_key("com", "mass");
     }
-    if (!body_.inertia.empty() && body_.spin.empty()) report_missing_key("spin", "inertia");
+    if (!body_.inertia.empty() && body_.spin.empty()) {
+      report_missing_key("spin", "inertia", "give it a `frame`, or a `spin` such as `dot(theta)`");
+    }
     if (entry_.find("spin") != nullptr && body_.inertia.empty())
       report_missing_key("inertia", "spin");
   }
 
-  void report_missing_key(const std::string& key, const std::string& other) {
+  void report_missing_key(const std::string& key, const std::string& other,
+                          const std::string& hint = {}) {
     report_.add(Code::E105, entry_.span,
-                quote_text(body_.name) + " has `" + other + "` but no `" + key + "`");
+                quote_text(body_.name) + " has `" + other + "` but no `" + key + "`", hint);
   }
 
   ValueReader& values_;

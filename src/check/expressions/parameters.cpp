@@ -9,6 +9,8 @@
 namespace elgen {
 namespace {
 
+constexpr const char* formula_hint = "a formula of other names stands in `[define]`";
+
 void declare_size(Context& context, const KeySyntax& key) {
   const IndexScope nothing(context.sizes);
   const auto value = evaluate_integer(key.value.expression, nothing, context.report);
@@ -92,7 +94,7 @@ class ParameterReader {
 
   void read_values(const ValueSyntax& value) {
     if (value.kind != ValueKind::list) {
-      if (const auto number = values_.read_exact_constant(value)) {
+      if (const auto number = values_.read_exact_constant(value, formula_hint)) {
         for (std::uint32_t i = 0; i < array_.count; ++i) set_element(i, *number, value.span);
       }
       return;
@@ -106,7 +108,7 @@ class ParameterReader {
       return;
     }
     for (std::uint32_t i = 0; i < array_.count; ++i) {
-      if (const auto number = values_.read_exact_constant(value.items[i])) {
+      if (const auto number = values_.read_exact_constant(value.items[i], formula_hint)) {
         set_element(i, *number, value.items[i].span);
       }
     }

@@ -44,6 +44,7 @@ constexpr const char* slope_in_energy =
     "a `[[function]]` for the slope is allowed in `[energy] T`: the rate is slope*dot(argument)";
 constexpr const char* commanded_acceleration =
     "for a commanded acceleration a, omit the coordinate and give each mass the force -m*a";
+constexpr const char* acting_input = "an input acts by its key `on`, or in a `[[force]]`";
 
 Code code_of(Ingredient ingredient, const ExpressionRole& place) {
   if (place.error_code == Code::E319 && ingredient == uses_acceleration) return Code::E502;
@@ -65,7 +66,10 @@ bool introduces(const Expression& node, const std::vector<ExpressionTraits>& tra
 std::string_view alternative_hint(const ExpressionRole& place, Ingredient ingredient) {
   const bool is_constraint =
       place.noun == place::position_equation || place.noun == place::velocity_equation;
+  const bool is_energy =
+      place.allowed == place::energy_terms || place.allowed == place::dissipation_terms;
   if (ingredient == uses_kink) return smooth_stand_in;
+  if (ingredient == uses_input && is_energy) return acting_input;
   if (ingredient == uses_momentum) return momentum_place_hint;
   if (ingredient == uses_multiplier) return multiplier_place_hint;
   if (is_constraint && ingredient == uses_rate) return velocity_kind_hint;

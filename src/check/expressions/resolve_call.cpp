@@ -51,6 +51,21 @@ ExpressionSyntax substitute_arguments(ExpressionSyntax definition, const Express
   return definition;
 }
 
+/// Hint on a function of other languages: "write `x^2`" for pow(x, 2); "" for other names.
+std::string translation_hint(const ExpressionSyntax& call) {
+  std::vector<std::string> arguments;
+  for (const ExpressionSyntax& operand : call.operands) {
+    const std::string text(covered_text(operand.span));
+    const bool is_short = call.operands.size() == 1 || operand.kind == SyntaxKind::name ||
+                          operand.kind == SyntaxKind::number || operand.kind == SyntaxKind::call;
+    arguments.push_back(is_short ? text : "(" + text + ")");
+  }
+  const bool is_rate = call.text == "diff" && arguments.size() == 2 && call.operands[1].text == "t";
+  const std::string translated =
+      is_rate ? "dot(" + arguments[0] + ")" : translate_call(call.text, arguments);
+  return translated.empty() ? "" : "write " + quote_text(translated);
+}
+
 }  // namespace
 
 std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call) {
@@ -69,9 +84,10 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
   if (call.text == "p") return resolve_momentum(call);
   const bool converts_degrees =
       call.text == "deg" || call.text == "radians" || call.text == "deg2rad";
-  context_.report.add(
-      Code::E202, call.span, "unknown function " + quote_text(call.text),
-      converts_degrees ? std::string(degrees_hint) : suggestion(call.text, function_names()));
+  std::string hint = converts_degrees ? std::string(degrees_hint) : translation_hint(call);
+  if (hint.empty()) hint = suggestion(call.text, function_names());
+  context_.report.add(Code::E202, call.span, "unknown function " + quote_text(call.text),
+                      std::move(hint));
   return std::nullopt;
 }
 

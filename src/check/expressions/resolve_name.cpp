@@ -6,9 +6,9 @@
 
 #include "base/reason.hpp"
 #include "check/expressions/resolver.hpp"
-#include "check/names/reserved_names.hpp"
 #include "elgen/functions.hpp"
 #include "elgen/leaf_names.hpp"
+#include "elgen/units.hpp"
 
 namespace elgen {
 namespace {
@@ -43,9 +43,13 @@ std::optional<Expression> node_for_symbol(SymbolKind kind) {
   }
 }
 
-bool is_function_name(const std::string& name) {
-  const std::vector<std::string>& functions = function_names();
-  return std::ranges::find(functions, name) != functions.end();
+/// "write `x(bob)`" for `x[bob]`, if bob is a point or body; "" otherwise.
+std::string place_hint(const ExpressionSyntax& name, const SymbolTable& symbols) {
+  if (find_call(name.text) == nullptr || name.operands.size() != 1) return "";
+  const DeclaredName* const place = symbols.find(name.operands.front().text);
+  const bool is_place =
+      place != nullptr && (place->kind == SymbolKind::point || place->kind == SymbolKind::body);
+  return is_place ? "write `" + name.text + "(" + name.operands.front().text + ")`" : "";
 }
 
 /// Hint on a name that is no number, such as a point: how to write its components.
@@ -68,8 +72,8 @@ struct DottedName {
 std::optional<DottedName> dotted_name(const std::string& name, const SymbolTable& symbols) {
   constexpr std::array<std::pair<std::string_view, int>, 4> endings{
       {{"_ddot", 2}, {"ddot", 2}, {"_dot", 1}, {"dot", 1}}};
-  constexpr std::array<std::pair<std::string_view, int>, 4> beginnings{
-      {{"ddot_", 2}, {"dot_", 1}, {"dd", 2}, {"d", 1}}};
+  constexpr std::array<std::pair<std::string_view, int>, 5> beginnings{
+      {{"ddot_", 2}, {"dot_", 1}, {"dd", 2}, {"d", 1}, {"v_", 1}}};
   const auto is_coordinate = [&](const std::string& base) {
     const DeclaredName* symbol = symbols.find(base);
     return symbol != nullptr && symbol->kind == SymbolKind::coordinate;
@@ -87,24 +91,33 @@ std::optional<DottedName> dotted_name(const std::string& name, const SymbolTable
   return std::nullopt;
 }
 
-/// Hint on how to write an angle in degrees, a rate or an acceleration, if `name` looks like any of
-/// these; "" otherwise.
-std::string rate_spelling_hint(const ExpressionSyntax& name, const SymbolTable& symbols) {
+/// Hint on an angle in degrees, a unit, pi, a component of a place, a rate or an acceleration, if
+/// `name` looks like any of these; "" otherwise.
+std::string usual_name_hint(const ExpressionSyntax& name, const SymbolTable& symbols) {
   if (name.text == "deg" || name.text == "degrees") return std::string(degrees_hint);
-  const auto dotted = dotted_name(name.text, symbols);
+  if (name.text == "PI") return "write `pi`";
+  if (name.text.size() > 1 && find_unit(name.text))
+    return "units have a key of their own: `unit = \"" + name.text + "\"`";
+  const std::string place = place_hint(name, symbols);
+  return place.empty() ? rate_hint(name.text, covered_text(name.span), symbols) : place;
+}
+
+}  // namespace
+
+std::string rate_hint(const std::string& name, std::string_view written,
+                      const SymbolTable& symbols) {
+  const auto dotted = dotted_name(name, symbols);
   if (!dotted) return "";
-  const std::string_view written = covered_text(name.span);
   const std::size_t bracket = std::min(written.find('['), written.size());
   const std::string base = dotted->base + std::string(written.substr(bracket));
   return dotted->dots == 1 ? "a rate is written `dot(" + base + ")`"
                            : "an acceleration is written `dot(dot(" + base + "))`";
 }
 
-}  // namespace
-
 std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name) {
   const bool indexed = !name.operands.empty();
-  if (!indexed && name.text == "t") return push_leaf(Opcode::time, 0, name.span);
+  const bool is_refused = context_.symbols.has_failed(name.text);
+  if (!indexed && name.text == "t" && !is_refused) return push_leaf(Opcode::time, 0, name.span);
   if (!indexed && name.text == "pi") return push({.kind = ExpressionKind::pi, .span = name.span});
   if (const auto value = scope_.find(name.text); value && !indexed) {
     return push_number(cln::cl_I(static_cast<long>(*value)), name.span);
@@ -120,7 +133,7 @@ std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name)
     return push_leaf(Opcode::multiplier,
                      static_cast<std::uint32_t>(multiplier - multipliers.begin()), name.span);
   }
-  return context_.symbols.has_failed(name.text) ? std::nullopt : report_unknown_name(name);
+  return is_refused ? std::nullopt : report_unknown_name(name, {});
 }
 
 std::vector<std::string> Resolver::multiplier_names() const {
@@ -192,7 +205,8 @@ std::optional<std::uint32_t> Resolver::resolve_element(const ExpressionSyntax& n
     context_.report.add(Code::E208, name.span,
                         symbol.is_array ? quote_text(name.text) +
                                               " needs an index: " + elements_of(name.text, symbol)
-                                        : quote_text(name.text) + " takes no index");
+                                        : quote_text(name.text) + " takes no index",
+                        place_hint(name, context_.symbols));
     return std::nullopt;
   }
   if (!symbol.is_array) return symbol.elements.begin()->second;
@@ -211,13 +225,14 @@ std::optional<std::uint32_t> Resolver::resolve_element(const ExpressionSyntax& n
   return found->second;
 }
 
-std::optional<ExpressionId> Resolver::report_unknown_name(const ExpressionSyntax& name) {
-  if (is_function_name(name.text)) {
+std::optional<ExpressionId> Resolver::report_unknown_name(const ExpressionSyntax& name,
+                                                          std::string hint) {
+  if (is_reserved_function(name.text)) {
     context_.report.add(Code::E316, name.span, quote_text(name.text) + " has no argument",
                         "write `" + name.text + "(…)`");
     return std::nullopt;
   }
-  std::string hint = rate_spelling_hint(name, context_.symbols);
+  if (hint.empty()) hint = usual_name_hint(name, context_.symbols);
   if (hint.empty() && context_.report.needs_suggestion()) {
     std::vector<std::string> candidates = context_.symbols.names();
     const std::vector<std::string> indices = scope_.names();
@@ -227,6 +242,9 @@ std::optional<ExpressionId> Resolver::report_unknown_name(const ExpressionSyntax
     candidates.insert(candidates.end(), {"pi", "t"});
     hint = context_.symbols.suggest(name.text, candidates);
   }
+  const CallRow* const call = find_call(name.text);
+  if (hint.empty() && call != nullptr)
+    hint = "declare it, or write `" + std::string(call->usage) + "`";
   context_.report.add(Reason::unknown_name, name.span, "unknown name " + quote_text(name.text),
                       std::move(hint));
   return std::nullopt;

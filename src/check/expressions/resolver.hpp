@@ -16,6 +16,11 @@ namespace elgen {
 
 inline constexpr std::string_view degrees_hint = "angles are in rad: 30 degrees are `30*pi/180`";
 
+/// Hint on a rate or acceleration: "a rate is written `dot(theta)`" for theta_dot and v_theta.
+/// `written` is the name with its index. "" if no coordinate has the base name.
+[[nodiscard]] std::string rate_hint(const std::string& name, std::string_view written,
+                                    const SymbolTable& symbols);
+
 /// Resolves names, expands sums and components of points, folds exact constants, and reports
 /// constants without a value. Every node keeps its span in the file, so leaves are not shared.
 ///
@@ -70,7 +75,8 @@ class Resolver {
   std::optional<ExpressionId> resolve_name(const ExpressionSyntax& name);
   std::optional<ExpressionId> resolve_symbol(const ExpressionSyntax& name,
                                              const DeclaredName& symbol);
-  std::optional<ExpressionId> report_unknown_name(const ExpressionSyntax& name);
+  /// `hint`: "" if the name alone gives the hint.
+  std::optional<ExpressionId> report_unknown_name(const ExpressionSyntax& name, std::string hint);
   [[nodiscard]] bool is_energy(const ExpressionSyntax& name) const;
   /// The names of the multipliers in the order of the constraints, such as `lambda_rod`. Empty if
   /// the place takes no multiplier.

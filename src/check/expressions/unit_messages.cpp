@@ -128,6 +128,7 @@ void report_missing_units(Context& context) {
     }
   };
   note_rows(model.coordinates);
+  const std::size_t others = names.size();
   for (const ParameterArray& array : model.parameter_arrays) {
     const Parameter& parameter = model.parameters[array.first];
     const bool is_silent = !parameter.unit && array.unit_text.empty();
@@ -135,6 +136,7 @@ void report_missing_units(Context& context) {
         std::ranges::count(model.reduction.cyclic, array.first, &CyclicCoordinate::parameter) > 0;
     if (is_silent && !is_momentum) note(array.name, array.span);
   }
+  const std::size_t parameters = names.size() - others;
   note_rows(model.inputs);
   note_rows(model.functions);
   if (names.empty()) return;
@@ -143,8 +145,8 @@ void report_missing_units(Context& context) {
     list += (i == 0 ? "" : ", ") + quote_text(names[i]);
   }
   list += names.size() > 8 ? " and others" : "";
-  context.report.add(Code::E520, *first,
-                     list + ": no unit, so expressions with it are not checked");
+  context.report.add(Code::E520, *first, list + ": no unit, so expressions with it are not checked",
+                     names.size() == parameters ? "a pure number has `unit = \"1\"`" : "");
 }
 
 }  // namespace elgen

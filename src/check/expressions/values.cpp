@@ -87,7 +87,8 @@ std::optional<cln::cl_R> ValueReader::read_constant(const ValueSyntax& value) {
   return result ? std::optional(result->number) : std::nullopt;
 }
 
-std::optional<FixedValue> ValueReader::read_exact_constant(const ValueSyntax& value) {
+std::optional<FixedValue> ValueReader::read_exact_constant(const ValueSyntax& value,
+                                                           std::string hint) {
   const ExpressionSyntax& syntax = value.expression;
   const std::size_t size = context_.model.expressions.size();
   const std::optional<ExpressionId> id = Resolver(context_, scope_).resolve(syntax);
@@ -96,7 +97,7 @@ std::optional<FixedValue> ValueReader::read_exact_constant(const ValueSyntax& va
   if (!needs_form) context_.truncate(size);
   if (id && !result) {
     context_.report.add(Code::E319, syntax.span,
-                        in_backticks(syntax.span) + " is not a constant number");
+                        in_backticks(syntax.span) + " is not a constant number", std::move(hint));
   }
   if (!result) return std::nullopt;
   return FixedValue{round_irrational(*result), needs_form ? id : std::nullopt};
@@ -140,6 +141,12 @@ std::optional<std::uint32_t> ValueReader::resolve_velocity_name(const ValueSynta
   const DeclaredName* symbol = context_.symbols.find(value.expression.text);
   if (symbol != nullptr && symbol->kind == SymbolKind::rotation) {
     return Resolver(context_, scope_).resolve_element(value.expression, *symbol);
+  }
+  if (symbol != nullptr && symbol->kind == SymbolKind::point) {
+    const std::string name = in_backticks(value.span);
+    context_.report.add(Reason::name_of_another_kind, value.span, "unknown coordinate " + name,
+                        name + " is a point: write `at` in the place of `on`");
+    return std::nullopt;
   }
   const std::optional<std::uint32_t> coordinate = resolve_reference(value, SymbolKind::coordinate);
   return coordinate ? std::optional(context_.model.coordinates[*coordinate].velocity)

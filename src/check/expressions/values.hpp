@@ -53,7 +53,7 @@ class ValueReader {
   std::optional<cln::cl_R> read_constant(const ValueSyntax& value);
   /// Like read_constant(), but the nodes of an irrational value stay in the model, so that the form
   /// of the value is known.
-  std::optional<FixedValue> read_exact_constant(const ValueSyntax& value);
+  std::optional<FixedValue> read_exact_constant(const ValueSyntax& value, std::string hint = {});
 
   /// [low, high] of a key; none if the entry does not have it. E112 unless low < high.
   std::optional<Interval> read_interval(const EntrySyntax& entry, std::string_view key);

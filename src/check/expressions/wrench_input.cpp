@@ -41,8 +41,9 @@ bool is_wrench_input(const EntrySyntax& entry) {
 
 std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntrySyntax& entry,
                                                   const NewName& name) {
-  const auto refuse = [&](Code reason, const Span& span, const std::string& message) {
-    context.report.add(reason, span, message);
+  const auto refuse = [&](Code reason, const Span& span, const std::string& message,
+                          const std::string& hint = {}) {
+    context.report.add(reason, span, message, hint);
     context.symbols.mark_failed(name.base);
     return std::nullopt;
   };
@@ -59,7 +60,8 @@ std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntryS
                   "an input has one of `on`, `wrench` and `at`");
   }
   if (const KeySyntax* unit = entry.find("unit")) {
-    return refuse(Reason::unit_of_wrench, unit->key_span, "torques are in N*m and forces in N");
+    return refuse(Reason::unit_of_wrench, unit->key_span, "torques are in N*m and forces in N",
+                  "omit `unit`");
   }
   const WrenchComponentCounts count = count_wrench_components(context, entry);
   const auto first = static_cast<std::uint32_t>(context.model.inputs.size());

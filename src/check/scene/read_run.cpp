@@ -6,6 +6,7 @@
 #include "base/reason.hpp"
 #include "check/expressions/parameters.hpp"
 #include "check/expressions/places.hpp"
+#include "check/expressions/resolver.hpp"
 #include "check/expressions/values.hpp"
 #include "check/scene/scene.hpp"
 #include "elgen/leaf_names.hpp"
@@ -95,8 +96,10 @@ class StartReader {
     if (found == places_.end()) {
       std::vector<std::string> names;
       for (const StartVariable& place : places_) names.push_back(place.name);
+      const std::string hint =
+          rate_hint(key.key.substr(0, key.key.find('[')), key.key, context_.symbols);
       context_.report.add(Code::E612, key.key_span, "unknown coordinate " + quote_text(key.key),
-                          suggestion(key.key, names));
+                          hint.empty() ? suggestion(key.key, names) : hint);
       return nullptr;
     }
     if (std::ranges::count(model_.reduction.locks, found->coordinate,
