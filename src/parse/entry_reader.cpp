@@ -119,9 +119,11 @@ class EntryReader {
     }
     const std::string near = nearest_word(entry.key, candidates);
     const EntryRow* row = find(near);
-    reading_.report(
-        Code::E106, header_span(entry.value), "unknown entry " + quote_text(entry.key),
-        row == nullptr ? "" : fmt::format("did you mean {}?", header_text(near, row->repeated)));
+    std::string hint = foreign_word_hint("", entry.key);
+    if (hint.empty() && row != nullptr)
+      hint = fmt::format("did you mean {}?", header_text(near, row->repeated));
+    reading_.report(Code::E106, header_span(entry.value), "unknown entry " + quote_text(entry.key),
+                    std::move(hint));
   }
 
   void report_missing_entries(const TomlValue& root) {
@@ -159,6 +161,14 @@ bool is_drawing_key(std::string_view entry, std::string_view key) {
   return std::ranges::any_of(key_table(), [&](const KeyRow& row) {
     return row.is_for_drawings && row.entry == entry && row.key == key;
   });
+}
+
+std::string foreign_word_hint(std::string_view entry, std::string_view word) {
+#define ELGEN_FOREIGN_WORD(of, foreign, hint) \
+  if (entry == (of) && word == (foreign)) return hint;
+#include "parse/foreign_words.def"
+#undef ELGEN_FOREIGN_WORD
+  return {};
 }
 
 std::vector<EntryRow> entry_rows_of(FileKind kind) {

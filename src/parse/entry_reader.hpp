@@ -24,6 +24,9 @@ struct TableContext {
   Span header;
 };
 
+/// The hint on a word of other programs, as a key of `entry` or, for "", as an entry; else "".
+[[nodiscard]] std::string foreign_word_hint(std::string_view entry, std::string_view word);
+
 [[nodiscard]] std::vector<KeySyntax> read_keys(const std::vector<TomlEntry>& entries,
                                                const TableContext& table, FileReadState& reading);
 

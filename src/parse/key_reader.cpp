@@ -147,6 +147,8 @@ const KeyRow* find_row(std::string_view entry, std::string_view key) {
 /// key is a mistyped `fixed`.
 std::string unknown_key_hint(const TomlEntry& key, const TableContext& table,
                              const std::vector<std::string>& candidates) {
+  const std::string foreign = foreign_word_hint(table.entry, key.key);
+  if (!foreign.empty()) return foreign;
   std::string hint = suggestion(key.key, candidates);
   if (table.entry != "scene.parameters" || !nearest_word(key.key, candidates).empty()) return hint;
   const bool has_value = key.value.kind == TomlKind::number || key.value.kind == TomlKind::string;

@@ -19,6 +19,7 @@
 #include "base/utf8.hpp"
 #include "elgen/diagnostic.hpp"
 #include "elgen/source_text.hpp"
+#include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
 
 namespace elgen {
@@ -160,6 +161,37 @@ std::optional<Span> find_first_definition(const SourceText& source, const Span& 
   return found;
 }
 
+/// The name in a header such as `[a]` or `[[a]]`; "" for other lines.
+std::string_view header_name(std::string_view line) {
+  const std::size_t begin = std::min(line.find_first_not_of('['), line.size());
+  return begin == 0 ? "" : line.substr(begin, line.find(']') - begin);
+}
+
+/// Completes the error of a header that occurs twice. An entry that may be repeated needs double
+/// brackets, so its header in single brackets is the mistake.
+void describe_second_header(const SourceText& source, Diagnostic& error) {
+  const std::uint32_t last = line_column(source, error.span.begin).line;
+  const std::string_view name = header_name(line_text(source, last));
+  std::uint32_t line = 1;
+  while (line < last && header_name(line_text(source, line)) != name) ++line;
+  if (name.empty() || line == last) return;
+  const std::string_view header = line_text(source, line);
+  const std::uint32_t begin = source.line_starts[line - 1];
+  const auto end = begin + static_cast<std::uint32_t>(header.find_last_of(']') + 1);
+  const Span first{&source, begin, end};
+  const bool repeats = std::ranges::any_of(
+      entry_table(), [&](const EntryRow& row) { return row.entry == name && row.repeated; });
+  if (repeats) {
+    error = {Code::E107, header.starts_with("[[") ? error.span : first,
+             fmt::format("`[{}]` is the wrong kind of table", name),
+             fmt::format("write `[[{}]]`", name)};
+    return;
+  }
+  error.hint = "join the two tables";
+  error.related = first;
+  error.related_message = "first given here";
+}
+
 Diagnostic redefinition_error(const SourceText& source, std::uint32_t offset,
                               std::string_view description) {
   Diagnostic error{Code::E101, redefinition_span(source, offset), short_toml_message(description)};
@@ -167,8 +199,44 @@ Diagnostic redefinition_error(const SourceText& source, std::uint32_t offset,
     error.hint = "rename one of them";
     error.related = *first;
     error.related_message = "first given here";
+  } else {
+    describe_second_header(source, error);
   }
   return error;
+}
+
+/// The error at the first marker of git, if the file has one.
+std::optional<Diagnostic> find_merge_marker(const SourceText& source) {
+  for (const std::uint32_t begin : source.line_starts) {
+    const std::string_view line = std::string_view(source.text).substr(begin);
+    if (!line.starts_with("<<<<<<< ") && !line.starts_with(">>>>>>> ")) continue;
+    return Diagnostic{Code::E101,
+                      {&source, begin, begin + 7},
+                      "a merge is not finished",
+                      "keep one version, and remove the lines `<<<<<<<`, `=======`, `>>>>>>>`"};
+  }
+  return std::nullopt;
+}
+
+/// The error of `0,5`: toml++ stops at the comma or, in a table, behind the key `5`.
+std::optional<Diagnostic> find_decimal_comma(const SourceText& source, std::uint32_t offset,
+                                             std::string_view description) {
+  const std::string_view text = source.text;
+  std::uint32_t comma = offset;
+  if (contains(description, "expected '='")) {
+    while (comma > 0 && text[comma - 1] == ' ') --comma;
+    comma = word_at(source, comma).begin;
+    if (comma > 0) --comma;
+  }
+  const std::string_view around = text.substr(comma == 0 ? 0 : comma - 1, 3);
+  const bool is_decimal =
+      around.size() == 3 && is_digit(around[0]) && around[1] == ',' && is_digit(around[2]);
+  if (!is_decimal) return std::nullopt;
+  const Span number{&source, word_at(source, comma).begin, word_at(source, comma + 1).end};
+  std::string point(covered_text(number));
+  std::ranges::replace(point, ',', '.');
+  return Diagnostic{Code::E306, number, in_backticks(number) + " has a decimal comma",
+                    fmt::format("write `{}`", point)};
 }
 
 bool is_at_line_end(const SourceText& source, std::uint32_t offset) {
@@ -180,9 +248,14 @@ bool is_range_error(std::string_view description) {
          contains(description, "could not be interpreted") || contains(description, "too long");
 }
 
-bool is_missing_quotes_error(std::string_view description) {
-  return contains(description, "decimal integer") || contains(description, "floating-point") ||
-         contains(description, "could not determine value type");
+std::string hint_of(std::string_view description) {
+  if (contains(description, "escape sequence")) {
+    return "a backslash is written twice; expressions have none: `dot(x)`, `theta`";
+  }
+  const bool lacks_quotes = contains(description, "decimal integer") ||
+                            contains(description, "floating-point") ||
+                            contains(description, "could not determine value type");
+  return lacks_quotes ? "texts and expressions are written in quotes" : "";
 }
 
 /// True if the text of a token is a decimal number as TOML writes it: `-1_000`, `+0.5e-3`.
@@ -197,9 +270,11 @@ bool is_decimal_token(std::string_view token) {
 }
 
 /// The error for toml++'s message `description` at the byte `offset`: E109 for a decimal outside
-/// TOML's range, else E101.
+/// TOML's range, E306 for a decimal comma, E107 for a repeated header, else E101.
 Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
                       std::string_view description) {
+  if (auto error = find_merge_marker(source)) return *std::move(error);
+  if (auto error = find_decimal_comma(source, offset, description)) return *std::move(error);
   const Span word = word_at(source, offset);
   if (is_range_error(description) && is_decimal_token(covered_text(word))) {
     return {Code::E109, word, quote_text(covered_text(word)) + " is wider than TOML's numbers",
@@ -211,9 +286,8 @@ Diagnostic toml_error(const SourceText& source, std::uint32_t offset,
   }
   if (contains(description, "cannot redefine"))
     return redefinition_error(source, offset, description);
-  return {
-      Code::E101, character_at(source, offset), short_toml_message(description),
-      is_missing_quotes_error(description) ? "texts and expressions are written in quotes" : ""};
+  return {Code::E101, character_at(source, offset), short_toml_message(description),
+          hint_of(description)};
 }
 
 class DocumentBuilder {

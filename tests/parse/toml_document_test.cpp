@@ -98,13 +98,27 @@ TEST_CASE("malformed TOML is reported once, at its place", "[parse]") {
   };
   const std::string quotes = "texts and expressions are written in quotes";
   const std::string three = "a string over several lines has three quotes at each end";
+  const std::string merge =
+      "keep one version, and remove the lines `<<<<<<<`, `=======`, `>>>>>>>`";
   const auto row = GENERATE_COPY(values<Row>({
       {"a = 1\nb = \"x\nc = 3", "E101 2:7", "string is not closed", three},
       {"a = \"x", "E101 1:7", "string is not closed", three},
       {"a = 1/2", "E101 1:6", "expected digit, saw `/`", quotes},
       {"a = pi", "E101 1:5", "could not determine value type", quotes},
       {"a = 1\na = 2", "E101 2:1", "cannot redefine existing integer `a`", "rename one of them"},
-      {"[a]\n[a]", "E101 2:1", "cannot redefine existing table `a`", ""},
+      {"[a]\n[a]", "E101 2:1", "cannot redefine existing table `a`", "join the two tables"},
+      {"[point]\n\n[point]", "E107 1:1", "`[point]` is the wrong kind of table",
+       "write `[[point]]`"},
+      {"[[point]]\n[point]", "E107 2:1", "`[point]` is the wrong kind of table",
+       "write `[[point]]`"},
+      {"a = 0,5", "E306 1:5", "`0,5` has a decimal comma", "write `0.5`"},
+      {"a = { b = -10,25, c = 1 }", "E306 1:11", "`-10,25` has a decimal comma", "write `-10.25`"},
+      {"a = { b = 1,5 }", "E306 1:11", "`1,5` has a decimal comma", "write `1.5`"},
+      {"a = [1,2 3]", "E101 1:10", "expected comma or closing `]`, saw `3`", ""},
+      {"a = 1\n<<<<<<< HEAD\na = 2", "E101 2:1", "a merge is not finished", merge},
+      {"a = \"\n>>>>>>> main\n", "E101 2:1", "a merge is not finished", merge},
+      {"a = \"\\dot{x}\"", "E101 1:7", "unknown escape sequence `\\d`",
+       "a backslash is written twice; expressions have none: `dot(x)`, `theta`"},
       {"a = 1e400", "E109 1:5", "`1e400` is wider than TOML's numbers",
        "write it as a string, in quotes"},
       {"a = [-1e999, 2]", "E109 1:6", "`-1e999` is wider than TOML's numbers",

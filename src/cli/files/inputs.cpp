@@ -98,7 +98,8 @@ bool is_scene(const SourceText& source) {
 /// ending of scenes, or a model with the ending of scenes. None otherwise.
 std::optional<Diagnostic> misnamed_error(const SourceText& source) {
   const std::size_t first = source.text.find_first_not_of(" \t\r\n");
-  if (first != std::string::npos && source.text[first] == '<') {
+  const bool is_merge = source.text.starts_with("<<<<<<<");
+  if (first != std::string::npos && source.text[first] == '<' && !is_merge) {
     const auto begin = static_cast<std::uint32_t>(first);
     return Diagnostic{Code::E101,
                       {&source, begin, begin + 1},
