@@ -2,8 +2,10 @@
 // timings, progress on a terminal.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -69,6 +71,26 @@ TEST_CASE("option -q prints only errors") {
   CHECK(quiet.status == 0);
   CHECK(quiet.output.empty());
   CHECK(quiet.errors.empty());
+}
+
+TEST_CASE("the thread that shows the stages leaves all signals to the first thread") {
+  const Workspace workspace;
+  const std::string command =
+      "elgen generate -q --size n=397 --limit derived_nodes=1000000000 " + models + "/chain.toml";
+  const Outcome outcome =
+      workspace.run("timeout 60 script -q -c \"" + command +
+                    "\" /dev/null > /dev/null &\n"
+                    "for i in $(seq 50); do\n"
+                    "  pid=$(pgrep -f '^[^ ]*elgen generate -q --size n=397') && break; sleep 0.1\n"
+                    "done\n"
+                    "sleep 0.2; grep -h SigBlk /proc/$pid/task/*/status; kill $pid");
+  const std::vector<std::string> masks = split_lines(outcome.output);
+  REQUIRE(masks.size() == 2);
+  const auto blocks_end_of_child = [](const std::string& line) {
+    constexpr unsigned long long child_bit = 1ULL << (SIGCHLD - 1);
+    return (std::stoull(line.substr(line.find('\t') + 1), nullptr, 16) & child_bit) != 0;
+  };
+  CHECK(std::ranges::count_if(masks, blocks_end_of_child) == 1);
 }
 
 TEST_CASE("timings name every stage") {

@@ -8,13 +8,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 
 #include "base/ascii.hpp"
-#include "base/no_interrupts.hpp"
 #include "cli/process/resources.hpp"
 #include "elgen/wording.hpp"
 
@@ -60,9 +60,14 @@ Screen screen_of(std::FILE* stream) {
 
 Progress::Progress(const std::string& subject) : subject_(printable_path(subject)) {
   if (!is_terminal(stderr)) return;
-  const SignalBlocker inherited;  // the new thread inherits the blocked signals, so only the first
-                                  // thread handles them
+  // The new thread inherits the blocked signals. If it left SIGCHLD open, it would take the signal
+  // from the first thread, which would then wait for a compiler that has ended.
+  sigset_t all{};
+  sigset_t before{};
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, &before);
   watcher_ = std::thread([this] { run_display(); });
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
 Progress::~Progress() {
