@@ -58,11 +58,22 @@ inline std::string number_error(const std::string& word) {
   return is_read ? "" : "`" + word + "` is not a whole number below 2^64";
 }
 
+/// The error if `word` is a number with a unit, such as 10s; otherwise "".
+inline std::string unit_error(const std::string& word) {
+  const std::size_t end = word.find_first_not_of("0123456789.eE+-");
+  if (end == std::string::npos || end == 0) return "";
+  const std::string number = word.substr(0, end);
+  return "`" + word + "` is not a number" +
+         (word.substr(end) == "s" ? ": write `" + number + "`" : ": numbers have no unit");
+}
+
 /// Adds an option for a number to `command`. Without the option, `value` stays empty.
 inline CLI::Option* add_number_option(CLI::App& command, const char* name,
                                       std::optional<double>& value, const char* doc) {
-  return command.add_option_function<double>(
-      name, [&value](double given) { value = given; }, doc);
+  return command
+      .add_option_function<double>(
+          name, [&value](double given) { value = given; }, doc)
+      ->check(unit_error);
 }
 
 /// An output file. Only --force replaces an existing file, which the owner may have edited.

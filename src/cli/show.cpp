@@ -101,6 +101,17 @@ std::string subject_words() {
   return fmt::format("{} or {}", fmt::join(words, ", "), last);
 }
 
+/// Names the subjects for an unknown output of the option `what` that is near no output.
+void add_subject_hints(const SourceText* what, Diagnostics& diagnostics) {
+  for (Diagnostic& diagnostic : diagnostics) {
+    const bool is_unknown = diagnostic.code == Code::E601 && diagnostic.span.source == what;
+    if (!is_unknown || !diagnostic.hint.empty()) continue;
+    diagnostic.hint = suggestion(
+        covered_text(diagnostic.span), column_words(subjects, &SubjectRow::word),
+        fmt::format("`--what` takes outputs, such as mass_matrix, or {}", subject_words()));
+  }
+}
+
 Result<const SubjectRow*> find_subject(const ShowOptions& options) {
   for (const SubjectRow& row : subjects) {
     if (row.word.empty()) continue;
@@ -252,6 +263,12 @@ std::string usual_notation(const GlobalOptions& global) {
   return screen_of(stdout).alphabet == Alphabet::unicode ? "unicode" : "text";
 }
 
+/// The error of a notation that other programs make from a notation; otherwise "".
+std::string notation_error(const std::string& word) {
+  if (word == "html") return "`--as mathml` writes a page of HTML";
+  return word == "pdf" || word == "tex" ? "`--as latex` writes a document of LaTeX" : "";
+}
+
 ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
   ShowOptions options = given;
   if (options.notation.empty()) options.notation = usual_notation(global);
@@ -273,7 +290,9 @@ ExitCode show(const GlobalOptions& global, const ShowOptions& given) {
   if (subject.word.empty() && !options.what.empty()) {
     pipeline.scene.outputs = {make_source("command line", options.what)};
   }
-  const Products products = run_pipeline_with_progress(options.input, *inputs, pipeline);
+  Products products = run_pipeline_with_progress(options.input, *inputs, pipeline);
+  if (!pipeline.scene.outputs.empty())
+    add_subject_hints(pipeline.scene.outputs.front().get(), products.diagnostics);
   const ExitCode derived = report_products(global, products);
   print_stage_times(global, products);
   if (derived != ExitCode::success || !global.stop_after.empty()) return derived;
@@ -296,6 +315,7 @@ void add_show(CLI::App& app, Action& action) {
       ->add_option("--as", options->notation,
                    "unicode (default on a terminal), text (default otherwise), latex, mathml, "
                    "markdown or json")
+      ->check(notation_error)
       ->check(CLI::IsMember({"unicode", "text", "latex", "mathml", "markdown", "json"}));
   command
       ->add_option(

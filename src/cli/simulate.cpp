@@ -223,8 +223,10 @@ ExitCode simulate_input(const GlobalOptions& global, const SimulateOptions& give
 }
 
 void add_run_options(CLI::App& command, SimulationOptions& run) {
-  command.add_option("--time", run.duration, "duration in s")->required();
-  command.add_option("--from", run.from, "time at the start in s")->capture_default_str();
+  command.add_option("--time", run.duration, "duration in s")->check(unit_error)->required();
+  command.add_option("--from", run.from, "time at the start in s")
+      ->check(unit_error)
+      ->capture_default_str();
   run.method.clear();  // pages of scenes with `step` have another default
   command.add_option("--method", run.method, "dopri5 (default), rk4, verlet or midpoint");
   command.add_option_function<std::uint32_t>(

@@ -268,8 +268,12 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
                                              const std::vector<std::uint32_t>& independent) {
   std::optional<OutputRequest> request = find_request(model, name);
   if (!request) {
+    const auto named = std::ranges::find_if(output_table(), [&](const OutputRow& row) {
+      return !name.empty() && row.symbol.text == name;
+    });
     report.add(Code::E601, span, "unknown output " + quote_text(name),
-               suggestion(name, available_names(model, independent)));
+               named == output_table().end() ? suggestion(name, available_names(model, independent))
+                                             : quote_text(name) + " is " + quote_text(named->name));
     return std::nullopt;
   }
   set_independent_velocities(independent, *request);

@@ -1,7 +1,9 @@
 // The command line: help, version, limits, stages, and invalid words.
+#include <array>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <vector>
 
 #include "cli/cli_testing.hpp"
 #include "elgen/limits.hpp"
@@ -86,6 +88,69 @@ TEST_CASE("an invalid command line exits with 2") {
     CHECK_FALSE(outcome.errors.empty());
   }
   CHECK(mentions(run("elgen generte x.toml").errors, "did you mean `generate`"));
+}
+
+TEST_CASE("a wrong command line gets the line to write") {
+  const Workspace workspace;
+  workspace.prepare("mkdir arms && cp " + models + "/simple_pendulum.toml base.toml && cp " +
+                    models + "/cart_pole.toml arms/cart.toml");
+  struct Row {
+    std::string line;
+    std::string message;
+    std::string hint;
+  };
+  const std::string simulate_help = "see `elgen simulate --help`";
+  for (const auto& [line, message, hint] : std::vector<Row>{
+           {"generate", "inputs is required", "write `elgen generate base.toml`"},
+           {"simulate", "input is required", "write `elgen simulate base.toml`"},
+           {"simulate base.toml", "--time is required", "duration in s: write `--time 10`"},
+           {"simulate base.toml --time 10s", "--time: `10s` is not a number: write `10`",
+            simulate_help},
+           {"simulate base.toml --time 1 --step 5ms",
+            "--step: `5ms` is not a number: numbers have no unit", simulate_help},
+           {"simulate base.toml --time 1 -o x.png",
+            "`x.png` ends in none of .csv, .json, .svg and .html", "the ending selects the format"},
+           {"show base.toml --as html", "--as: `--as mathml` writes a page of HTML",
+            "see `elgen show --help`"},
+           {"show base.toml --as pdf", "--as: `--as latex` writes a document of LaTeX",
+            "see `elgen show --help`"},
+           {"show base", "`base` does not exist", "did you mean `base.toml`?"},
+           {"show basse.toml", "`basse.toml` does not exist", "did you mean `base.toml`?"},
+           {"show arms/carts.toml", "`arms/carts.toml` does not exist",
+            "did you mean `arms/cart.toml`?"}}) {
+    INFO(line);
+    const Outcome outcome = workspace.run("elgen " + line);
+    CHECK(outcome.status == 2);
+    CHECK(starts_with(outcome.errors, "elgen: error[E"));
+    CHECK(mentions(outcome.errors, "]: " + message + "\n      " + hint + "\n"));
+  }
+}
+
+TEST_CASE("a word that no command takes is marked, and its hint is the word to write") {
+  const Workspace workspace;
+  for (const auto& [line, word, hint] : std::vector<std::array<std::string, 3>>{
+           {"gen base.toml", "gen", "did you mean `generate`?"},
+           {"base.toml", "base.toml", "write `elgen show base.toml`"},
+           {"help simlate", "simlate", "did you mean `simulate`?"},
+           {"help nothing", "nothing", "see `elgen --help`"},
+           {"simlate --help", "simlate", "did you mean `simulate`?"},
+           {"show base.toml --latex", "--latex", "write `--as latex`"},
+           {"show base.toml -o x.tex", "-o", "the result goes to stdout: write `> FILE`"},
+           {"show base.toml two.toml", "two.toml", "one input at a time"},
+           {"verify base.toml --json", "--json", "write `--format json`"},
+           {"generate base.toml --python", "--python", "write `--language python`"},
+           {"show base.toml l=2", "l=2", "see `elgen show --help`"}}) {
+    const std::string written = "elgen " + line;
+    INFO(written);
+    const std::size_t at = written.find(" " + word) + 1;
+    const Outcome outcome = workspace.run(written);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.output.empty());
+    CHECK(outcome.errors == "command line:1:" + std::to_string(at + 1) + ": error[E913]: `" + word +
+                                "` is not understood\n    1 | " + written + "\n      | " +
+                                std::string(at, ' ') + "^" + std::string(word.size() - 1, '~') +
+                                " " + hint + "\n");
+  }
 }
 
 TEST_CASE("options that ask for two results exclude each other") {

@@ -123,6 +123,9 @@ TEST_CASE("the requests of a scene are found by name") {
 TEST_CASE("unknown and unavailable outputs are errors") {
   const Rows rows{
       {"mass_matrx", "E601 1:1 unknown output `mass_matrx` | did you mean `mass_matrix`?\n"},
+      {"M", "E601 1:1 unknown output `M` | `M` is `mass_matrix`\n"},
+      {"a", "E601 1:1 unknown output `a` | `a` is `forward_dynamics`\n"},
+      {"eom", "E601 1:1 unknown output `eom`\n"},
       {"bias, tp", "E601 1:7 unknown output `tp` | did you mean `tip`?\n"},
       {"cyclic_rates", "E603 1:1 `cyclic_rates` needs a coordinate in `[routh]`\n"},
       {"reaction", "E603 1:1 `reaction` needs `reaction = true` in an entry of `[lock]`\n"},

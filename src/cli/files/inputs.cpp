@@ -41,13 +41,28 @@ Diagnostic unreadable(const std::string& path, int error) {
   return unreadable_error(path, "could not be read: " + std::generic_category().message(error));
 }
 
+std::vector<std::string> toml_files(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, failed)) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(".toml")) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 /// E111 if the file does not exist; E707 if stat() fails, or if the file is neither regular nor a
 /// FIFO. Call this before open(), because opening a device may block or have effects.
 std::optional<Diagnostic> missing_file_error(const std::string& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) {
     if (errno != ENOENT && errno != ENOTDIR) return unreadable(path, errno);
-    return Diagnostic{Code::E111, {}, fmt::format("`{}` does not exist", printable_path(path))};
+    const std::string near = near_input(path);
+    return Diagnostic{Code::E111,
+                      {},
+                      fmt::format("`{}` does not exist", printable_path(path)),
+                      near.empty() ? "" : fmt::format("did you mean `{}`?", printable_path(near))};
   }
   const std::string_view kind = special_file_kind(found.st_mode);
   if (kind.empty() || S_ISFIFO(found.st_mode)) return std::nullopt;
@@ -121,28 +136,28 @@ std::optional<Diagnostic> misnamed_error(const SourceText& source) {
                     "a scene is called NAME.scene.toml"};
 }
 
-std::vector<std::string> toml_files(const fs::path& folder) {
-  std::vector<std::string> names;
-  std::error_code failed;
-  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, failed)) {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with(".toml") && !name.ends_with(".scene.toml")) names.push_back(name);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 /// The hint if a scene's model does not exist. To show a revision, git copies single files into a
 /// temporary folder `git-blob-*`.
 std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
   const bool is_alone = scene.parent_path().filename().string().starts_with("git-blob-");
   if (is_alone)
     return "git passes the scene without its model; `elgen diff --against REV` reads both";
-  const std::string near = suggestion(model.filename().string(), toml_files(model.parent_path()));
+  std::vector<std::string> names = toml_files(model.parent_path());
+  std::erase_if(names, [](const std::string& name) { return name.ends_with(".scene.toml"); });
+  const std::string near = suggestion(model.filename().string(), names);
   return near.empty() ? "the path is relative to the scene" : near;
 }
 
 }  // namespace
+
+std::string near_input(const std::string& path) {
+  const fs::path wanted = path;
+  const std::vector<std::string> names = toml_files(wanted.parent_path());
+  if (path.empty()) return names.empty() ? "" : names.front();
+  const std::string ending = wanted.has_extension() ? "" : ".toml";
+  const std::string near = nearest_word(wanted.filename().string() + ending, names);
+  return near.empty() ? "" : (wanted.parent_path() / near).string();
+}
 
 Result<SourcePointer> make_limited_source(const std::string& path, std::string text,
                                           const Limits& limits) {
