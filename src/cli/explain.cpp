@@ -40,6 +40,16 @@ constexpr std::array expect_name_table{
         "`conserved` and in outputs that take momenta. A name `p` of the model takes "
         "precedence."}};
 
+struct ExplainedCommand {
+  std::string_view name;
+};
+
+constexpr std::array explained_commands{
+#define ELGEN_COMMAND(name) ExplainedCommand{#name},
+#include "cli/commands.def"
+#undef ELGEN_COMMAND
+};
+
 std::string choices_text(const KeyRow& key) {
   const std::vector<std::string_view> words = choice_words(key);
   return words.empty() ? "" : fmt::format(" (\"{}\")", fmt::join(words, "\", \""));
@@ -76,6 +86,12 @@ Json json_of(const FunctionRow& row) {
 
 Json json_of(const ExpectNameRow& row) { return {{"name", row.name}, {"doc", row.doc}}; }
 
+Json json_of(const CallRow& row) {
+  return {{"function", row.name}, {"usage", row.usage}, {"doc", row.doc}};
+}
+
+Json json_of(const ExplainedCommand& row) { return {{"command", row.name}}; }
+
 std::string text_of(const CodeRow& row) {
   const std::vector<std::string_view> reasons = reasons_of(row.code);
   std::string text = fmt::format("{}: {}\n\n{}\n", row.name, row.title,
@@ -103,6 +119,14 @@ std::string text_of(const FunctionRow& row) {
 
 std::string text_of(const ExpectNameRow& row) {
   return fmt::format("{}: a name in [[expect]]\n\n{}\n", row.name, row.doc);
+}
+
+std::string text_of(const CallRow& row) {
+  return fmt::format("{}: a function of expressions\n\n{}: {}\n", row.name, row.usage, row.doc);
+}
+
+std::string text_of(const ExplainedCommand& row) {
+  return fmt::format("{0}: a command; `elgen {0} --help` lists its options\n", row.name);
 }
 
 /// The details in lines that begin with `indent`; "" if there are no details.
@@ -167,6 +191,9 @@ std::vector<std::string> known_names() {
   }
   for (const FunctionRow& function : function_table()) names.emplace_back(function.name);
   for (const ExpectNameRow& word : expect_name_table) names.emplace_back(word.name);
+  for (const CallRow& call : call_table()) names.emplace_back(call.name);
+  for (const KeyRow& key : key_table()) names.emplace_back(key.key);
+  for (const ExplainedCommand& command : explained_commands) names.emplace_back(command.name);
   return names;
 }
 
@@ -182,35 +209,45 @@ ExitCode print_row(const GlobalOptions& global, const Row& row) {
   return print(global, wants_json(global) ? json_of(row).dump(2) + "\n" : text_of(row));
 }
 
+ExitCode print_keys(const GlobalOptions& global, const std::vector<KeyRow>& keys,
+                    const OutputRow* namesake) {
+  Json list = Json::array();
+  for (const KeyRow& key : keys) list.push_back(json_of(key));
+  const std::string text = header + text_of(keys) + (namesake == nullptr ? "" : "\n" + text_of(*namesake));
+  return print(global, wants_json(global) ? list.dump(2) + "\n" : text);
+}
+
 ExitCode explain(const GlobalOptions& global, const std::string& name) {
   if (const CodeRow* row = find_code(upper_case(name))) return print_row(global, *row);
   const std::string owner(entry_of_keys(name));
   const std::vector<KeyRow> keys = keys_of_entry(owner);
+  // If an entry and an output have the same name, such as `gravity`, both are printed.
   if (!keys.empty()) {
-    Json list = Json::array();
-    for (const KeyRow& key : keys) list.push_back(json_of(key));
-    // If an entry and an output have the same name, such as `gravity`, both are printed.
-    const OutputRow* namesake = find_output(name);
-    const std::string header = owner == name ? "" : entry_header(name) + "\n";
-    const std::string text =
-        header + text_of(keys) + (namesake == nullptr ? "" : "\n" + text_of(*namesake));
-    return print(global, wants_json(global) ? list.dump(2) + "\n" : text);
+    return print_keys(global, keys, owner == name ? "" : entry_header(name) + "\n",
+                      find_output(name));
   }
   if (const OutputRow* row = find_output(name)) return print_row(global, *row);
   if (const FunctionRow* row = find_function(name)) return print_row(global, *row);
   const auto word = std::ranges::find(expect_name_table, name, &ExpectNameRow::name);
   if (word != expect_name_table.end()) return print_row(global, *word);
-  return report(global, {{Reason::nothing_to_explain,
-                          {},
-                          fmt::format("`{}` is no error code, entry, output or function", name),
-                          suggestion(name, known_names())}});
+  if (const CallRow* row = find_call(name)) return print_row(global, *row);
+  std::vector<KeyRow> named(key_table().begin(), key_table().end());
+  std::erase_if(named, [&name](const KeyRow& key) { return key.key != name || name == "*"; });
+  if (!named.empty()) return print_keys(global, named, nullptr);
+  const auto command = std::ranges::find(explained_commands, name, &ExplainedCommand::name);
+  if (command != explained_commands.end()) return print_row(global, *command);
+  return report(global,
+                {{Reason::nothing_to_explain,
+                  {},
+                  fmt::format("`{}` is no code, entry, key, output, function or command", name),
+                  suggestion(name, known_names())}});
 }
 
 }  // namespace
 
 void add_explain(CLI::App& app, Action& action) {
-  CLI::App* command =
-      app.add_subcommand("explain", "explain an error code, entry, output or function");
+  CLI::App* command = app.add_subcommand(
+      "explain", "explain an error code, entry, key, output, function or command");
   const auto name = std::make_shared<std::string>();
   command->add_option("name", *name, "E201, coordinate, scene.outputs, mass_matrix, sin")
       ->required();

@@ -5,6 +5,7 @@
 #include "base/reason.hpp"
 #include "cli/cli_testing.hpp"
 #include "elgen/diagnostic.hpp"
+#include "elgen/functions.hpp"
 #include "elgen/outputs.hpp"
 #include "elgen/syntax.hpp"
 
@@ -68,6 +69,30 @@ TEST_CASE("explain accepts codes in any case, outputs and functions") {
   const auto json = nlohmann::json::parse(run("elgen explain atan2 --format json").output);
   CHECK(json.at("arguments") == 2);
   CHECK(mentions(run("elgen explain mass_matri").errors, "did you mean `mass_matrix`?"));
+}
+
+TEST_CASE("explain knows expanded functions, keys and commands") {
+  CHECK(run("elgen explain dot").output ==
+        "dot: a function of expressions\n\ndot(e): total time derivative\n");
+  CHECK(run("elgen explain x").output ==
+        "x: a function of expressions\n\nx(P): world coordinate x of the place P\n");
+  CHECK(run("elgen explain simulate").output ==
+        "simulate: a command; `elgen simulate --help` lists its options\n");
+  const std::string unit = run("elgen explain unit").output;
+  CHECK(mentions(unit, "[[coordinate]]: "));
+  CHECK(mentions(unit, "\n  unit "));
+  CHECK_FALSE(mentions(unit, "\n  name "));
+  const auto json = nlohmann::json::parse(run("elgen explain dist2 --format json").output);
+  CHECK(json.at("usage") == "dist2(P, Q)");
+  CHECK(nlohmann::json::parse(run("elgen explain show --format json").output).at("command") ==
+        "show");
+  for (const CallRow& row : call_table()) {
+    INFO(row.name);
+    CHECK(mentions(run("elgen explain " + std::string(row.name)).output, std::string(row.doc)));
+  }
+  CHECK(run("elgen explain simulat").errors ==
+        "elgen: error[E913]: `simulat` is no code, entry, key, output, function or command\n"
+        "      did you mean `simulate`?\n");
 }
 
 TEST_CASE("an entry is explained with its tables, types of values and choices") {
