@@ -103,7 +103,8 @@ class EquilibriumSearch {
       return {{Code::E530, kink->span, "a force with a kink has no linear part at rest"}};
     }
     if (std::ranges::any_of(rows_, &CoordinateOccurrence::has_time)) {
-      return {{Code::E530, {}, "the equations at rest contain t"}};
+      return {
+          {Code::E530, {}, "the equations at rest contain t", time_removal_hint(model_, rest_)}};
     }
     result_.forms = present(rest_.program);
     leave_out_coordinates();

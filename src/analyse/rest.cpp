@@ -8,7 +8,10 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <string>
 
+#include "analyse/formulas.hpp"
+#include "elgen/closed_forms.hpp"
 #include "elgen/fold.hpp"
 #include "elgen/oracle.hpp"
 #include "elgen/references.hpp"
@@ -243,6 +246,27 @@ Result<std::vector<cln::cl_R>> rest_inputs(const CheckedModel& checked, const St
     values.push_back(*value);
   }
   return values;
+}
+
+std::string time_removal_hint(const Model& model, const RestProgram& rest) {
+  ClosedForms forms = present(rest.program);
+  const std::vector<OptionalFraction>& entries = forms.functions[0].fields[0].entries;
+  std::string options;
+  for (std::uint32_t i = 0; i < model.parameters.size(); ++i) {
+    Replacements zero;
+    zero[{Opcode::parameter, i}].value = Fraction{};
+    bool contains_terms = false;
+    const bool is_timeless = std::ranges::all_of(entries, [&](const OptionalFraction& entry) {
+      const OptionalFraction left = substitute(forms.algebra, entry, zero);
+      LeafSearch times(forms.algebra, [](const Atom& leaf) { return leaf.leaf == Opcode::time; });
+      contains_terms = contains_terms || (left && !left->numerator.empty());
+      return left && !times.contains(*left);
+    });
+    if (!is_timeless || !contains_terms) continue;
+    options +=
+        fmt::format("{}`--fix {}=0`", options.empty() ? "" : " or ", model.parameters[i].name);
+  }
+  return options.empty() ? "" : options + " removes t";
 }
 
 }  // namespace elgen

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "elgen/diagnostic.hpp"
@@ -25,6 +26,10 @@ struct RestProgram {
 /// energy_function, and input_matrix if the model has inputs. E530: an entry has no value at rest.
 [[nodiscard]] Result<RestProgram> rest_program(const Program& motion_program,
                                                const std::vector<cln::cl_R>& inputs);
+
+/// The hint on each parameter whose value 0 removes t from the equations at rest, but not all their
+/// terms: "`--fix F0=0` removes t". "" if there is none.
+[[nodiscard]] std::string time_removal_hint(const Model& model, const RestProgram& rest);
 
 /// The coordinates on which a value depends.
 struct CoordinateOccurrence {

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "base/json.hpp"
+#include "elgen/scene.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/requests.hpp"
@@ -160,7 +161,14 @@ Result<ForeignResults> run_library(const ForeignCalls& calls) {
   const std::size_t answered = std::min(memory.answered[0].load(), count);
   const char* const refusal = &memory.refusal[0];
   if (answered == 0 && end.succeeded() && *refusal != '\0') {
-    return Diagnostic{Code::E716, {}, std::string(refusal, ::strnlen(refusal, most_words))};
+    const std::string& code = calls.function.code;
+    const bool is_script = std::ranges::any_of(language_table, [&code](const LanguageRow& row) {
+      return row.is_interpreted && code.ends_with(fmt::format(".{}", row.ending));
+    });
+    return Diagnostic{Code::E716,
+                      {},
+                      std::string(refusal, ::strnlen(refusal, most_words)),
+                      is_script ? "`--foreign \"python3 mine.py\"` runs a script" : ""};
   }
   ForeignResults answers = collect_answers(memory, slot, answered);
   if (answers.failure.empty() && (answered < count || !end.succeeded())) {
