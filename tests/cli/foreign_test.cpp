@@ -172,6 +172,10 @@ TEST_CASE("code that cannot be called exits with 4") {
   };
   CHECK(compared("./mine.so") == "elgen: error[E716]: `./mine.so` has no function `my_g`\n");
   CHECK(mentions(compared("text.so"), "error[E716]: `text.so` cannot be loaded: "));
+  folder.write("mine.py", script);
+  const std::string of_script = compared("mine.py");
+  CHECK(mentions(of_script, "error[E716]: `mine.py` cannot be loaded: "));
+  CHECK(mentions(of_script, "\n      `--foreign \"python3 mine.py\"` runs a script\n"));
   CHECK(mentions(compared("./none.so"),
                  "`./none.so` is neither a file nor a command that could be run"));
 }
