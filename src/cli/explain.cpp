@@ -210,10 +210,11 @@ ExitCode print_row(const GlobalOptions& global, const Row& row) {
 }
 
 ExitCode print_keys(const GlobalOptions& global, const std::vector<KeyRow>& keys,
-                    const OutputRow* namesake) {
+                    const std::string& header, const OutputRow* namesake) {
   Json list = Json::array();
   for (const KeyRow& key : keys) list.push_back(json_of(key));
-  const std::string text = header + text_of(keys) + (namesake == nullptr ? "" : "\n" + text_of(*namesake));
+  const std::string text =
+      header + text_of(keys) + (namesake == nullptr ? "" : "\n" + text_of(*namesake));
   return print(global, wants_json(global) ? list.dump(2) + "\n" : text);
 }
 
@@ -233,7 +234,7 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
   if (const CallRow* row = find_call(name)) return print_row(global, *row);
   std::vector<KeyRow> named(key_table().begin(), key_table().end());
   std::erase_if(named, [&name](const KeyRow& key) { return key.key != name || name == "*"; });
-  if (!named.empty()) return print_keys(global, named, nullptr);
+  if (!named.empty()) return print_keys(global, named, "", nullptr);
   const auto command = std::ranges::find(explained_commands, name, &ExplainedCommand::name);
   if (command != explained_commands.end()) return print_row(global, *command);
   return report(global,

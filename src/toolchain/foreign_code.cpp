@@ -163,7 +163,7 @@ Result<ForeignResults> run_library(const ForeignCalls& calls) {
   if (answered == 0 && end.succeeded() && *refusal != '\0') {
     const std::string& code = calls.function.code;
     const bool is_script = std::ranges::any_of(language_table, [&code](const LanguageRow& row) {
-      return row.is_interpreted && code.ends_with(fmt::format(".{}", row.ending));
+      return row.is_interpreted && code.ends_with(fmt::format(".{}", row.file_extension));
     });
     return Diagnostic{Code::E716,
                       {},
