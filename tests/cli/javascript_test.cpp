@@ -8,8 +8,6 @@
 namespace elgen::test {
 namespace {
 
-bool has_node() { return is_installed("node", "node --version"); }
-
 /// A folder with scenes that emit JavaScript.
 class JavaScript : public ModuleFolder {
  public:

@@ -46,8 +46,6 @@ class Pages : public Workspace {
   }
 };
 
-inline bool has_node() { return is_installed("node", "node --version"); }
-
 inline std::string shipped(const std::string& name) { return models + "/" + name + ".toml"; }
 
 }  // namespace elgen::test

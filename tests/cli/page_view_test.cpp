@@ -61,7 +61,8 @@ TEST_CASE("player: labels are symbols, links and tooltips keep the names") {
   CHECK(mentions(text, "data-unit=\"kg m²\""));
   CHECK(mentions(text, "<option value=\"0\">θ₁</option>"));
   CHECK(mentions(text, R"({"name":"theta1","symbol":"\u03b8\u2081","unit":"rad",)"));
-  CHECK(mentions(text, R"({"name":"dot(theta1)","symbol":"\u03b8\u0307\u2081","unit":"rad/s",)"));
+  CHECK(mentions(text,
+                 R"json({"name":"dot(theta1)","symbol":"\u03b8\u0307\u2081","unit":"rad/s",)json"));
 }
 
 TEST_CASE("player: a plane motion has its plane, gravity points down, fixed places are known") {

@@ -16,4 +16,6 @@ namespace elgen::test {
 /// True if the command `probe` succeeds. Otherwise prints that the program is not installed.
 [[nodiscard]] bool is_installed(const std::string& program, const std::string& probe);
 
+[[nodiscard]] inline bool has_node() { return is_installed("node", "node --version"); }
+
 }  // namespace elgen::test
