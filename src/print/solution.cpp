@@ -36,26 +36,25 @@ bool is_short(const Formula& left, const Formula& right) {
   return line_count(lay_out_equation(typeset_equation({left, 1, 1, {right}}))) <= most_lines;
 }
 
-/// The equations of some entries of the readable form, as fields of one entry each.
-FunctionEquations equations_of(const Model& model, Program program,
-                               const std::vector<std::uint32_t>& entries) {
-  Function& book = program.readable.front();
+}  // namespace
+
+FunctionEquations equations_of_entries(const Model& model, const Program& program,
+                                       std::size_t index,
+                                       const std::vector<std::uint32_t>& entries) {
+  Function book = program.readable[index];
   book.fields.clear();
   for (const std::uint32_t entry : entries) book.fields.push_back({"", 1, 1, {entry}});
-  book = eliminate_dead_code(std::move(book));
-  program.functions.front() = book;
-  return equations(model, program, 0);
+  book = eliminate_dead_code(book);
+  return equations(model, {program.leaves, program.constants, {book}, {book}}, 0);
 }
 
-bool is_short(const Formula& left, const FunctionEquations& solved) {
+bool is_short_on_paper(const Formula& left, const FunctionEquations& equations) {
   const auto is_short_definition = [](const NamedFormula& definition) {
     return is_short(definition.name, definition.value);
   };
-  return is_short(left, solved.entries.front().front()) &&
-         std::ranges::all_of(solved.definitions, is_short_definition);
+  return is_short(left, equations.entries.front().front()) &&
+         std::ranges::all_of(equations.definitions, is_short_definition);
 }
-
-}  // namespace
 
 PaperSolution solution_on_paper(const Model& model, const Program& forward_dynamics) {
   PaperSolution result;
@@ -66,7 +65,8 @@ PaperSolution solution_on_paper(const Model& model, const Program& forward_dynam
     const Formulas& names = *leaf_list(symbols.leaf_symbols(), leaf);
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (i < entries.size() &&
-          is_short(names[i], equations_of(model, forward_dynamics, {entries[i]}))) {
+          is_short_on_paper(names[i],
+                            equations_of_entries(model, forward_dynamics, 0, {entries[i]}))) {
         shown.push_back(entries[i]);
         result.left.push_back(names[i]);
       } else {
@@ -74,7 +74,7 @@ PaperSolution solution_on_paper(const Model& model, const Program& forward_dynam
       }
     }
   }
-  if (!shown.empty()) result.equations = equations_of(model, forward_dynamics, shown);
+  if (!shown.empty()) result.equations = equations_of_entries(model, forward_dynamics, 0, shown);
   return result;
 }
 

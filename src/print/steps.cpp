@@ -21,8 +21,8 @@ namespace {
 /// Builds sections equation by equation. A section ends with the definitions of its functions.
 class DerivationOutline {
  public:
-  DerivationOutline(const Model& model, const ReadableDerivation& steps)
-      : model_(model), steps_(steps), symbols_(model) {
+  DerivationOutline(const Model& model, const ReadableDerivation& steps, bool is_opening)
+      : model_(model), steps_(steps), symbols_(model), is_opening_(is_opening) {
     for (const std::string& name : steps.masses) {
       Glyphs place = read_latex("<r>");
       add_script(place, 1, symbol_of_name(name));
@@ -248,26 +248,46 @@ class DerivationOutline {
                  field_index(LagrangeStepField::force));
   }
 
+  /// Adds the row of one velocity to the list of all equations; false if the row is too long. If
+  /// another field of the function is too long, the row brings only its own definitions, because
+  /// definitions of several functions may share a name.
+  bool add_row(std::size_t function) {
+    if (!is_read(function, LagrangeStepField::left) ||
+        !is_read(function, LagrangeStepField::force)) {
+      return false;
+    }
+    const std::vector<Field>& fields = steps_.program.readable[function].fields;
+    const auto is_short = [](const Field& field) { return !field.entries.empty(); };
+    if (std::ranges::all_of(fields, is_short)) {
+      add_lagrange_equation(function);
+      return true;
+    }
+    const auto entry = [&fields](LagrangeStepField line) {
+      return fields[field_index(line)].entries.front();
+    };
+    FunctionEquations row =
+        equations_of_entries(model_, steps_.program, function,
+                             {entry(LagrangeStepField::force), entry(LagrangeStepField::left)});
+    const Formula left = row.entries.back().front();
+    if (!is_short_on_paper(left, row)) return false;
+    read_.push_back(std::move(row));
+    add_equation(left, read_.size() - 1, 0);
+    return true;
+  }
+
   /// Adds the equations of all velocities, then the constraints and the solved accelerations.
   void add_equations(std::size_t first, std::size_t constraints) {
     PageSection& section = add_section(prose(std::string(equations_title)), "");
     const std::size_t count = model_.velocities.size();
     std::vector<std::string> long_rows;
     for (std::size_t i = 0; i < count; ++i) {
-      // Without a readable form, definitions of several functions may share a name, so the row is
-      // omitted here: add_velocity_equations() prints the row in a section of its own.
-      if (is_read(first + i, LagrangeStepField::left) &&
-          is_read(first + i, LagrangeStepField::force)) {
-        add_lagrange_equation(first + i);
-      } else {
-        long_rows.push_back(model_.velocities[i].name);
-      }
+      if (!add_row(first + i)) long_rows.push_back(model_.velocities[i].name);
     }
     if (!long_rows.empty()) {
       section.doc = fmt::format(
-          "Omitted rows, too long to read in one piece: {}. Their own sections print them in "
-          "parts.",
-          fmt::join(long_rows, ", "));
+          "Omitted rows, too long to read in one piece: {}. {} in parts.",
+          fmt::join(long_rows, ", "),
+          is_opening_ ? "elgen show --what steps prints each" : "Their own sections print them");
     }
     const bool are_read = has_readable_form(steps_.program, constraints);
     for (std::size_t i = 0; are_read && i < model_.constraints.size(); ++i) {
@@ -340,6 +360,7 @@ class DerivationOutline {
   const Model& model_;
   const ReadableDerivation& steps_;
   ModelSymbols symbols_;
+  bool is_opening_;  ///< true: the equations of motion open a page without the other sections
   std::vector<Glyphs> places_ = {};           ///< symbols of the positions of masses
   std::vector<FunctionEquations> read_ = {};  ///< per function
   std::vector<std::size_t> functions_ = {};   ///< used in the current section
@@ -350,7 +371,7 @@ class DerivationOutline {
 
 std::vector<PageSection> derivation_sections(const Model& model, const ReadableDerivation& steps,
                                              std::string_view title) {
-  std::vector<PageSection> sections = DerivationOutline(model, steps)();
+  std::vector<PageSection> sections = DerivationOutline(model, steps, !title.empty())();
   if (!title.empty()) {
     std::erase_if(sections,
                   [title](const PageSection& section) { return text_of(section.title) != title; });
