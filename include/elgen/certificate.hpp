@@ -96,7 +96,6 @@ struct VerifyOptions {
   /// True: check only 16 random states and all extremes (fewer for long programs), check one
   /// contraction per output instead of all entries, and compile no code.
   bool is_quick = false;
-  bool only_expectations = false;  ///< check only [[expect]]
   std::uint64_t seed = 1;
   std::size_t jobs = 1;  ///< number of processes; the certificate does not depend on it
   /// Closed forms that prove [[expect]], parallel to the functions of the program. If the pointer
@@ -109,6 +108,7 @@ struct VerifyOptions {
   const std::vector<EquilibriumVerdict>* equilibrium_verdicts = nullptr;
   /// Called before each step of the work, with a text: "accuracy in double, state 3 of 36".
   std::function<void(const std::string&)> on_step = {};
+  bool only_expectations = false;  ///< true: check only [[expect]]
 };
 
 /// The result of verify(), which compares oracle, program and compiled code, and checks the

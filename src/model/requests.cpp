@@ -268,8 +268,10 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
                                              const std::vector<std::uint32_t>& independent) {
   std::optional<OutputRequest> request = find_request(model, name);
   if (!request) {
-    const auto named = std::ranges::find_if(output_table(), [&](const OutputRow& row) {
-      return !name.empty() && row.symbol.text == name;
+    // V0 is V at rest, so V means it, too.
+    const std::string symbol(name == "V" ? "V0" : name);
+    const auto named = std::ranges::find_if(output_table(), [&symbol](const OutputRow& row) {
+      return !symbol.empty() && row.symbol.text == symbol;
     });
     report.add(Code::E601, span, "unknown output " + quote_text(name),
                named == output_table().end() ? suggestion(name, available_names(model, independent))

@@ -152,6 +152,12 @@ Glyphs entry_name(const TypesetEquation& equation, std::size_t entry) {
   return symbol;
 }
 
+bool has_letter(const Glyphs& glyphs, const std::string& letter) {
+  if (glyphs.kind == GlyphKind::letter && glyphs.text == letter) return true;
+  return std::ranges::any_of(glyphs.parts,
+                             [&letter](const Glyphs& part) { return has_letter(part, letter); });
+}
+
 bool is_zero_entry(const Glyphs& row) { return row.parts.size() == 1 && row.parts[0].text == "0"; }
 
 bool is_symmetric(const TypesetEquation& equation) {
@@ -277,12 +283,12 @@ std::vector<DisplayedEquation> lay_out_equation(const TypesetEquation& equation,
                                                 const PageMetrics& shape) {
   if (equation.entries.size() == 1) {
     // The symbol of a single number loses its bold type. A definition keeps the bold type of the
-    // vectors in it.
-    const bool is_defined = std::ranges::any_of(equation.left.parts, [](const Glyphs& part) {
-      return part.text == "=" || bracket_depth_change(part) != 0;
+    // vectors in it; a symbol keeps it if the number contains its letter, as in g = m g l.
+    const Glyphs& entry = equation.entries.front();
+    const bool keeps_bold = std::ranges::any_of(equation.left.parts, [&entry](const Glyphs& part) {
+      return part.text == "=" || bracket_depth_change(part) != 0 || has_letter(entry, part.text);
     });
-    return {scalar_display(is_defined ? equation.left : remove_bold(equation.left),
-                           equation.entries.front(), shape)};
+    return {scalar_display(keeps_bold ? equation.left : remove_bold(equation.left), entry, shape)};
   }
   if (fits_as_matrix(equation, shape)) {
     return {{equation.left, equation.columns, equation.entries}};

@@ -1,6 +1,8 @@
 // solution: see solution.hpp.
 #include "print/solution.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -19,10 +21,12 @@ constexpr std::size_t most_lines = 12;
 struct SolvedField {
   std::string_view name;
   Opcode leaf;
+  std::string_view noun;
 };
 
-constexpr std::array solved_fields{SolvedField{"acceleration", Opcode::acceleration},
-                                   SolvedField{"multipliers", Opcode::multiplier}};
+constexpr std::array solved_fields{
+    SolvedField{"acceleration", Opcode::acceleration, "accelerations"},
+    SolvedField{"multipliers", Opcode::multiplier, "multipliers"}};
 
 /// The entries of a field in the readable form; none if there is no such form.
 std::vector<std::uint32_t> readable_entries(const Program& program, std::string_view name) {
@@ -60,9 +64,10 @@ PaperSolution solution_on_paper(const Model& model, const Program& forward_dynam
   PaperSolution result;
   const ModelSymbols symbols(model);
   std::vector<std::uint32_t> shown;
-  for (const auto& [field, leaf] : solved_fields) {
+  for (const auto& [field, leaf, noun] : solved_fields) {
     const std::vector<std::uint32_t> entries = readable_entries(forward_dynamics, field);
     const Formulas& names = *leaf_list(symbols.leaf_symbols(), leaf);
+    std::vector<std::string_view> omitted;
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (i < entries.size() &&
           is_short_on_paper(names[i],
@@ -70,8 +75,12 @@ PaperSolution solution_on_paper(const Model& model, const Program& forward_dynam
         shown.push_back(entries[i]);
         result.left.push_back(names[i]);
       } else {
-        result.omitted.push_back(text_of(names[i]));
+        omitted.push_back(leaf == Opcode::acceleration ? model.velocities[i].name
+                                                       : model.constraints[i].name);
       }
+    }
+    if (!omitted.empty()) {
+      result.omitted.push_back(fmt::format("{} of {}", noun, fmt::join(omitted, ", ")));
     }
   }
   if (!shown.empty()) result.equations = equations_of_entries(model, forward_dynamics, 0, shown);

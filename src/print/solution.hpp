@@ -23,7 +23,8 @@ namespace elgen {
 struct PaperSolution {
   FunctionEquations equations = {};
   Formulas left = {};  ///< the acceleration or multiplier of each field of `equations`
-  std::vector<std::string> omitted = {};  ///< names of the other accelerations and multipliers
+  /// The other entries: "accelerations of x, theta", "multipliers of rod".
+  std::vector<std::string> omitted = {};
 };
 
 [[nodiscard]] PaperSolution solution_on_paper(const Model& model, const Program& forward_dynamics);

@@ -320,7 +320,7 @@ class DerivationOutline {
     std::string& doc = outline_.back().doc;
     doc +=
         fmt::format("{}Too long for this page: {}. elgen show --what forward_dynamics prints them.",
-                    doc.empty() ? "" : " ", fmt::join(solution.omitted, ", "));
+                    doc.empty() ? "" : " ", fmt::join(solution.omitted, "; "));
   }
 
   /// The sentence of Noether's theorem: "L does not contain q, so p_q = `slope` is conserved".

@@ -108,7 +108,7 @@ TEST_CASE("an entry is explained with its tables, types of values and choices") 
                  double (E625).
   storage        one of                   order of matrix entries in arrays ("row-major", "column-major"); default: "row-major"
                  Interpreted languages use their own matrices, so they exclude this key (E611).
-  files          list of                  files that are written ("header", "equations", "page"); default: all
+  files          word, or list of         files that are written ("header", "equations", "page"); default: all
                  "header" is required (E112). "equations" is NAME.equations.json, "page" is NAME.md.
 )text");
   const Outcome unknown = run("elgen explain coordinat");

@@ -34,6 +34,15 @@ TEST_CASE("names become symbols") {
       {"Jz2", "J_{z, 2}"},
       {"xi_xy", "\\xi_{xy}"},
       {"xy", "\\mathrm{xy}"},
+      {"Jm", "J_{m}"},
+      {"kf", "k_{f}"},
+      {"Jm1", "J_{m, 1}"},
+      {"km[2]", "k_{m, 2}"},
+      {"mu", "\\mu"},
+      {"Xi", "\\Xi"},
+      {"mu1", "\\mu_{1}"},
+      {"Jm_arm", "\\mathrm{Jm}_{\\mathrm{arm}}"},
+      {"abc", "\\mathrm{abc}"},
   };
   for (const auto& [name, expected] : rows) {
     INFO(name);
@@ -77,6 +86,15 @@ TEST_CASE("two long names do not get the same symbol") {
                                                         "\\dot{\\mathrm{left}}_{\\mathrm{hip}}'"});
   CHECK(latex_of(symbols.parameters) ==
         std::vector<std::string>{"I_{xx, \\mathrm{hip}}", "I_{xx, \\mathrm{hip}}'"});
+}
+
+TEST_CASE("a pair of letters stays a word beside the name with an underscore") {
+  const CheckedModel checked = checked_model(
+      model_text("pairs",
+                 "[[coordinate]]\nname = \"x\"\n[parameters]\nJm = 1\nJ_m = 2\nkf = 3\n"
+                 "[energy]\nT = \"(Jm + J_m + kf)*dot(x)^2\"\n"));
+  CHECK(latex_of(ModelSymbols(checked.model).leaf_symbols().parameters) ==
+        std::vector<std::string>{"\\mathrm{Jm}", "J_{m}", "k_{f}"});
 }
 
 TEST_CASE("two quantities never share a symbol") {

@@ -175,4 +175,45 @@ TEST_CASE("a derivation names the rows that are too long for its equations of mo
   CHECK_FALSE(mentions(text, " + 0 = 0"));
 }
 
+// Meriam, Kraige, Dynamics: a uniform ladder that slides along a smooth wall and a smooth floor.
+TEST_CASE("steps of a constrained model end with accelerations and multipliers") {
+  const std::string text = steps_of(read_model("ladder"));
+  INFO(text);
+  const std::size_t rows = text.find("\nEquations of motion\n");
+  REQUIRE(rows != std::string::npos);
+  const std::string end = text.substr(rows);
+  CHECK(mentions(end, "\n  dot(dot(theta)) = 3/2*g/L*sin(theta)\n"));
+  CHECK(mentions(end,
+                 "\n  lambda_floor = -1/2*m*L*dot(theta)^2*cos(theta) + 1/4*m*g*(4 - "
+                 "3*sin(theta)^2)\n"));
+  CHECK(mentions(end,
+                 "\n  lambda_wall = -1/2*m*L*dot(theta)^2*sin(theta) + "
+                 "3/4*m*g*sin(theta)*cos(theta)\n"));
+  CHECK_FALSE(mentions(end, "Too long"));
+}
+
+TEST_CASE("steps of three coupled coordinates end with their accelerations, D stands as typed") {
+  const std::string text = steps_of(read_model("crane"));
+  INFO(text);
+  CHECK(mentions(text, "\n  D = 1/2*b*dot(x)^2\n"));
+  CHECK(mentions(text, "\n  dE/dt = v^T (Q - dD/dv)\n"));
+  CHECK(mentions(text, "\n  dot(dot(x)) = -b/M*dot(x) + F/M - S*sin(theta)/M\n"));
+  CHECK(mentions(text, "\n  dot(dot(l)) = "));
+  CHECK(mentions(text, "\n  dot(dot(theta)) = "));
+}
+
+TEST_CASE("steps name the accelerations that are too long, and the command that prints them") {
+  const std::string text = steps_of(model_file("chain"));
+  INFO(text);
+  CHECK(mentions(text, "Too long for this page: accelerations of q[1], q[2], "));
+  CHECK(mentions(text, " elgen show --what forward_dynamics prints them.\n"));
+  CHECK_FALSE(mentions(text, "--what steps"));
+}
+
+TEST_CASE("a short side of a long row keeps its book form") {
+  const std::string text = steps_of(model_file("body_on_springs"));
+  CHECK(mentions(text, "\n  dL/d(dot(x)) = m*dot(x)\n"));
+  CHECK_FALSE(mentions(text, " - 0 = "));
+}
+
 }  // namespace elgen::test

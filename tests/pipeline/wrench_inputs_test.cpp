@@ -198,7 +198,7 @@ TEST_CASE("invalid wrenches are refused") {
              Contains("E112") && Contains("one of `on`, `wrench` and `at`"));
   CHECK_THAT(input("wrench = \"shank\"\nat = \"toe\"\n"), Contains("E112"));
   CHECK_THAT(input("wrench = \"shank\"\nunit = \"N\"\n"),
-             Contains("torques are in N*m and forces in N | omit `unit`"));
+             Contains("torques are in N*m and forces in N\n") && Contains("omit `unit`"));
   CHECK_THAT(input("wrench = \"shank\"\nfor = \"i in 1..2\"\n"),
              Contains("a wrench cannot be repeated"));
   const std::string rod =

@@ -10,7 +10,8 @@ using namespace elgen::test;
 namespace {
 
 Verification quick(const System& system, std::uint64_t seed = 1) {
-  return verify(system.model, system.scene, system.program, {}, {.samples = 4, .is_quick = true, .seed = seed});
+  return verify(system.model, system.scene, system.program, {},
+                {.samples = 4, .is_quick = true, .seed = seed});
 }
 
 bool has_check(const Certificate& certificate, const std::string& check) {

@@ -311,9 +311,11 @@ void check_expectation(ExpectationReport& report, const Expectation& expectation
   const bool incomplete =
       expectation.claims_equations() && is_incomplete(subject.model, expectation);
   std::optional<std::vector<SampledPoint>> points;  // set at the first entry without a proof
+  std::vector<ExpressionId> identities;
   for (std::size_t index = 0; index < expectation.entries.size(); ++index) {
     const ExpectedEntry entry{expectation, index, subject};
     auto row = expectation.claims_equations() ? identity_row(entry, all.states) : std::nullopt;
+    if (row) identities.push_back(entry.expression());
     if (!row) row = proved_row(entry, proofs, incomplete);
     if (row) {
       report.rows.push_back(*std::move(row));
@@ -323,7 +325,7 @@ void check_expectation(ExpectationReport& report, const Expectation& expectation
     compare_entry(report, entry, proofs, {*points, all.one_sided_kinks});
   }
   if (expectation.claims_equations()) {
-    check_rank(report, expectation, subject, all.states);
+    check_rank(report, expectation, identities, subject, all.states);
   }
 }
 

@@ -49,9 +49,11 @@ namespace elgen {
 /// Adds a row for the rank of d(left - right)/da together with the rows of A, at the motions of
 /// some `states`. E540 if the rank is less than the number of velocities, or if another
 /// acceleration also satisfies all equations. For an incomplete set, the row counts the independent
-/// equations; E540 if there are none. Multipliers in the equations are unknowns, too.
+/// equations; E540 if there are none. Multipliers in the equations are unknowns, too. `identities`
+/// are equations with an identity_row(); they do not count.
 void check_rank(ExpectationReport& report, const Expectation& equations,
-                const SystemUnderTest& subject, const std::vector<State>& states);
+                const std::vector<ExpressionId>& identities, const SystemUnderTest& subject,
+                const std::vector<State>& states);
 
 /// Adds a row for each entry of an expectation `at` a state. E510 for each entry without a value,
 /// or with an error larger than the expectation's tolerance times the largest entry of its field.
