@@ -62,8 +62,9 @@ std::optional<CertificateRow> proved_row(const ExpectedEntry& entry, Expectation
   const std::string matched = written ? matching_row(proofs, *written) : "";
   if (matched.empty() && !proofs.is_proved(entry.expectation, entry.index)) return std::nullopt;
   CertificateRow row = unjudged_row(entry);
-  row.worst_value = incomplete ? "follows from the equations of motion" : "equal";
-  if (!matched.empty()) row.worst_value = matched;
+  row.worst_value = !matched.empty() ? matched
+                    : incomplete     ? "follows from the equations of motion"
+                                     : "equal";
   row.evidence = Evidence::proof;
   row.tolerance = entry.expectation.claims_conservation() ? rate_proof_reason
                   : entry.expectation.claims_equations()  ? equation_proof_reason

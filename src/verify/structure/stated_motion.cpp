@@ -167,8 +167,8 @@ std::string second_solution_text(const State& motion) {
   return fmt::format("a = ({}) meets all equations, too", fmt::join(values, ", "));
 }
 
-/// Writes the number of independent equations of an incomplete set into `row`.
-void count_equations(CertificateRow& row, const StatedSystem& system,
+/// Counts the independent equations of an incomplete set. E540 if there are none.
+void count_equations(ExpectationReport& report, CertificateRow& row, const StatedSystem& system,
                      const std::vector<State>& motions) {
   row.verdict = Verdict::skipped;
   row.worst_value = "no state of the motion was found";
@@ -182,7 +182,13 @@ void count_equations(CertificateRow& row, const StatedSystem& system,
   row.formula = "rank of d(left - right)/da and A, minus the rank of A";
   row.stated = StatedEquations{rank - constraints, system.unknowns() - constraints};
   row.worst_value = fmt::format("{} of {} stated", row.stated->stated, row.stated->needed);
-  row.verdict = row.stated->stated > 0 ? Verdict::noted : Verdict::fails;
+  row.verdict = rank > constraints ? Verdict::noted : Verdict::fails;
+  if (rank > constraints) return;
+  report.diagnostics.push_back(
+      {Code::E540, system.equations.span,
+       fmt::format("d(left - right)/da has rank 0{}, so no acceleration is determined",
+                   constraints == 0 ? "" : " beyond the rows of A"),
+       "an identity, such as 0 = 0, holds for any motion"});
 }
 
 }  // namespace
@@ -241,12 +247,7 @@ void check_rank(ExpectationReport& report, const Expectation& equations,
   row.tolerance = "pivots above 1e-50 of the largest entry of their row, in 60 digits";
   const std::size_t n = system.accelerations();
   const bool incomplete = is_incomplete(subject.model, equations);
-  if (incomplete) count_equations(row, system, motions);
-  if (incomplete && row.verdict == Verdict::fails) {
-    report.diagnostics.push_back({Code::E540, equations.span,
-                                  "d(left - right)/da has rank 0, so no acceleration is determined",
-                                  "an identity, such as 0 = 0, holds for any motion"});
-  }
+  if (incomplete) count_equations(report, row, system, motions);
   for (std::size_t i = 0; !incomplete && i < motions.size(); ++i) {
     const std::vector<cl_R> slopes = unknown_slopes(system, motions[i]);
     if (slopes.empty()) continue;
