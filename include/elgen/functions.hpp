@@ -82,7 +82,7 @@ struct CallRow {
 [[nodiscard]] const CallRow* find_call(std::string_view name);
 
 /// The call in the language for a function of other languages: "log(x)" for ln(x), "x^2" for
-/// pow(x, 2); "" for other names. A product or sum among the arguments is in brackets.
+/// pow(x, 2); "" for other names. Arguments that need brackets must have them.
 [[nodiscard]] std::string translate_call(std::string_view name,
                                          const std::vector<std::string>& arguments);
 

@@ -45,7 +45,7 @@ struct SourceSpelling {
   LanguageId language;
   std::string_view element;
   std::uint32_t first_index;
-  UnpackingSpelling unpacking;
+  UnpackingSpelling unpacking = {};
   std::string_view definition;
   std::size_t indent;        ///< number of spaces before a statement
   std::string_view local;    ///< text before the name in the definition of a local variable
@@ -71,7 +71,7 @@ struct SourceSpelling {
   std::string_view array_value;   ///< text before the value of an array parameter {0}
   std::string_view end_of_value;  ///< text after the value of a parameter
   std::string_view typed;         ///< an argument or a field {0} with its type {1}
-  TypeSpelling types;
+  TypeSpelling types = {};
   std::string_view comment;         ///< start of the comment after a parameter: "# "
   std::string_view member_comment;  ///< text before the description of a member
   char quote;                       ///< quotation mark around texts

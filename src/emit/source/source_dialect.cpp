@@ -162,10 +162,6 @@ class SourceDialect final : public Dialect {
   }
 
  private:
-  [[nodiscard]] std::vector<Opcode> argument_kinds_of(const Function& function) const {
-    return arguments_of(model(), function, program(), spelling_.language);
-  }
-
   [[nodiscard]] std::string_view result_type(const Function& function, const Field& field) const {
     if (is_scalar_field(function, field)) return spelling_.types.number;
     return is_matrix(kind_of_field(program(), function, field), field) ? spelling_.types.matrix
@@ -174,7 +170,7 @@ class SourceDialect final : public Dialect {
 
   [[nodiscard]] std::string signature(const Function& function) const {
     Texts typed;
-    const std::vector<Opcode> arguments = argument_kinds_of(function);
+    const auto arguments = arguments_of(model(), function, program(), spelling_.language);
     for (const Opcode argument : arguments) {
       typed.push_back(fill_spelling(spelling_.typed, leaf_row(argument).symbol,
                                     argument_type(spelling_.types, model(), argument)));
@@ -196,7 +192,7 @@ class SourceDialect final : public Dialect {
     if (spelling_.unpacking.block.empty()) return {};
     const std::string margin(2 * spelling_.indent, ' ');
     std::string lines;
-    for (const Opcode argument : argument_kinds_of(function)) {
+    for (const Opcode argument : arguments_of(model(), function, program(), spelling_.language)) {
       if (!is_vector(argument)) continue;
       Texts entries;
       for (std::uint32_t i = 0; i < leaf_count(model(), argument); ++i) {

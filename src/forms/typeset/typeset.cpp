@@ -21,18 +21,6 @@ bool is_short_when_expanded(const Function& function) {
   });
 }
 
-/// Removes the entries that are too long when expanded, and all fields if no entry remains.
-void remove_long_entries(Function& function) {
-  const std::vector<std::size_t> sizes = expanded_sizes(function, longest_textbook_entry);
-  bool has_entry = false;
-  for (Field& field : function.fields) {
-    std::erase_if(field.entries,
-                  [&sizes](std::uint32_t entry) { return sizes[entry] > longest_textbook_entry; });
-    has_entry = has_entry || !field.entries.empty();
-  }
-  if (!has_entry) function.fields.clear();
-}
-
 /// `like` with the fields that `write` adds; without fields if an entry is too long to be read.
 template <class Write>
 Function write_function(const Function& like, const Write& write) {
@@ -153,13 +141,14 @@ class Typesetter {
     TextbookWriter write(model_, algebra_, typed_, program_, result);
     EquationArranger equations(algebra_, write.arranger);
     const auto add_field = [&](const std::string& name, const auto& arrange) {
-      Field field{name, 1, 1, {}};
+      Field& field = result.fields.emplace_back(Field{name, 1, 1, {}});
       try {
-        field.entries = {write(arrange())};
+        const std::uint32_t entry = write(arrange());
+        const std::size_t size = expanded_sizes(result, longest_textbook_entry)[entry];
+        if (size <= longest_textbook_entry) field.entries = {entry};
       } catch (const std::length_error&) {
         // The field keeps the definitions of the derivation.
       }
-      result.fields.push_back(std::move(field));
     };
     for (const ClosedField& field : forms_.functions[index].fields) {
       add_field(field.name, [&] { return equations.arrange_row(summands(field), velocity); });
@@ -169,7 +158,7 @@ class Typesetter {
       if (!row) throw TextbookLengthError();
       return equations.arrange_left_side(*row, velocity);
     });
-    remove_long_entries(result);
+    if (entries_of(result).empty()) result.fields.clear();
     return eliminate_dead_code(result);
   }
 
