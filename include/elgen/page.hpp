@@ -134,8 +134,6 @@ struct ReadableFrames {
 struct ReadableDerivation {
   Program program = {};                  ///< one function per step (elgen/steps.hpp)
   std::vector<std::string> masses = {};  ///< names of the points and bodies of the step `positions`
-  /// Names of points and bodies with a mass that neither `masses` nor `frames` contains.
-  std::vector<std::string> omitted_masses = {};
   ReadableFrames frames = {};
   /// Forward dynamics, whose short entries end the steps; without functions if the system is too
   /// large to be solved on paper. None if the steps solve every equation, if forward dynamics does

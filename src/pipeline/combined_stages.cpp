@@ -104,24 +104,6 @@ std::string name_of(const Model& model, const Entity& origin) {
   return {};
 }
 
-/// Names of points and bodies that have a mass but are not in `shown`, because a scene expands
-/// their energies.
-std::vector<std::string> omitted_masses(const Model& model, const std::vector<Entity>& shown) {
-  std::vector<std::string> names;
-  const auto add = [&](EntityKind kind, std::uint32_t index, const auto& placed) {
-    const bool is_shown = std::ranges::any_of(
-        shown, [&](const Entity& mass) { return mass.kind == kind && mass.index == index; });
-    if (is_shown || !placed.mass) return;
-    const Expression& mass = model.expressions[*placed.mass];
-    const bool is_none = mass.kind == ExpressionKind::number && cln::zerop(mass.number);
-    if (!is_none) names.push_back(placed.name);
-  };
-  for (std::uint32_t i = 0; i < model.points.size(); ++i)
-    add(EntityKind::point, i, model.points[i]);
-  for (std::uint32_t i = 0; i < model.bodies.size(); ++i) add(EntityKind::body, i, model.bodies[i]);
-  return names;
-}
-
 /// The model with the quotients of the file, not the Stumpff functions that replaced these
 /// quotients. None if there are no quotients, or if the file itself contains Stumpff functions,
 /// because pages then print the Stumpff functions.
@@ -201,29 +183,19 @@ Result<ReadableDerivation> make_steps(const Lagrangian& lagrangian, const Checke
   Result<Program> program = read_steps(*derived, typeset_derivation, checked, limits);
   if (!program) return program.diagnostics;
   ReadableDerivation result{.program = std::move(*program)};
-  std::vector<Entity> shown = derived->masses;
-  for (const Entity& mass : shown) result.masses.push_back(name_of(checked.model, mass));
-  for (const RigidBody& body : lagrangian.tree.bodies) shown.push_back(body.origin);
-  result.omitted_masses = omitted_masses(checked.model, shown);
+  for (const Entity& mass : derived->masses) result.masses.push_back(name_of(checked.model, mass));
   return result;
 }
 
 /// Systems of more accelerations and multipliers are not solved on paper.
 constexpr std::size_t largest_solved_system = 8;
 
-/// True if every equation of motion of the steps is solved for an acceleration.
-bool are_rows_solved(const ReadableDerivation& steps) {
-  const std::vector<Field>& rows = steps.program.functions.back().fields;
-  return std::ranges::none_of(rows, [](const Field& row) { return row.entries.empty(); });
-}
-
-/// Forward dynamics as pages print it (see ReadableDerivation::solution).
-Result<Program> solve_on_paper(const Lagrangian& lagrangian, const CheckedModel& checked,
+/// The outputs of `solved`, which is forward dynamics, as pages print it (see
+/// ReadableDerivation::solution).
+Result<Program> solve_on_paper(const Lagrangian& lagrangian, const CheckedModel& solved,
                                const Limits& limits) {
-  const Model& model = checked.model;
+  const Model& model = solved.model;
   if (model.velocities.size() + model.constraints.size() > largest_solved_system) return Program{};
-  CheckedModel solved = checked;
-  solved.scene.outputs = available_requests(model, {OutputKind::forward_dynamics});
   const Result<Program> recursive =
       derive_recursive_program(lagrangian, solved.scene.outputs, limits);
   if (!recursive) return recursive.diagnostics;
@@ -281,11 +253,13 @@ Result<ReadableDerivation> make_readable_derivation(const Lagrangian& lagrangian
   Result<Program> motion = read_steps(frames, typeset, checked, limits);
   if (!motion) return motion.diagnostics;
   result->frames = {std::move(*motion), frames.quantities};
-  const bool is_solvable =
-      !checked.model.approximation &&
-      !available_requests(checked.model, {OutputKind::forward_dynamics}).empty();
-  if (!is_solvable || are_rows_solved(*result)) return result;
-  Result<Program> solution = solve_on_paper(lagrangian, checked, limits);
+  CheckedModel solved = checked;
+  solved.scene.outputs = available_requests(checked.model, {OutputKind::forward_dynamics});
+  const bool is_solvable = !checked.model.approximation && !solved.scene.outputs.empty();
+  const auto is_unsolved = [](const Field& row) { return row.entries.empty(); };
+  if (!is_solvable || std::ranges::none_of(result->program.functions.back().fields, is_unsolved))
+    return result;
+  Result<Program> solution = solve_on_paper(lagrangian, solved, limits);
   if (!solution) return solution.diagnostics;
   result->solution = std::move(*solution);
   return result;

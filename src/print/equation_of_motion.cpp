@@ -301,10 +301,6 @@ Lines variable_lines(const Model& model, const Program& program) {
   return lines;
 }
 
-Formula typed_formula(const Model& model, ExpressionId expression) {
-  return ExpressionPrinter(model)(expression);
-}
-
 Formula constraint_equation(const Model& model) {
   std::string latex = "A <a> = -<gamma>";
   if (std::ranges::any_of(model.constraints, has_gains)) latex += R"( - 2 \zeta \omega <r>)";

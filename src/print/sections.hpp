@@ -23,9 +23,6 @@ struct Heading {
 /// The documentation of an output, from the output table; for a user's output, from the model.
 [[nodiscard]] std::string output_doc(const Model& model, const Function& function);
 
-/// An expression of the model as typed, with its names unexpanded.
-[[nodiscard]] Formula typed_formula(const Model& model, ExpressionId expression);
-
 /// The constraints on accelerations: A a = -gamma, with terms -2 zeta omega r - omega^2 f if the
 /// model has gains.
 [[nodiscard]] Formula constraint_equation(const Model& model);

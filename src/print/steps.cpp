@@ -11,9 +11,7 @@
 #include "elgen/references.hpp"
 #include "elgen/typeset.hpp"
 #include "model/symbols.hpp"
-#include "print/principle.hpp"
 #include "print/sections.hpp"
-#include "print/solution.hpp"
 
 namespace elgen {
 namespace {
@@ -39,10 +37,8 @@ class DerivationOutline {
       outline_.push_back(std::move(section));
     std::size_t function = 0;
     if (!steps_.masses.empty()) {
-      add_motions(
-          function, "Positions",
-          "Positions of the masses as functions of the coordinates." + omitted_positions_text(),
-          false);
+      add_motions(function, "Positions", "Positions of the masses as functions of the coordinates.",
+                  false);
       add_motions(function + 1, "Velocities", "Their time derivatives, by the chain rule.", true);
       function += 2;
     }
@@ -106,8 +102,8 @@ class DerivationOutline {
     if (std::ranges::count(functions_, function) == 0) functions_.push_back(function);
   }
 
-  /// Appends the definitions that the section uses. Several functions may define the same name;
-  /// only the first definition is printed.
+  /// Appends the definitions that the section uses. A definition that several functions share is
+  /// printed once.
   void end_section() {
     std::vector<std::string> known;
     for (const std::size_t function : functions_) {
@@ -127,13 +123,6 @@ class DerivationOutline {
     PageSection& section = add_section(prose("Action"), std::string(action_doc));
     if (!model_.rotations.empty()) section.doc += rotation_variation_note;
     for (const std::string& line : principle_lines(model_)) add_line(line);
-  }
-
-  [[nodiscard]] std::string omitted_positions_text() const {
-    if (steps_.omitted_masses.empty()) return {};
-    return fmt::format(" Omitted, because the energies use {}: {}.",
-                       model_.approximation ? "their expansions" : "the motion of the frames",
-                       fmt::join(steps_.omitted_masses, ", "));
   }
 
   void add_motions(std::size_t function, const char* title, std::string doc, bool are_rates) {
@@ -157,7 +146,12 @@ class DerivationOutline {
         : is_whole ? "The Lagrangian as given."
                    : "Kinetic and potential energy, L = T - V.";
     PageSection& section = add_section(prose(std::string(energies_title)), doc);
-    if (steps_.masses.empty()) section.doc += omitted_positions_text();
+    const bool has_places = !model_.points.empty() || !model_.bodies.empty();
+    if (has_places && (model_.approximation || has_routhian(model_))) {
+      section.doc += fmt::format(
+          " Positions are omitted, because {}.",
+          model_.approximation ? "the energies are expanded" : "Routh's function replaces T and V");
+    }
     const std::string_view names = is_whole ? "L" : "TVL";
     for (std::size_t i = 0; i < names.size(); ++i) {
       add_equation(latex_formula(names.substr(i, 1)), function, i);
@@ -166,14 +160,23 @@ class DerivationOutline {
     end_section();
   }
 
-  /// Adds D as typed.
+  /// Adds D as typed, with the definitions whose names it contains.
   void add_dissipation() {
+    const std::vector<ExpressionId> roots = dissipation_roots(model_);
+    if (roots.empty()) return;
+    FunctionEquations typed;
     Formulas terms;
-    for (const ExpressionId root : dissipation_roots(model_)) {
-      terms.push_back(typed_formula(model_, root));
+    for (const ExpressionId root : roots) terms.push_back(expression_formula(model_, root));
+    typed.entries.push_back({sum_of(std::move(terms))});
+    for (const ExpressionId id : reachable_expressions(model_, roots)) {
+      const Expression& e = model_.expressions[id];
+      if (!refers_to_entry(e, NamedKind::definition) && !refers_to_entry(e, NamedKind::prescribed))
+        continue;
+      typed.definitions.push_back(
+          {expression_formula(model_, id), expression_formula(model_, *value_of_name(model_, e))});
     }
-    if (terms.empty()) return;
-    outline_.back().equations.push_back({latex_formula("D"), 1, 1, {sum_of(std::move(terms))}});
+    read_.push_back(std::move(typed));
+    add_equation(latex_formula("D"), read_.size() - 1, 0);
   }
 
   /// Adds the functions f and phi of all constraints, L + lambda f for constraints on positions,
@@ -312,15 +315,21 @@ class DerivationOutline {
         add_equation(solution.left[i], read_.size() - 1, i);
       }
     } else {
+      // No constraint acts, because rows with multipliers are not solved one by one.
+      if (steps_.solution) solution.omitted.clear();
       for (std::uint32_t i = 0; i < solved.size(); ++i) {
-        if (!solved[i].empty()) add_equation(symbols_.leaf_symbols().a[i], rows, i);
+        if (!solved[i].empty()) {
+          add_equation(symbols_.leaf_symbols().a[i], rows, i);
+        } else if (steps_.solution) {
+          solution.omitted.push_back("acceleration of " + model_.velocities[i].name);
+        }
       }
     }
     if (solution.omitted.empty()) return;
     std::string& doc = outline_.back().doc;
     doc +=
         fmt::format("{}Too long for this page: {}. elgen show --what forward_dynamics prints them.",
-                    doc.empty() ? "" : " ", fmt::join(solution.omitted, "; "));
+                    doc.empty() ? "" : " ", fmt::join(solution.omitted, ", "));
   }
 
   /// The sentence of Noether's theorem: "L does not contain q, so p_q = `slope` is conserved".

@@ -95,7 +95,6 @@ TEST_CASE("dL/dq and d/dt dL/dv are separate steps") {
       {"m*l^2*dot(dot(theta)) + m*g*l*sin(theta)"}};
   CHECK(steps == expected);
   CHECK(products.steps->masses == std::vector<std::string>{"bob"});
-  CHECK(products.steps->omitted_masses.empty());
 }
 
 namespace {
@@ -154,24 +153,25 @@ mass = "M"
   CHECK_FALSE(mentions(text, "r_spindle"));
   CHECK(
       mentions(text, "\n  Positions of the masses as functions of the coordinates.\n  sleeve = "));
-  CHECK_FALSE(mentions(text, "Omitted, because"));
+  CHECK_FALSE(mentions(text, "Positions are omitted"));
 }
 
-TEST_CASE("a derivation names masses that an expansion omits") {
-  const Products products =
-      products_with(&Products::steps,
-                    inputs_of(model_file("cart_pole"),
-                              "[approximate]\norder = 1\nabout = { x = 0, theta = 0 }\n"),
-                    {.goals = {Goal::steps}});
-  CHECK_FALSE(products.steps->omitted_masses.empty());
-  CHECK(mentions(text_of(derivation_sections(products.checked->model, *products.steps)),
-                 "Omitted, because the energies use their expansions: "));
+TEST_CASE("a derivation says why it has no positions") {
+  const auto steps = [](const std::string& model, const std::string& scene) {
+    const Products products = products_with(&Products::steps, inputs_of(model_file(model), scene),
+                                            {.goals = {Goal::steps}});
+    return text_of(derivation_sections(products.checked->model, *products.steps));
+  };
+  CHECK(mentions(steps("cart_pole", "[approximate]\norder = 1\nabout = { x = 0, theta = 0 }\n"),
+                 " L = T - V. Positions are omitted, because the energies are expanded.\n"));
+  CHECK(mentions(steps("kepler_polar", "[routh]\nphi = \"0.6\"\n"),
+                 " Positions are omitted, because Routh's function replaces T and V.\n"));
 }
 
 TEST_CASE("a derivation names the rows that are too long for its equations of motion") {
   const std::string text = steps_of(model_file("body_on_springs"));
   CHECK(mentions(text, "\n  Omitted rows, too long to read in one piece: roll, pitch. "));
-  CHECK_FALSE(mentions(text, "Omitted, because"));
+  CHECK_FALSE(mentions(text, "Positions are omitted"));
   CHECK_FALSE(mentions(text, " + 0 = 0"));
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("steps of three coupled coordinates end with their accelerations, D st
 TEST_CASE("steps name the accelerations that are too long, and the command that prints them") {
   const std::string text = steps_of(model_file("chain"));
   INFO(text);
-  CHECK(mentions(text, "Too long for this page: accelerations of q[1], q[2], "));
+  CHECK(mentions(text, "Too long for this page: acceleration of q[1], acceleration of q[2], "));
   CHECK(mentions(text, " elgen show --what forward_dynamics prints them.\n"));
   CHECK_FALSE(mentions(text, "--what steps"));
 }

@@ -6,7 +6,6 @@
 #include "choose/chosen.hpp"
 #include "elgen/steps.hpp"
 #include "elgen/typeset.hpp"
-#include "print/principle.hpp"
 #include "print/small_page.hpp"
 #include "support/models.hpp"
 #include "support/systems.hpp"
@@ -59,6 +58,24 @@ TEST_CASE("dissipation, forces and explicit time are separate steps") {
   CHECK(mentions(text, "  dD/d(dot(r)) = "));
   CHECK(mentions(text, "L contains t, so E is not conserved\n"));
   CHECK(mentions(text, "  dL/dt at fixed q and v = "));
+}
+
+TEST_CASE("D as typed brings the definitions that it contains") {
+  const Derivation d(model_text("damped", R"toml(
+[[coordinate]]
+name = "x"
+[[coordinate]]
+name = "y"
+[parameters]
+m = 1
+c = 2
+[define]
+w = "dot(x) - dot(y)"
+[energy]
+T = "1/2*m*(dot(x)^2 + dot(y)^2)"
+D = "1/2*c*w^2"
+)toml"));
+  CHECK(mentions(d.text(energies_title), "  D = 1/2*c*w^2\n  where w = dot(x) - dot(y)\n"));
 }
 
 TEST_CASE("the page has one section per step") {
