@@ -2,18 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 namespace elgen {
 
-/// Angular velocity of a frame and velocity of its origin, in the axes of the frame; position,
-/// velocity and kinetic energy of a body.
-enum class FrameQuantityKind : std::uint8_t { spin, origin_velocity, position, velocity, energy };
-
-struct FrameQuantity {
-  FrameQuantityKind kind = {};
-  /// For a position: index in Model::frames of the frame in which it is given; none: the world.
-  std::optional<std::uint32_t> frame = {};
-};
+/// Of a frame, in its axes: angular velocity, and velocity of the origin. Of a centre of mass:
+/// position in the world, or centre in the frame if the position is long; and velocity, in the
+/// world or in the axes of the frame. Of a body: kinetic energy.
+enum class FrameQuantity : std::uint8_t { spin, origin_rate, position, centre, velocity, energy };
 
 }  // namespace elgen

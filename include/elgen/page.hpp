@@ -124,17 +124,12 @@ struct Page {
   std::vector<PageSection> sections = {};
 };
 
-/// The quantities of frames and of the bodies that they carry, for readers.
-struct ReadableFrames {
-  Program program = {};  ///< one function per quantity
-  std::vector<FrameQuantity> quantities = {};
-};
-
 /// The steps of a derivation, for readers.
 struct ReadableDerivation {
   Program program = {};                  ///< one function per step (elgen/steps.hpp)
   std::vector<std::string> masses = {};  ///< names of the points and bodies of the step `positions`
-  ReadableFrames frames = {};
+  Program frames = {};  ///< one function for each of `frame_quantities` (FrameSteps)
+  std::vector<FrameQuantity> frame_quantities = {};
   /// Forward dynamics, whose short entries end the steps; without functions if the system is too
   /// large to be solved on paper. None if the steps solve every equation, if forward dynamics does
   /// not exist, and on pages that print forward dynamics elsewhere.

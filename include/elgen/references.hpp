@@ -36,6 +36,8 @@ enum class EntityKind : std::uint8_t {
 struct Entity {
   EntityKind kind = EntityKind::energy;
   std::uint32_t index = 0;
+
+  bool operator==(const Entity&) const = default;
 };
 
 /// The role of an expression in its entry.

@@ -36,10 +36,10 @@ struct DerivationSteps {
 
 [[nodiscard]] Result<DerivationSteps> derive_textbook_steps(const Lagrangian& lagrangian);
 
-/// The quantities of frames and of the bodies that they carry: one function with one field each,
-/// frames first. In a planar model an angular velocity has one row, and other vectors have two. A
-/// quantity that is long over the leaves of the Lagrangian is written over components of earlier
-/// quantities, which are open values with names such as omega_arm_x.
+/// The quantities of frames and their bodies: one function with one field each, frames first. In a
+/// planar model an angular velocity has one row, and other vectors have two. A zero vector has one
+/// row. A long quantity is written over components of earlier quantities, which are open values
+/// with names such as omega_arm[1].
 struct FrameSteps {
   EquationsOfMotion equations = {};
   std::vector<OutputRequest> requests = {};

@@ -1,8 +1,10 @@
-// derive_frame_steps: the motion of frames and of their bodies, as textbooks list it. T uses the
-// same twists and velocities (tree_kinetic_energy()).
+// derive_frame_steps: the motion of frames and of their bodies, as textbooks list it. A long
+// quantity is written over components of earlier quantities.
 //
 //     short    omega_inner = (beta', alpha' sin beta, alpha' cos beta)
-//     long     T_rotor = 1/2 A omega_rotor_x^2 + 1/2 B omega_rotor_y^2 + 1/2 C omega_rotor_z^2
+//     long     T_rotor = 1/2 A omega_rotor[1]^2 + 1/2 B omega_rotor[2]^2 + 1/2 C omega_rotor[3]^2
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -30,24 +32,12 @@ bool fits(const Definitions& definitions, const ex& value, std::size_t& left) {
   if (place != definitions.places.end() && place->second.is_definition) {
     return fits(definitions, definitions.list[place->second.index].value, left);
   }
-  if (value.nops() == 0) {
-    if (left == 0) return false;
-    --left;
-    return true;
-  }
+  if (value.nops() == 0) return left-- > 0;
   for (std::size_t i = 0; i < value.nops(); ++i) {
     if (!fits(definitions, value.op(i), left)) return false;
   }
   return true;
 }
-
-/// `whole` is over the leaves of the Lagrangian, `parts` over components of earlier quantities.
-template <class Value>
-struct BothForms {
-  Value whole = {};
-  Value parts = {};
-};
-using Forms = BothForms<ExVector3>;
 
 class FrameStepsDerivation {
  public:
@@ -67,148 +57,116 @@ class FrameStepsDerivation {
   }
 
  private:
-  using TransformIndex = std::optional<std::uint32_t>;
-  using TwistForms = BothForms<Twist>;
-
-  [[nodiscard]] TwistForms twist_at(TransformIndex transform) const {
-    return transform ? twists_[*transform] : TwistForms{};
+  [[nodiscard]] Twist twist_at(std::optional<std::uint32_t> transform) const {
+    return transform ? twists_[*transform] : Twist{};
   }
 
   /// Appends to `twists_`. The last transform of a frame adds the quantities of the frame.
   void add_transform(std::uint32_t k) {
     const TreeTransform& transform = tree_.transform(k);
-    auto [whole, parts] = twist_at(transform.parent);
-    whole = child_twist(tree_, k, whole, along_);
-    parts = child_twist(tree_, k, parts, along_);
-    if (ends_frame(k)) {
-      const std::string& name = transform.name;
-      parts.spin = add({FrameQuantityKind::spin}, "omega_" + name, {whole.spin, parts.spin});
-      if (is_short(whole.velocity)) {
-        parts.velocity = whole.velocity;
-      } else {
-        parts.velocity = add({FrameQuantityKind::origin_velocity}, "nu_" + name,
-                             {whole.velocity, parts.velocity});
-      }
+    Twist twist = child_twist(tree_, k, twist_at(transform.parent), along_);
+    const bool is_last = k + 1 == tree_.size() || tree_.transform(k + 1).origin != transform.origin;
+    if (is_last && transform.origin.kind == EntityKind::frame) {
+      twist.spin = add(FrameQuantity::spin, "omega_" + transform.name, twist.spin);
+      if (!is_short(twist.velocity))
+        twist.velocity = add(FrameQuantity::origin_rate, "nu_" + transform.name, twist.velocity);
     }
-    twists_.push_back({whole, parts});
+    twists_.push_back(twist);
   }
 
-  [[nodiscard]] bool ends_frame(std::uint32_t k) const {
-    const Entity& origin = tree_.transform(k).origin;
-    if (origin.kind != EntityKind::frame) return false;
-    if (k + 1 == tree_.size()) return true;
-    const Entity& next = tree_.transform(k + 1).origin;
-    return next.kind != origin.kind || next.index != origin.index;
-  }
-
-  void add_body(const RigidBody& body) {
+  void add_body(RigidBody body) {
     const bool is_point = body.origin.kind == EntityKind::point;
     const std::string& name = is_point ? model_.points[body.origin.index].identifier
                                        : model_.bodies[body.origin.index].identifier;
-    auto [whole, parts] = twist_at(body.transform);
-    RigidBody shown = body;
+    Twist twist = twist_at(body.transform);
+    ex energy = GiNaC::add(body_kinetic_energy(tree_.algebra, body, twist));
     if (has_mass(body)) {
-      const std::optional<ExVector3> rate = add_position(body, name);
-      const Forms velocity{rate ? *rate : com_velocity(body, whole),
-                           rate ? *rate : com_velocity(body, parts)};
-      const ExVector3 leaves = add({FrameQuantityKind::velocity}, "v_" + name, velocity);
-      if (!body.is_about_origin) {
-        shown.com = {0, 0, 0};
-        whole.velocity = velocity.whole;
-        parts.velocity = leaves;
+      const ExVector3 velocity = add_centre(body, name, twist);
+      if (!body.is_about_origin && !is_short({energy, 0, 0})) {
+        body.com = {0, 0, 0};
+        twist.velocity = velocity;
+        energy = GiNaC::add(body_kinetic_energy(tree_.algebra, body, twist));
       }
     }
-    const ex energy = GiNaC::add(body_kinetic_energy(tree_.algebra, shown, whole));
-    const ex of_parts = GiNaC::add(body_kinetic_energy(tree_.algebra, shown, parts));
-    add({FrameQuantityKind::energy}, "T_" + name, {{energy, 0, 0}, {of_parts, 0, 0}});
+    add(FrameQuantity::energy, "T_" + name, {energy, 0, 0});
   }
 
-  /// Adds the position of the centre of mass: in the world if it is short, otherwise in the frame.
-  /// Returns the rate of the position in the world, if a rotation turns the frame.
-  std::optional<ExVector3> add_position(const RigidBody& body, const std::string& name) {
+  /// Adds the position of the centre of mass, and its velocity if it is not 0: in the world if both
+  /// are short, otherwise in the frame. Returns the velocity.
+  ExVector3 add_centre(const RigidBody& body, const std::string& name, const Twist& twist) {
     ExVector3 at = body.com;
-    ExVector3 local = at;
-    FrameQuantity position{FrameQuantityKind::position};
-    bool is_rotated = false;
-    for (TransformIndex k = body.transform; k && (!position.frame || is_short(at));
-         k = tree_.transform(*k).parent) {
-      const TreeTransform& transform = tree_.transform(*k);
-      if (transform.origin.kind == EntityKind::frame && !position.frame) {
-        position.frame = transform.origin.index;
-        local = at;
-      }
-      is_rotated = is_rotated || transform.rotation;
+    std::optional<std::uint32_t> k = body.transform;
+    for (; k && is_short(at); k = tree_.transform(*k).parent) {
       at = tree_.to_parent(*k, at);
-      if (transform.kind != TransformKind::translation) continue;
-      at = tree_.algebra.add(at, transform.vector);
+      const TreeTransform& transform = tree_.transform(*k);
+      if (transform.kind == TransformKind::translation)
+        at = tree_.algebra.add(at, transform.vector);
     }
-    if (is_short(at)) {
-      position.frame.reset();
-      local = at;
+    ExVector3 velocity = tree_.algebra.rate(at, along_);
+    if (!k && is_short(at) && is_short(velocity)) {
+      add(FrameQuantity::position, "r_" + name, at);
+    } else {
+      // A point that moves in its frame is the origin of its own transform.
+      const bool moves =
+          body.transform && tree_.transform(*body.transform).origin.kind == EntityKind::point;
+      add(FrameQuantity::centre, "c_" + name,
+          moves ? tree_.transform(*body.transform).vector : body.com);
+      velocity = tree_.algebra.cross(twist.spin, body.com);
+      velocity = tree_.algebra.add(twist.velocity, velocity);
     }
-    add(position, "r_" + name, {local, local});
-    if (position.frame || !is_rotated) return std::nullopt;
-    return tree_.algebra.rate(local, along_);
+    return is_zero(velocity) ? velocity : add(FrameQuantity::velocity, "v_" + name, velocity);
   }
 
-  [[nodiscard]] ExVector3 com_velocity(const RigidBody& body, const Twist& twist) {
-    const ExVector3 carried = tree_.algebra.cross(twist.spin, body.com);
-    return tree_.algebra.add(twist.velocity, carried);
+  /// `vector` over the leaves of the Lagrangian.
+  [[nodiscard]] ExVector3 write_out(ExVector3 vector) {
+    Substitution replace(derivation_.definitions, values_);
+    for (ex& component : vector) component = replace(component);
+    return vector;
   }
 
-  [[nodiscard]] bool is_short(const ExVector3& vector) const {
-    return std::ranges::all_of(vector, [this](const ex& component) {
+  [[nodiscard]] bool is_short(const ExVector3& vector) {
+    return std::ranges::all_of(write_out(vector), [this](const ex& component) {
       std::size_t left = longest_component;
       return fits(derivation_.definitions, component, left);
     });
   }
 
-  /// Adds the whole form of a quantity, or its parts if the whole form is long. Returns leaves for
-  /// its components.
-  ExVector3 add(const FrameQuantity& quantity, std::string name,
-                const BothForms<ExVector3>& forms) {
+  /// Adds a quantity, written out if it is short. Returns leaves for its components.
+  ExVector3 add(FrameQuantity quantity, std::string name, ExVector3 components) {
     const bool is_planar = has_plane_vectors(model_);
-    const bool is_turn = is_planar && quantity.kind == FrameQuantityKind::spin;
-    const bool is_scalar = is_turn || quantity.kind == FrameQuantityKind::energy;
+    const bool is_turn = is_planar && quantity == FrameQuantity::spin;
+    const bool is_scalar = is_turn || quantity == FrameQuantity::energy;
     const std::uint32_t first = is_turn ? 2U : 0U;
-    const std::uint32_t rows = is_scalar ? 1U : is_planar ? 2U : 3U;
+    const std::uint32_t rows = is_scalar || is_zero(components) ? 1U : is_planar ? 2U : 3U;
     while (has_value_named(model_, name)) name += "_";
-    ExVector3 components = is_short(forms.whole) ? forms.whole : forms.parts;
+    const ExVector3 values = write_out(components);
+    if (is_short(components)) components = values;
     FieldEquations field{"", rows};
-    for (std::uint32_t axis = first; axis < first + rows; ++axis) {
-      ex& component = components[axis];
+    for (std::uint32_t i = first; i < first + rows; ++i) {
+      ex& component = components[i];
       component = field.entries.emplace_back(tree_.algebra.define(component));
-      component = leaf_for(component, is_scalar ? name : name + "_" + "xyz"[axis]);
+      if (GiNaC::is_a<GiNaC::numeric>(component)) continue;
+      const std::string own = is_scalar ? name : fmt::format("{}[{}]", name, i + 1);
+      component = GiNaC::realsymbol(own);
+      add_leaf(derivation_.definitions, component, Opcode::open_value);
+      derivation_.lagrangian.symbols.f.push_back(component);
+      derivation_.lagrangian.leaves.f.push_back(own);
+      values_.emplace(component, values[i]);
     }
-    OutputRequest request;
-    request.kind = OutputKind::user_value;
-    request.user = static_cast<std::uint32_t>(steps_.requests.size());
-    request.name = name;
+    const auto user = static_cast<std::uint32_t>(steps_.requests.size());
+    const OutputRequest request{.kind = OutputKind::user_value, .user = user, .name = name};
     steps_.requests.push_back(request);
     steps_.equations.outputs.push_back({request, {std::move(field)}});
     steps_.quantities.push_back(quantity);
     return components;
   }
 
-  /// A leaf in place of `value`. Numbers and leaves stand for themselves.
-  [[nodiscard]] ex leaf_for(const ex& value, const std::string& name) {
-    Definitions& definitions = derivation_.definitions;
-    const auto is_definition = [&](const ex& symbol) {
-      return definitions.places.at(symbol).is_definition;
-    };
-    if (std::ranges::none_of(symbols_of(definitions, value), is_definition)) return value;
-    const ex leaf = GiNaC::realsymbol(name);
-    add_leaf(definitions, leaf, Opcode::open_value);
-    derivation_.lagrangian.symbols.f.push_back(leaf);
-    derivation_.lagrangian.leaves.f.push_back(name);
-    return leaf;
-  }
-
   Derivation derivation_;
   const Model& model_;
   KinematicTree& tree_;
   Tangent& along_;
-  std::vector<TwistForms> twists_ = {};  ///< by transform
+  std::vector<Twist> twists_ = {};  ///< by transform
+  Seeds values_ = {};  ///< leaf of a component -> value over the leaves of the Lagrangian
   FrameSteps steps_ = {};
 };
 

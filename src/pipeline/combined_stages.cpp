@@ -252,7 +252,8 @@ Result<ReadableDerivation> make_readable_derivation(const Lagrangian& lagrangian
   const FrameSteps frames = derive_frame_steps(lagrangian, checked.model);
   Result<Program> motion = read_steps(frames, typeset, checked, limits);
   if (!motion) return motion.diagnostics;
-  result->frames = {std::move(*motion), frames.quantities};
+  result->frames = std::move(*motion);
+  result->frame_quantities = frames.quantities;
   CheckedModel solved = checked;
   solved.scene.outputs = available_requests(checked.model, {OutputKind::forward_dynamics});
   const bool is_solvable = !checked.model.approximation && !solved.scene.outputs.empty();

@@ -1,6 +1,7 @@
-// named_parts: the recursions of src/derive/tree/ in textbook form: motions from the world
-// outwards, forces and composite inertias back to the world. Featherstone, Rigid Body Dynamics
-// Algorithms (2008), chapters 5 and 6. For each frame, let V be its twist, S the part of V that the
+// named_parts: sections on frames: the quantities of each frame and body (FrameSteps), and the
+// recursions of src/derive/tree/ in textbook form: motions from the world outwards, forces and
+// composite inertias back to the world. Featherstone, Rigid Body Dynamics Algorithms (2008),
+// chapters 5 and 6. In a recursion, for each frame, let V be its twist, S the part of V that the
 // frame's own motion adds, and G the inertia of all bodies that the frame carries. This gives M:
 //
 //     2 T = sum V.G V - (V - S).G (V - S)
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "elgen/references.hpp"
 #include "model/symbols.hpp"
@@ -71,27 +73,22 @@ class FrameFormulas {
   explicit FrameFormulas(const Model& model)
       : model_(model), symbols_(ModelSymbols(model).leaf_symbols()) {}
 
-  [[nodiscard]] PageTable frames_table() const {
-    PageTable table{{latex_formula("i"), {}, latex_formula("p"), latex_formula("H_{i}")}};
-    for (const Frame& frame : model_.frames) {
-      const std::size_t number = table.cells.size() / table.heads.size() + 1;
-      const std::uint32_t carrier = frame.parent ? *frame.parent + 1 : 0;
-      table.cells.insert(table.cells.end(), {number_formula(number),
-                                             symbol_formula(frame.name, symbol_of_name(frame.name)),
-                                             number_formula(carrier), pose_formula(frame)});
-    }
-    return table;
-  }
-
-  [[nodiscard]] PageTable placement_table() const {
-    PageTable table{{prose("frame"), prose("parent"), latex_formula("H")}};
-    const auto symbol = [](const std::string& name) {
-      return symbol_formula(name, symbol_of_name(name));
+  /// The frames, their parents and poses. For a recursion, frames have numbers; the world has 0.
+  [[nodiscard]] PageTable frames_table(bool has_numbers) const {
+    const auto symbol = [](const Frame& frame) {
+      return symbol_formula(frame.name, symbol_of_name(frame.name));
     };
-    for (const Frame& frame : model_.frames) {
-      Formula parent = frame.parent ? symbol(model_.frames[*frame.parent].name) : prose("world");
-      table.cells.insert(table.cells.end(),
-                         {symbol(frame.name), std::move(parent), pose_formula(frame)});
+    PageTable table{{prose("frame"), prose("parent"), latex_formula("H")}};
+    if (has_numbers)
+      table.heads = {latex_formula("i"), {}, latex_formula("p"), latex_formula("H_{i}")};
+    for (std::uint32_t i = 0; i < model_.frames.size(); ++i) {
+      const Frame& frame = model_.frames[i];
+      if (has_numbers) table.cells.push_back(number_formula(i + 1));
+      table.cells.push_back(symbol(frame));
+      table.cells.push_back(has_numbers    ? number_formula(frame.parent ? *frame.parent + 1 : 0U)
+                            : frame.parent ? symbol(model_.frames[*frame.parent])
+                                           : prose("world"));
+      table.cells.push_back(pose_formula(frame));
     }
     return table;
   }
@@ -241,6 +238,26 @@ std::vector<PageEquation> mass_and_force_equations(const Model& model, const Fra
   return result;
 }
 
+/// Appends `section` with the quantities from kind `from` to kind `to`. A quantity with definitions
+/// ends its section, because definitions of other quantities may have the same names. The next
+/// section has no title.
+void append_quantities(const Model& model, const ReadableDerivation& steps, FrameQuantity from,
+                       FrameQuantity to, PageSection section, std::vector<PageSection>& sections) {
+  ModelSymbols symbols(model);
+  for (std::size_t i = 0; i < steps.frame_quantities.size(); ++i) {
+    if (steps.frame_quantities[i] < from || steps.frame_quantities[i] > to) continue;
+    const std::string& name = steps.frames.functions[i].name;
+    const FunctionEquations read = equations(model, steps.frames, i);
+    const Formulas& entries = read.entries.front();
+    section.equations.push_back({symbol_formula(name, symbols.make_distinct(symbol_of_name(name))),
+                                 static_cast<std::uint32_t>(entries.size()), 1, entries});
+    for (const auto& [symbol, value] : read.definitions)
+      section.equations.push_back({symbol, 1, 1, {value}, true});
+    if (!read.definitions.empty()) sections.push_back(std::exchange(section, {}));
+  }
+  if (!section.equations.empty()) sections.push_back(std::move(section));
+}
+
 }  // namespace
 
 bool has_frame_recursion(const Model& model) {
@@ -251,7 +268,34 @@ bool has_frame_recursion(const Model& model) {
          !model.approximation;
 }
 
-PageTable placement_table(const Model& model) { return FrameFormulas(model).placement_table(); }
+std::vector<PageSection> frame_sections(const Model& model, const ReadableDerivation& steps) {
+  if (model.frames.empty()) return {};
+  std::vector<PageSection> sections{PageSection{
+      .title = prose("Frames"),
+      .doc = "Pose H of each frame in its parent: translations and rotations, in order.",
+      .table = FrameFormulas(model).frames_table(false)}};
+  using enum FrameQuantity;
+  const auto has = [&steps](FrameQuantity kind) {
+    return std::ranges::count(steps.frame_quantities, kind) > 0;
+  };
+  PageSection spins{.title = prose("Angular velocities"),
+                    .doc = "omega: angular velocity of a frame, in its axes."};
+  if (has(origin_rate)) spins.doc += " nu: velocity of its origin, in its axes.";
+  append_quantities(model, steps, spin, origin_rate, std::move(spins), sections);
+  PageSection centres{.title = prose("Centres of mass"),
+                      .doc = "r: position in the world. v: its rate, if it is not 0."};
+  if (has(centre))
+    centres.doc +=
+        " If these are too long: position c in the frame, and v in the axes of the frame.";
+  append_quantities(model, steps, position, velocity, std::move(centres), sections);
+  append_quantities(
+      model, steps, energy, energy,
+      {.title = prose("Kinetic energies"),
+       .doc = "T of each body; I is the inertia about the centre of mass.",
+       .lines = {latex_formula(R"(T = \frac{1}{2} m v^{2} + \frac{1}{2} \omega^{\top} I \omega)")}},
+      sections);
+  return sections;
+}
 
 std::vector<PageSection> recursion_sections(const Model& model) {
   const FrameFormulas writer(model);
@@ -262,7 +306,7 @@ std::vector<PageSection> recursion_sections(const Model& model) {
       "them in full.";
   PageSection frames{.doc =
                          "Frame i in its parent frame p (0: the world): pose H, axes R, origin o."};
-  frames.table = writer.frames_table();
+  frames.table = writer.frames_table(true);
   PageSection bodies{
       .doc = "Body b in the axes of frame i: mass, centre, inertia (xx, yy, zz; xy, xz, yz)."};
   bodies.table = writer.bodies_table();

@@ -39,10 +39,7 @@ struct Heading {
 /// The sections on frames and their bodies: a table of the frames, angular velocities, then the
 /// centre of mass and the kinetic energy of each body. Empty if the model has no frames.
 [[nodiscard]] std::vector<PageSection> frame_sections(const Model& model,
-                                                      const ReadableFrames& frames);
-
-/// The parent of each frame, and its pose in the parent.
-[[nodiscard]] PageTable placement_table(const Model& model);
+                                                      const ReadableDerivation& steps);
 
 /// True if all kinetic energy belongs to bodies and points in frames and to armatures, so that a
 /// recursion over the frames gives M and the forces.

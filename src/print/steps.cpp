@@ -33,7 +33,7 @@ class DerivationOutline {
 
   std::vector<PageSection> operator()() {
     add_action();
-    for (PageSection& section : frame_sections(model_, steps_.frames))
+    for (PageSection& section : frame_sections(model_, steps_))
       outline_.push_back(std::move(section));
     std::size_t function = 0;
     if (!steps_.masses.empty()) {

@@ -27,7 +27,7 @@ class ListedValues {
       const RealVector& entries = output.fields[0].entries;
       entries_[output.request.name] = entries;
       for (std::size_t i = 0; i < entries.size(); ++i) {
-        const std::string axis = entries.size() == 1 ? "" : std::string("_") + "xyz"[i];
+        const std::string axis = entries.size() == 1 ? "" : "[" + std::to_string(i + 1) + "]";
         for (std::size_t k = 0; k < leaves_.f.size(); ++k) {
           if (steps.equations.leaves.f[k] != output.request.name + axis) continue;
           components_[leaves_.f[k]] = entries[i];
@@ -88,7 +88,7 @@ const Vector3& position_of(const Model& model, const std::string& identifier) {
 }
 
 /// Compares a position in the world or a speed with the oracle.
-void expect_motion(const Model& model, const State& state, FrameQuantityKind kind,
+void expect_motion(const Model& model, const State& state, FrameQuantity kind,
                    const std::string& name, const Reals& listed) {
   INFO(name);
   const Vector3& position = position_of(model, name.substr(name.find('_') + 1));
@@ -98,10 +98,8 @@ void expect_motion(const Model& model, const State& state, FrameQuantityKind kin
     places.push_back(*oracle_expression_value(model, position[i], state));
     rates.push_back(*oracle_expression_rate(model, position[i], state));
   }
-  if (kind == FrameQuantityKind::position) CHECK(nearly_equal(listed, places));
-  if (kind == FrameQuantityKind::velocity) {
-    CHECK(nearly_equal({square(listed)}, {square(rates)}));
-  }
+  if (kind == FrameQuantity::position) CHECK(nearly_equal(listed, places));
+  if (kind == FrameQuantity::velocity) CHECK(nearly_equal({square(listed)}, {square(rates)}));
 }
 
 }  // namespace
@@ -120,18 +118,17 @@ TEST_CASE("positions, speeds and energies of bodies in frames agree with the ora
     ListedValues values(steps, state);
     cln::cl_R kinetic = 0;
     for (std::size_t i = 0; i < steps.quantities.size(); ++i) {
-      const auto& [kind, frame] = steps.quantities[i];
+      const FrameQuantity kind = steps.quantities[i];
       const OutputEquations& output = steps.equations.outputs[i];
       const Reals listed = values(output.request.name);
       for (const GiNaC::ex& entry : output.fields[0].entries) {
         const LeafSet leaves = dependence(steps.equations.definitions, entry);
         if (leaves.has_any(Opcode::open_value)) ++over_components;
       }
-      const bool is_of_body =
-          kind == FrameQuantityKind::position || kind == FrameQuantityKind::velocity;
-      if (is_of_body && !frame) expect_motion(model, state, kind, output.request.name, listed);
-      if (kind == FrameQuantityKind::position && !frame) ++in_world;
-      if (kind == FrameQuantityKind::energy) kinetic = kinetic + listed[0];
+      const bool is_motion = kind == FrameQuantity::position || kind == FrameQuantity::velocity;
+      if (is_motion) expect_motion(model, state, kind, output.request.name, listed);
+      if (kind == FrameQuantity::position) ++in_world;
+      if (kind == FrameQuantity::energy) kinetic = kinetic + listed[0];
     }
     if (!system.lagrangian.masses.empty() || !system.lagrangian.kinetic.empty()) continue;
     const OracleValues expected = oracle_values(model, {.kind = OutputKind::kinetic_energy}, state);
