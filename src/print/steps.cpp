@@ -235,7 +235,8 @@ class DerivationOutline {
       add_script(force, 1, glyphs);
       Glyphs held = latex_glyphs(model_, "(A^{\\top} <lambda>)");
       add_script(held, 1, glyphs);
-      Formulas terms = {symbol_formula("Q_" + q, std::move(force))};
+      Formulas terms;
+      if (has_applied_force(model_)) terms.push_back(symbol_formula("Q_" + q, std::move(force)));
       if (has_constraint_force)
         terms.push_back(symbol_formula("(A^T lambda)_" + q, std::move(held)));
       add_equation(sum_of(std::move(terms)), function, field_index(LagrangeStepField::force));
@@ -315,12 +316,12 @@ class DerivationOutline {
         add_equation(solution.left[i], read_.size() - 1, i);
       }
     } else {
-      // No constraint acts, because rows with multipliers are not solved one by one.
-      if (steps_.solution) solution.omitted.clear();
+      const bool lists_rows = steps_.solution && solved_rows > 0;
+      if (lists_rows) solution.omitted.clear();
       for (std::uint32_t i = 0; i < solved.size(); ++i) {
         if (!solved[i].empty()) {
           add_equation(symbols_.leaf_symbols().a[i], rows, i);
-        } else if (steps_.solution) {
+        } else if (lists_rows) {
           solution.omitted.push_back("acceleration of " + model_.velocities[i].name);
         }
       }

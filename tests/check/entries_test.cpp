@@ -321,7 +321,8 @@ TEST_CASE("energies are in joule, dissipation in watt, and neither depends on an
        "E315 12:6 `abs(k*x^2)` is a function with a kink, but V takes none | a smooth "
        "approximation is tanh(x/width)\n"},
       {"V = \"e*x\"\n[define]\ne = \"u\"\n[[input]]\nname = \"u\"\nunit = \"N\"\n",
-       "E319 12:6 `e` contains an input, but V takes none\n"},
+       "E319 12:6 `e` contains an input, but V takes none | an input acts by its key `on`, or in a "
+       "`[[force]]`\n"},
   };
   check_rows(rows, [&](const std::string& entries) { return messages(block(entries)); });
 }

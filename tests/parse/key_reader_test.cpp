@@ -220,7 +220,7 @@ TEST_CASE("fixed is `all`, a list of names or a table", "[parse]") {
 
 TEST_CASE("a parameter of a scene is fixed by `fixed`, as the hint says", "[parse]") {
   const auto hint = [](const std::string& keys) {
-    return first_error(scene("[parameters]\n" + keys)).hint;
+    return first_scene_error(scene("[parameters]\n" + keys)).hint;
   };
   CHECK(hint("g = 0\n") == "write `fixed = { g = 0 }`");
   CHECK(hint("l = \"1/2\"\n") == "write `fixed = { l = \"1/2\" }`");
@@ -244,7 +244,7 @@ TEST_CASE("a value is read as the table that it stands for", "[parse]") {
   CHECK(model_answer(model("start = true")) == "E104 5:9");
   CHECK(model_answer(model("start = \"45 deg\"")) == "E303 5:13");
   CHECK(scene_answer(scene("[outputs]\nstep = 3\n")) == "E104 5:8");
-  CHECK(first_error(scene("[outputs]\nstep = 3\n")).message ==
+  CHECK(first_scene_error(scene("[outputs]\nstep = 3\n")).message ==
         "number `3` where `true`, a string or a table is expected");
   CHECK(scene_answer(scene("[outputs]\nbias = \"shut\"\n")) == "E104 5:9");
   CHECK(scene_answer("format = 1\nmodel = \"m.toml\"\nname = \"s\"\noutputs = [1]\n") ==

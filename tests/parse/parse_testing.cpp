@@ -53,6 +53,11 @@ Diagnostic first_error(std::string_view model_text) {
   return without_source(parse_model(source, {}).diagnostics);
 }
 
+Diagnostic first_scene_error(std::string_view scene_text) {
+  const SourcePointer source = make_source("test", std::string(scene_text));
+  return without_source(parse_scene(source, {}).diagnostics);
+}
+
 Diagnostic expression_error(std::string_view text) {
   const SourcePointer source = make_source("test", std::string(text));
   return without_source(parse_expression(source, {}).diagnostics);

@@ -21,6 +21,7 @@ namespace elgen::test {
 
 /// The first diagnostic of a model file; there must be one.
 [[nodiscard]] Diagnostic first_error(std::string_view model_text);
+[[nodiscard]] Diagnostic first_scene_error(std::string_view scene_text);
 
 /// The first diagnostic of an expression; there must be one.
 [[nodiscard]] Diagnostic expression_error(std::string_view text);

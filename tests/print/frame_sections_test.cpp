@@ -122,7 +122,7 @@ TEST_CASE("a gyroscope in two gimbals is printed as in a book") {
                  "\n  T_inner = 1/2*(B2*sin(beta)^2 + C2*cos(beta)^2)*dot(alpha)^2 + "
                  "1/2*A2*dot(beta)^2\n"));
   CHECK(mentions(energies,
-                 "\n  T_rotor = 1/2*(C*sin(beta)^2 + A*cos(beta)^2)*dot(alpha)^2 + "
+                 "\n  T_rotor = 1/2*(A*cos(beta)^2 + C*sin(beta)^2)*dot(alpha)^2 + "
                  "1/2*A*dot(beta)^2 + 1/2*C*dot(gamma)^2 + C*dot(alpha)*dot(gamma)*sin(beta)\n"));
   CHECK_FALSE(mentions(text, "Omitted"));
 }
