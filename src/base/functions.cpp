@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace elgen {
 namespace laws {
@@ -103,23 +104,13 @@ constexpr std::array expanded_calls{
 #undef ELGEN_COMPOSITE
 };
 
-struct ForeignCallRow {
-  std::string_view name;
-  std::size_t arity;
-  std::string_view pattern;
-};
-
-constexpr auto foreign_calls = std::to_array<ForeignCallRow>({{"ln", 1, "log({})"},
-                                                              {"log10", 1, "log({})/log(10)"},
-                                                              {"arcsin", 1, "asin({})"},
-                                                              {"arccos", 1, "acos({})"},
-                                                              {"arctan", 1, "atan({})"},
-                                                              {"arctan2", 2, "atan2({}, {})"},
-                                                              {"cot", 1, "1/tan({})"},
-                                                              {"sgn", 1, "sign({})"},
-                                                              {"fabs", 1, "abs({})"},
-                                                              {"pow", 2, "{}^{}"},
-                                                              {"ddot", 1, "dot(dot({}))"}});
+/// Calls for functions of other languages that no near name hints at: `cot` is near `cos`.
+constexpr auto foreign_calls =
+    std::to_array<std::pair<std::string_view, std::string_view>>({{"ln", "log({})"},
+                                                                  {"cot", "1/tan({})"},
+                                                                  {"sgn", "sign({})"},
+                                                                  {"pow", "{}^{}"},
+                                                                  {"ddot", "dot(dot({}))"}});
 
 }  // namespace
 
@@ -140,9 +131,12 @@ const CallRow* find_call(std::string_view name) {
 }
 
 std::string translate_call(std::string_view name, const std::vector<std::string>& arguments) {
-  const auto* const row = std::ranges::find(foreign_calls, name, &ForeignCallRow::name);
-  if (row == foreign_calls.end() || row->arity != arguments.size()) return {};
-  return fmt::format(fmt::runtime(row->pattern), arguments.front(), arguments.back());
+  for (const auto& [function, pattern] : foreign_calls) {
+    const auto arity = static_cast<std::size_t>(std::ranges::count(pattern, '{'));
+    if (function == name && arity == arguments.size())
+      return fmt::format(fmt::runtime(pattern), arguments.front(), arguments.back());
+  }
+  return {};
 }
 
 bool is_reserved_function(std::string_view name) {

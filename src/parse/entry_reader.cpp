@@ -16,19 +16,10 @@ namespace {
 /// The prefix of a scene's entries in the entry table and the key table: "scene.outputs".
 constexpr std::string_view scene_prefix = "scene.";
 
-std::string header_text(std::string_view name, bool repeated) {
-  return repeated ? fmt::format("`[[{}]]`", name) : fmt::format("`[{}]`", name);
-}
-
-bool is_array_of_tables(const TomlValue& value) {
-  const auto is_table = [](const TomlValue& item) { return item.kind == TomlKind::table; };
+bool is_list_of(TomlKind kind, const TomlValue& value) {
+  const auto has_kind = [kind](const TomlValue& item) { return item.kind == kind; };
   return value.kind == TomlKind::array && !value.items.empty() &&
-         std::ranges::all_of(value.items, is_table);
-}
-
-bool is_list_of_texts(const TomlValue& value) {
-  const auto is_text = [](const TomlValue& item) { return item.kind == TomlKind::string; };
-  return value.kind == TomlKind::array && std::ranges::all_of(value.items, is_text);
+         std::ranges::all_of(value.items, has_kind);
 }
 
 /// The table with `key = true` for each key of the list.
@@ -44,7 +35,7 @@ TomlValue table_of_keys(const TomlValue& list) {
 
 /// The header of a table, or of the first table of an array.
 const Span& header_span(const TomlValue& value) {
-  return is_array_of_tables(value) ? value.items.front().span : value.span;
+  return is_list_of(TomlKind::table, value) ? value.items.front().span : value.span;
 }
 
 class EntryReader {
@@ -57,7 +48,7 @@ class EntryReader {
     for (const TomlEntry& entry : root.entries) {
       if (const EntryRow* row = find(entry.key)) {
         read_known_entry(*row, entry);
-      } else if (is_unknown_table(entry)) {
+      } else if (has_tables(entry.value)) {
         report_unknown_entry(entry);
       } else {
         keys.push_back(entry);
@@ -79,22 +70,22 @@ class EntryReader {
     return row == rows_.end() ? nullptr : &*row;
   }
 
-  /// True if `entry`, which has no row, has a table as its value. No top-level key has a table as
-  /// its value, so `entry` is an unknown table, not an unknown key.
-  [[nodiscard]] bool is_unknown_table(const TomlEntry& entry) const {
-    return entry.value.kind == TomlKind::table || is_array_of_tables(entry.value);
+  /// True if `value` is a table or an array of tables. No top-level key has such a value, so an
+  /// entry that has it but no row is an unknown table, not an unknown key.
+  [[nodiscard]] static bool has_tables(const TomlValue& value) {
+    return value.kind == TomlKind::table || is_list_of(TomlKind::table, value);
   }
 
   void read_known_entry(const EntryRow& row, const TomlEntry& entry) {
     const TomlValue& value = entry.value;
     if (!row.supported) {
       reading_.report(Code::E108, header_span(value),
-                      header_text(row.entry, row.repeated) + " is not yet supported");
-    } else if (row.repeated && is_array_of_tables(value)) {
+                      quote_text(header_text(row)) + " is not yet supported");
+    } else if (row.repeated && is_list_of(TomlKind::table, value)) {
       for (const TomlValue& table : value.items) append_entry(row, table);
     } else if (!row.repeated && value.kind == TomlKind::table) {
       append_entry(row, value);
-    } else if (row.may_be_list && is_list_of_texts(value)) {
+    } else if (row.may_be_list && is_list_of(TomlKind::string, value)) {
       append_entry(row, table_of_keys(value));
     } else {
       report_wrong_kind(row, entry);
@@ -102,14 +93,15 @@ class EntryReader {
   }
 
   void report_wrong_kind(const EntryRow& row, const TomlEntry& entry) {
-    const bool is_table = entry.value.kind == TomlKind::table;
-    if (!is_table && !is_array_of_tables(entry.value)) {
+    if (!has_tables(entry.value)) {
       report_wrong_type(entry.value, row.repeated ? "an array of tables" : "a table", reading_);
       return;
     }
+    EntryRow typed = row;
+    typed.repeated = !row.repeated;
     reading_.report(Code::E107, header_span(entry.value),
-                    header_text(row.entry, !is_table) + " is the wrong kind of table",
-                    "write " + header_text(row.entry, row.repeated));
+                    quote_text(header_text(typed)) + " is the wrong kind of table",
+                    "write " + quote_text(header_text(row)));
   }
 
   void report_unknown_entry(const TomlEntry& entry) {
@@ -117,11 +109,10 @@ class EntryReader {
     for (const EntryRow& row : rows_) {
       if (row.supported) candidates.emplace_back(row.entry);
     }
-    const std::string near = nearest_word(entry.key, candidates);
-    const EntryRow* row = find(near);
+    const EntryRow* row = find(nearest_word(entry.key, candidates));
     std::string hint = foreign_word_hint("", entry.key);
     if (hint.empty() && row != nullptr)
-      hint = fmt::format("did you mean {}?", header_text(near, row->repeated));
+      hint = fmt::format("did you mean {}?", quote_text(header_text(*row)));
     reading_.report(Code::E106, header_span(entry.value), "unknown entry " + quote_text(entry.key),
                     std::move(hint));
   }
@@ -130,13 +121,13 @@ class EntryReader {
     for (const EntryRow& row : rows_) {
       if (!row.required || find_entry(root.entries, row.entry) != nullptr) continue;
       reading_.report(Code::E105, {root.span.source, 0, 0},
-                      "no " + header_text(row.entry, row.repeated) + " in the file");
+                      "no " + quote_text(header_text(row)) + " in the file");
     }
   }
 
   void append_entry(const EntryRow& row, const TomlValue& table) {
-    const TableContext context{qualified_entry_name(kind_, row),
-                               header_text(row.entry, row.repeated), table.span};
+    const TableContext context{qualified_entry_name(kind_, row), quote_text(header_text(row)),
+                               table.span};
     entries_.push_back(
         {std::string(row.entry), table.span, read_keys(table.entries, context, reading_)});
   }

@@ -16,6 +16,7 @@
 #include <deque>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "elgen/functions.hpp"
 #include "elgen/units.hpp"
 #include "elgen/wording.hpp"
@@ -28,13 +29,37 @@ namespace {
 
 Span join(const Span& first, const Span& last) { return {first.source, first.begin, last.end}; }
 
-bool is_unit(std::string_view name) {
-  return find_unit(name) || find_unit_multiple(name) != nullptr;
-}
-
-bool contains_only_units(const ExpressionSyntax& tree) {
-  if (tree.kind == SyntaxKind::name) return tree.operands.empty() && is_unit(tree.text);
-  return tree.kind != SyntaxKind::call && std::ranges::all_of(tree.operands, contains_only_units);
+/// The hint on `9.81 m/s^2`: `tokens` is at the `m`, behind `before`. "" unless `before` is a
+/// number and only a unit follows.
+std::string quantity_hint(Lexer tokens, const ExpressionSyntax& before) {
+  const bool is_negated = before.kind == SyntaxKind::negate;
+  const ExpressionSyntax& number = is_negated ? before.operands.front() : before;
+  const bool is_angle = tokens.text(tokens.current()) == "deg";
+  if (number.kind != SyntaxKind::number || !tokens.is_at(TokenKind::name) || is_angle) return {};
+  std::string value(covered_text(before.span));
+  std::string unit;
+  bool has_multiple = false;
+  while (!tokens.is_at(TokenKind::end) && !tokens.is_at(TokenKind::invalid)) {
+    const Token token = tokens.advance();
+    const std::string_view text = tokens.text(token);
+    const bool is_multiple = find_unit_multiple(text) != nullptr;
+    const bool is_sign = std::string_view("*/^()").find(text) != std::string_view::npos ||
+                         (text == "-" && unit.ends_with('^'));
+    const bool is_exponent = token.kind == TokenKind::number && !unit.ends_with('*');
+    if (!find_unit(text) && !is_multiple && !is_sign && !is_exponent) return {};
+    const bool is_name = token.kind == TokenKind::name;
+    if (is_name && !unit.empty() && is_word_character(unit.back())) unit += '*';
+    unit += text;
+    has_multiple = has_multiple || is_multiple;
+  }
+  if (const UnitMultipleRow* const row = find_unit_multiple(unit)) {
+    value = fmt::format("\"{}*{}\"", row->factor, value);
+    unit = row->unit;
+  } else if (has_multiple || tokens.is_at(TokenKind::invalid)) {
+    unit = "…";
+  }
+  return fmt::format("a unit belongs to a parameter: `{{ value = {}, unit = \"{}\" }}`", value,
+                     unit);
 }
 
 /// A subtree, and its depth as counted against the limit.
@@ -70,7 +95,6 @@ class ExpressionParser {
   MaybeSubtree parse_call(Subtree named);
   MaybeSubtree parse_brackets();
   bool parse_arguments(Subtree& call);
-  void set_quantity_hint(const ExpressionSyntax& before);
   bool lacks_brackets(const ExpressionSyntax& base, std::string_view power);
 
   [[nodiscard]] bool is_at(TokenKind kind) const { return tokens_.is_at(kind); }
@@ -103,36 +127,13 @@ Result<ExpressionSyntax> ExpressionParser::parse() {
   }
   MaybeSubtree result = parse_sum();
   if (result && !is_at(TokenKind::end)) {
-    fail(misplaced_token_error(tokens_));
-    set_quantity_hint(result->tree);
+    Diagnostic error = misplaced_token_error(tokens_);
+    const std::string hint = quantity_hint(tokens_, result->tree);
+    if (!hint.empty()) error.hint = hint;
+    fail(std::move(error));
   }
   if (problem_) return *problem_;
   return std::move(result->tree);
-}
-
-/// Sets the hint of E303 if `before` is a number and units follow it up to the end.
-void ExpressionParser::set_quantity_hint(const ExpressionSyntax& before) {
-  const bool is_negated = before.kind == SyntaxKind::negate;
-  const ExpressionSyntax& number = is_negated ? before.operands.front() : before;
-  const Token first = tokens_.current();
-  const bool is_angle = tokens_.text(first) == "deg";
-  if (number.kind != SyntaxKind::number || !is_unit(tokens_.text(first)) || is_angle) return;
-  Diagnostic error = *std::exchange(problem_, std::nullopt);
-  bool has_units = true;
-  while (has_units && is_at(TokenKind::name)) {
-    const MaybeSubtree factor = parse_product();
-    has_units = factor && contains_only_units(factor->tree);
-  }
-  const std::string_view text = is_at(TokenKind::end) ? text_from(first.begin) : "…";
-  if (has_units && (is_at(TokenKind::end) || is_at(TokenKind::invalid))) {
-    const std::string_view value = covered_text(before.span);
-    const UnitMultipleRow* const row = find_unit_multiple(text);
-    error.hint = fmt::format(
-        "units have a key of their own: `{{ value = {}, unit = \"{}\" }}`",
-        row == nullptr ? std::string(value) : fmt::format("\"{}*{}\"", row->factor, value),
-        row == nullptr ? text : row->unit);
-  }
-  problem_ = std::move(error);
 }
 
 /// Reports E303 at the operand in `sin x` or `sin^2(x)`. `power`: the text of the exponent. False
@@ -141,15 +142,15 @@ bool ExpressionParser::lacks_brackets(const ExpressionSyntax& base, std::string_
   const bool has_operand =
       is_at(TokenKind::name) || is_at(TokenKind::number) || is_at(TokenKind::left_parenthesis);
   if (!has_operand || base.kind != SyntaxKind::name || !base.operands.empty()) return false;
-  std::string call = translate_call(base.text, {"…"});
-  if (call.empty() && !is_reserved_function(base.text)) return false;
+  if (!is_reserved_function(base.text) && translate_call(base.text, {"x"}).empty()) return false;
   Diagnostic error = misplaced_token_error(tokens_);
   const std::size_t begin = tokens_.current().begin;
   // In `sin 2*x` the whole product is the argument.
   const MaybeSubtree operand = is_at(TokenKind::number) ? parse_product() : parse_primary();
   std::string argument(operand && !is_at(TokenKind::name) ? text_from(begin) : "…");
-  if (!argument.starts_with('(')) argument = "(" + argument + ")";
-  if (call.empty()) call = base.text + argument;
+  if (argument.starts_with('(')) argument = argument.substr(1, argument.size() - 2);
+  std::string call = translate_call(base.text, {argument});
+  if (call.empty()) call = fmt::format("{}({})", base.text, argument);
   error.hint = "write " + quote_text(call + (power.empty() ? "" : "^") + std::string(power));
   if (power == "-1" && find_function("a" + base.text) != nullptr)
     error.hint += fmt::format(", or `a{}` for the inverse function", call);

@@ -143,28 +143,20 @@ const KeyRow* find_row(std::string_view entry, std::string_view key) {
   return any;
 }
 
-/// The nearest key. In `[parameters]` of a scene, the line that fixes the parameter, unless the
-/// key is a mistyped `fixed`.
-std::string unknown_key_hint(const TomlEntry& key, const TableContext& table,
-                             const std::vector<std::string>& candidates) {
-  const std::string foreign = foreign_word_hint(table.entry, key.key);
-  if (!foreign.empty()) return foreign;
-  std::string hint = suggestion(key.key, candidates);
-  if (table.entry != "scene.parameters" || !nearest_word(key.key, candidates).empty()) return hint;
-  const bool has_value = key.value.kind == TomlKind::number || key.value.kind == TomlKind::string;
-  return has_value
-             ? fmt::format("write `fixed = {{ {} = {} }}`", key.key, covered_text(key.value.span))
-             : hint;
-}
-
+/// E103 with the nearest key. For a parameter of a scene, the hint is the line that fixes it.
 void report_unknown_key(const TomlEntry& key, const TableContext& table, FileReadState& reading) {
   std::vector<std::string> candidates;
   for (const KeyRow& row : key_table()) {
     if (row.entry == table.entry && row.supported) candidates.emplace_back(row.key);
   }
+  std::string hint = foreign_word_hint(table.entry, key.key);
+  if (hint.empty()) hint = suggestion(key.key, candidates);
+  const bool has_value = key.value.kind == TomlKind::number || key.value.kind == TomlKind::string;
+  if (hint.empty() && has_value && table.entry == "scene.parameters")
+    hint = fmt::format("write `fixed = {{ {} = {} }}`", key.key, covered_text(key.value.span));
   reading.report(Code::E103, key.key_span,
                  fmt::format("unknown key {} in {}", quote_text(key.key), table.label),
-                 unknown_key_hint(key, table, candidates));
+                 std::move(hint));
 }
 
 /// The hint for a missing key: the first line of every file, or the words of a choice; else "".
@@ -216,55 +208,37 @@ ValueSyntax read_choices(const TomlValue& value, const KeyRow& row, FileReadStat
   return result;
 }
 
-/// The table of a key, with these entries.
-ValueSyntax read_entries_of(const TomlEntry& key, const KeyRow& row,
-                            const std::vector<TomlEntry>& entries, FileReadState& reading) {
+ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
   ValueSyntax result = make_value(key.value, ValueKind::table);
+  if (key.value.kind != TomlKind::table) {
+    report_wrong_type(key.value, "a table", reading);
+    return result;
+  }
   const TableContext table{fmt::format("{}.{}", row.entry, row.key), quote_text(key.key),
                            key.key_span};
-  result.entries = read_keys(entries, table, reading);
+  result.entries = read_keys(key.value.entries, table, reading);
   return result;
 }
 
-ValueSyntax read_table(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
-  if (key.value.kind == TomlKind::table) {
-    return read_entries_of(key, row, key.value.entries, reading);
-  }
-  report_wrong_type(key.value, "a table", reading);
-  return make_value(key.value, ValueKind::table);
-}
-
-/// Reads the value of `key` as the table { short_key = value }.
-ValueSyntax read_short_form(const TomlEntry& key, const KeyRow& row, std::string_view short_key,
+/// Reads the value of `key`, unless it is a table, as the table { short_key = value }.
+ValueSyntax read_short_form(TomlEntry key, const KeyRow& row, std::string short_key,
                             FileReadState& reading) {
-  const TomlEntry entry{std::string(short_key), key.value.span, key.value};
-  return read_entries_of(key, row, {entry}, reading);
-}
-
-ValueSyntax read_value_or_table(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
   if (key.value.kind == TomlKind::table) return read_table(key, row, reading);
-  if (key.value.kind != TomlKind::boolean) return read_short_form(key, row, "value", reading);
-  report_wrong_type(key.value, "a value or a table", reading);
-  return make_value(key.value, ValueKind::table);
+  const TomlEntry entry{std::move(short_key), key.value.span, key.value};
+  key.value = {.kind = TomlKind::table, .span = entry.key_span, .entries = {entry}};
+  return read_table(key, row, reading);
 }
 
 ValueSyntax read_output_request(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
-  if (key.value.kind == TomlKind::table) return read_table(key, row, reading);
   if (key.value.kind == TomlKind::boolean) return read_boolean(key.value, reading);
-  if (key.value.kind != TomlKind::string) {
-    report_wrong_type(key.value, "`true`, a string or a table", reading);
-    return make_value(key.value, ValueKind::boolean);
-  }
   const OutputRow* const output = find_output(key.key);
   const bool is_step = output != nullptr && output->is_step;
   return read_short_form(key, row, is_step ? "method" : "form", reading);
 }
 
-ValueSyntax read_names_or_table(const TomlEntry& key, const KeyRow& row, FileReadState& reading) {
-  if (key.value.kind == TomlKind::table) return read_table(key, row, reading);
-  if (key.value.kind != TomlKind::array) return read_text(key.value, reading);
-  ValueSyntax result = make_value(key.value, ValueKind::list);
-  for (const TomlValue& item : key.value.items) result.items.push_back(read_text(item, reading));
+ValueSyntax read_texts(const TomlValue& value, FileReadState& reading) {
+  ValueSyntax result = make_value(value, ValueKind::list);
+  for (const TomlValue& item : value.items) result.items.push_back(read_text(item, reading));
   return result;
 }
 
@@ -312,7 +286,7 @@ ValueSyntax read_key_value(const TomlEntry& key, const KeyRow& row, FileReadStat
     case KeyType::table:
       return read_table(key, row, reading);
     case KeyType::value_or_table:
-      return read_value_or_table(key, row, reading);
+      return read_short_form(key, row, "value", reading);
     case KeyType::output_request:
       return read_output_request(key, row, reading);
     case KeyType::boolean_or_expression:
@@ -321,7 +295,8 @@ ValueSyntax read_key_value(const TomlEntry& key, const KeyRow& row, FileReadStat
     case KeyType::text_or_table:
       return is_table ? read_table(key, row, reading) : read_text(value, reading);
     case KeyType::names_or_table:
-      return read_names_or_table(key, row, reading);
+      if (value.kind == TomlKind::array) return read_texts(value, reading);
+      return is_table ? read_table(key, row, reading) : read_text(value, reading);
   }
   return {};
 }

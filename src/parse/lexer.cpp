@@ -13,6 +13,7 @@
 #include "base/ascii.hpp"
 #include "base/utf8.hpp"
 #include "elgen/wording.hpp"
+#include "formula/glyphs.hpp"
 #include "parse/decimal.hpp"
 
 namespace elgen {
@@ -50,39 +51,9 @@ constexpr std::array replacements{
     ReplacementRow{"*pi/180", U"\u00B0"},
     // spaces
     ReplacementRow{" ", U"\u00A0\u2009\u202F\u3000"},
-    // Greek
-    ReplacementRow{"alpha", U"\u03B1"},
-    ReplacementRow{"beta", U"\u03B2"},
-    ReplacementRow{"gamma", U"\u03B3"},
-    ReplacementRow{"delta", U"\u03B4"},
-    ReplacementRow{"epsilon", U"\u03B5"},
-    ReplacementRow{"zeta", U"\u03B6"},
-    ReplacementRow{"eta", U"\u03B7"},
-    ReplacementRow{"theta", U"\u03B8\u03D1"},
-    ReplacementRow{"iota", U"\u03B9"},
-    ReplacementRow{"kappa", U"\u03BA"},
-    ReplacementRow{"lambda", U"\u03BB"},
-    ReplacementRow{"mu", U"\u03BC\u00B5"},
-    ReplacementRow{"nu", U"\u03BD"},
-    ReplacementRow{"xi", U"\u03BE"},
-    ReplacementRow{"pi", U"\u03C0"},
-    ReplacementRow{"rho", U"\u03C1"},
-    ReplacementRow{"sigma", U"\u03C3"},
-    ReplacementRow{"tau", U"\u03C4"},
-    ReplacementRow{"upsilon", U"\u03C5"},
-    ReplacementRow{"phi", U"\u03C6\u03D5"},
-    ReplacementRow{"chi", U"\u03C7"},
-    ReplacementRow{"psi", U"\u03C8"},
-    ReplacementRow{"omega", U"\u03C9"},
-    ReplacementRow{"Gamma", U"\u0393"},
-    ReplacementRow{"Delta", U"\u0394"},
-    ReplacementRow{"Theta", U"\u0398"},
-    ReplacementRow{"Lambda", U"\u039B"},
-    ReplacementRow{"Pi", U"\u03A0"},
+    // the micro sign, and signs of a sum; greek_command() knows all other Greek letters
+    ReplacementRow{"mu", U"\u00B5"},
     ReplacementRow{"sum(i, a, b, e)", U"\u03A3\u2211"},
-    ReplacementRow{"Phi", U"\u03A6"},
-    ReplacementRow{"Psi", U"\u03A8"},
-    ReplacementRow{"Omega", U"\u03A9"},
 };
 
 /// Cyrillic letters that look like Latin letters, and these Latin letters in the same order.
@@ -109,7 +80,11 @@ std::string_view find_replacement(char32_t character) {
   const auto row = std::ranges::find_if(replacements, [&](const ReplacementRow& r) {
     return r.characters.find(character) != std::u32string_view::npos;
   });
-  return row == replacements.end() ? "" : row->replacement;
+  if (row != replacements.end()) return row->replacement;
+  std::string text;
+  append_utf8(text, character);
+  const std::string_view greek = greek_command(text);
+  return greek.substr(greek.starts_with("var") ? 3 : 0);
 }
 
 /// "write `pi`" for U+03C0.

@@ -6,7 +6,6 @@
 
 #include <utility>
 
-#include "elgen/functions.hpp"
 #include "numbers/exact_number.hpp"
 #include "parse/decimal.hpp"
 
@@ -36,19 +35,15 @@ Diagnostic misplaced_comma_error(const Lexer& tokens) {
                           "a list is written `[\"x(P)\", \"y(P)\"]`");
 }
 
-/// The lexer's error of the current token. For `cart.x` and `np.sin(x)` with a hint on the call.
+/// The lexer's error of the current token. For `cart.x` and `theta.dot` with the call to write.
 Diagnostic invalid_token_error(const Lexer& tokens) {
   Diagnostic error = *tokens.problem();
   const Token& object = tokens.previous();
   const std::string_view text = tokens.text(tokens.current());
   const bool is_member = object.kind == TokenKind::name && object.end == tokens.current().begin;
-  if (!is_member || !text.starts_with('.')) return error;
-  const std::string_view member = text.substr(1);
-  if (find_function(member) != nullptr) {
-    error.hint = fmt::format("write `{}(…)`", member);
-  } else if (find_call(member) != nullptr && (member.size() == 1 || member == "dot")) {
-    error.hint = fmt::format("write `{}({})`", member, tokens.text(object));
-  }
+  const bool is_call = text == ".x" || text == ".y" || text == ".z" || text == ".dot";
+  if (is_member && is_call)
+    error.hint = fmt::format("write `{}({})`", text.substr(1), tokens.text(object));
   return error;
 }
 
@@ -63,7 +58,8 @@ Diagnostic missing_operator_error(const Lexer& tokens) {
   std::string hint = shown_whole
                          ? fmt::format("write `{}*{}`", tokens.text(left), tokens.text(right))
                          : "a product is written with `*`";
-  if (left.kind == TokenKind::number && tokens.text(right).starts_with("deg")) {
+  const bool is_angle = tokens.text(right) == "deg" || tokens.text(right) == "degrees";
+  if (left.kind == TokenKind::number && is_angle) {
     const cln::cl_RA half_turns = decimal_value(decimal_parts(tokens.text(left))) / 180;
     hint = fmt::format("angles are in rad: write `{}`", multiple_of_pi(half_turns));
   }

@@ -161,46 +161,34 @@ std::optional<Span> find_first_definition(const SourceText& source, const Span& 
   return found;
 }
 
-/// The name in a header such as `[a]` or `[[a]]`; "" for other lines.
-std::string_view header_name(std::string_view line) {
-  const std::size_t begin = std::min(line.find_first_not_of('['), line.size());
-  return begin == 0 ? "" : line.substr(begin, line.find(']') - begin);
-}
-
-/// Completes the error of a header that occurs twice. An entry that may be repeated needs double
-/// brackets, so its header in single brackets is the mistake.
-void describe_second_header(const SourceText& source, Diagnostic& error) {
-  const std::uint32_t last = line_column(source, error.span.begin).line;
-  const std::string_view name = header_name(line_text(source, last));
-  std::uint32_t line = 1;
-  while (line < last && header_name(line_text(source, line)) != name) ++line;
-  if (name.empty() || line == last) return;
-  const std::string_view header = line_text(source, line);
-  const std::uint32_t begin = source.line_starts[line - 1];
-  const auto end = begin + static_cast<std::uint32_t>(header.find_last_of(']') + 1);
-  const Span first{&source, begin, end};
-  const bool repeats = std::ranges::any_of(
-      entry_table(), [&](const EntryRow& row) { return row.entry == name && row.repeated; });
-  if (repeats) {
-    error = {Code::E107, header.starts_with("[[") ? error.span : first,
-             fmt::format("`[{}]` is the wrong kind of table", name),
-             fmt::format("write `[[{}]]`", name)};
-    return;
+/// E107 at the first header in single brackets of an entry that needs double brackets; none if all
+/// headers have the right brackets.
+std::optional<Diagnostic> find_single_header(const SourceText& source) {
+  for (const std::uint32_t begin : source.line_starts) {
+    const std::string_view line = std::string_view(source.text).substr(begin);
+    for (const EntryRow& row : entry_table()) {
+      const std::string header = fmt::format("[{}]", row.entry);
+      if (!row.repeated || !line.starts_with(header)) continue;
+      const auto end = begin + static_cast<std::uint32_t>(header.size());
+      return Diagnostic{Code::E107,
+                        {&source, begin, end},
+                        quote_text(header) + " is the wrong kind of table",
+                        fmt::format("write `[{}]`", header)};
+    }
   }
-  error.hint = "join the two tables";
-  error.related = first;
-  error.related_message = "first given here";
+  return std::nullopt;
 }
 
 Diagnostic redefinition_error(const SourceText& source, std::uint32_t offset,
                               std::string_view description) {
+  if (auto single = find_single_header(source)) return *std::move(single);
   Diagnostic error{Code::E101, redefinition_span(source, offset), short_toml_message(description)};
   if (const auto first = find_first_definition(source, error.span)) {
     error.hint = "rename one of them";
     error.related = *first;
     error.related_message = "first given here";
-  } else {
-    describe_second_header(source, error);
+  } else if (source.text[error.span.begin] == '[') {
+    error.hint = "join the two tables";
   }
   return error;
 }
@@ -222,17 +210,15 @@ std::optional<Diagnostic> find_merge_marker(const SourceText& source) {
 std::optional<Diagnostic> find_decimal_comma(const SourceText& source, std::uint32_t offset,
                                              std::string_view description) {
   const std::string_view text = source.text;
-  std::uint32_t comma = offset;
-  if (contains(description, "expected '='")) {
-    while (comma > 0 && text[comma - 1] == ' ') --comma;
-    comma = word_at(source, comma).begin;
-    if (comma > 0) --comma;
-  }
-  const std::string_view around = text.substr(comma == 0 ? 0 : comma - 1, 3);
+  const bool is_behind = contains(description, "expected '='") && offset > 0;
+  const std::size_t comma = is_behind ? text.rfind(',', offset - 1) : offset;
+  if (comma == 0 || comma == std::string_view::npos) return std::nullopt;
+  const std::string_view around = text.substr(comma - 1, 3);
   const bool is_decimal =
       around.size() == 3 && is_digit(around[0]) && around[1] == ',' && is_digit(around[2]);
   if (!is_decimal) return std::nullopt;
-  const Span number{&source, word_at(source, comma).begin, word_at(source, comma + 1).end};
+  const auto at = static_cast<std::uint32_t>(comma);
+  const Span number{&source, word_at(source, at).begin, word_at(source, at + 1).end};
   std::string point(covered_text(number));
   std::ranges::replace(point, ',', '.');
   return Diagnostic{Code::E306, number, in_backticks(number) + " has a decimal comma",

@@ -19,6 +19,7 @@
 #include "base/reason.hpp"
 #include "base/utf8.hpp"
 #include "elgen/wording.hpp"
+#include "formula/glyphs.hpp"
 #include "parse/decimal.hpp"
 #include "parse/expression_parser.hpp"
 
@@ -34,12 +35,9 @@ struct LatexMistake {
 };
 
 constexpr std::array commands{std::to_array<std::string_view>(
-    {// letters
-     "Delta", "Gamma", "Lambda", "Omega", "Phi", "Pi", "Psi", "Sigma", "Theta", "Upsilon", "Xi",
-     "aleph", "alpha", "beta", "chi", "delta", "digamma", "ell", "epsilon", "eta", "gamma", "hbar",
-     "imath", "iota", "jmath", "kappa", "lambda", "mu", "nabla", "nu", "omega", "partial", "phi",
-     "pi", "psi", "rho", "sigma", "tau", "theta", "upsilon", "varepsilon", "varkappa", "varphi",
-     "varpi", "varrho", "varsigma", "vartheta", "wp", "xi", "zeta",
+    {// letters; greek_letter() knows more
+     "aleph", "digamma", "ell", "hbar", "imath", "jmath", "nabla", "partial", "varkappa", "varpi",
+     "varsigma", "wp",
      // accents
      "acute", "bar", "breve", "check", "ddot", "dot", "grave", "hat", "mathring", "overline",
      "overrightarrow", "tilde", "underline", "vec", "widehat", "widetilde",
@@ -68,7 +66,7 @@ std::size_t end_of_command(std::string_view text, std::size_t backslash) {
 }
 
 bool is_allowed_command(std::string_view command) {
-  return std::ranges::find(commands, command) != commands.end() ||
+  return !greek_letter(command).empty() || std::ranges::find(commands, command) != commands.end() ||
          (command.size() == 1 && escapes.find(command) != std::string_view::npos);
 }
 

@@ -221,7 +221,6 @@ TEST_CASE("a syntax error names the token found and suggests a correction", "[pa
       {"x]", Code::E304, 1, "`]` was never opened", ""},
       {"cart.x", Code::E308, 4, "`.x` is not a number", "write `x(cart)`"},
       {"2*theta.dot", Code::E308, 7, "`.dot` is not a number", "write `dot(theta)`"},
-      {"np.sin(x)", Code::E308, 2, "`.sin` is not a number", "write `sin(…)`"},
       {"bob.mass", Code::E308, 3, "`.mass` is not a number",
        "numbers are written `12`, `0.5` or `1e-3`"},
       {"", Code::E310, 0, "empty expression", "write `0` for nothing"},
@@ -242,7 +241,7 @@ TEST_CASE("a function without brackets gets them, also with a power", "[parse]")
       {"l*sin 2*theta", Code::E303, 6, "`2` follows `sin`", "write `sin(2*theta)`"},
       {"cos 2 q[1]", Code::E303, 4, "`2` follows `cos`", "write `cos(…)`"},
       {"sqrt 2", Code::E303, 5, "`2` follows `sqrt`", "write `sqrt(2)`"},
-      {"ln x", Code::E303, 3, "`x` follows `ln`", "write `log(…)`"},
+      {"ln x", Code::E303, 3, "`x` follows `ln`", "write `log(x)`"},
       {"tan p(x", Code::E303, 4, "`p` follows `tan`", "write `tan(…)`"},
       {"sin^2(theta)", Code::E303, 5, "`(` follows `2`", "write `sin(theta)^2`"},
       {"(m*tan^2 x)", Code::E303, 9, "`x` follows `2`", "write `tan(x)^2`"},
@@ -265,16 +264,16 @@ TEST_CASE("a number with a unit gets a table, an angle in degrees a multiple of 
     std::string input;
     std::string hint;
   };
-  const std::string table = "units have a key of their own: `{ value = ";
+  const std::string table = "a unit belongs to a parameter: `{ value = ";
   const auto row = GENERATE_COPY(values<Row>({
       {"1.5 kg", table + "1.5, unit = \"kg\" }`"},
       {"-9.81m/s^2", table + "-9.81, unit = \"m/s^2\" }`"},
-      {"3 m s^-2", table + "3, unit = \"m s^-2\" }`"},
+      {"3 m s^-2", table + "3, unit = \"m*s^-2\" }`"},
       {"2 N/(m*s)", table + "2, unit = \"N/(m*s)\" }`"},
       {"5 mm", table + "\"0.001*5\", unit = \"m\" }`"},
       {"60 rpm", table + "\"pi/30*60\", unit = \"rad/s\" }`"},
       {"9.81 m/s²", table + "9.81, unit = \"…\" }`"},
-      {"5 km/h", table + "5, unit = \"km/h\" }`"},
+      {"5 km/h", table + "5, unit = \"…\" }`"},
       {"2 m*x", "write `2*m`"},
       {"2 m + 1", "write `2*m`"},
       {"90deg", "angles are in rad: write `pi/2`"},

@@ -245,7 +245,7 @@ TEST_CASE("a value is read as the table that it stands for", "[parse]") {
   CHECK(model_answer(model("start = \"45 deg\"")) == "E303 5:13");
   CHECK(scene_answer(scene("[outputs]\nstep = 3\n")) == "E104 5:8");
   CHECK(first_scene_error(scene("[outputs]\nstep = 3\n")).message ==
-        "number `3` where `true`, a string or a table is expected");
+        "number `3` where a string is expected");
   CHECK(scene_answer(scene("[outputs]\nbias = \"shut\"\n")) == "E104 5:9");
   CHECK(scene_answer("format = 1\nmodel = \"m.toml\"\nname = \"s\"\noutputs = [1]\n") ==
         "E104 4:11");
