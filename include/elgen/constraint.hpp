@@ -4,6 +4,7 @@
 
 #include <cln/real.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -147,6 +148,14 @@ struct RemainingVariables {
     velocities.remove(variable.velocity, variable.velocity_count());
   }
 };
+
+/// True if one of the variables has the velocity.
+template <class Variables>
+[[nodiscard]] bool has_velocity(const Variables& variables, std::uint32_t velocity) {
+  return std::ranges::any_of(variables, [velocity](const HeldCoordinate& variable) {
+    return variable.has_velocity(velocity);
+  });
+}
 
 /// The indices of the velocities of the variables with `has_reaction`, in the order of `variables`.
 template <class Variables>

@@ -47,9 +47,8 @@ struct Coordinate {
   bool wraps = false;  ///< true: an angle that may make full turns and is compared modulo 2 pi
   /// Index of dq/dt in Model::velocities; for a component of a rotation, of its first velocity.
   std::uint32_t velocity = 0;
-  /// For a component of a rotation: index in Model::rotations.
-  std::optional<std::uint32_t> rotation = {};
-  std::optional<ExpressionId> armature = {};            ///< J of the term 1/2 J v^2 of T
+  std::optional<std::uint32_t> rotation = {};  ///< of a component: index in Model::rotations
+  std::optional<ExpressionId> armature = {};   ///< J of the term 1/2 J v^2 of T
   std::optional<ExpressionId> singular_condition = {};  ///< M may lose rank if this expression is 0
   std::string latex = {};
   std::string doc = {};
@@ -62,8 +61,7 @@ struct Velocity {
   std::string name;
   std::string identifier;
   std::uint32_t coordinate = 0;  ///< index of q_i with v_i = dq_i/dt, or of a rotation's NAME_w
-  /// For an angular velocity: index in Model::rotations.
-  std::optional<std::uint32_t> rotation = {};
+  std::optional<std::uint32_t> rotation = {};  ///< of an angular velocity, as in Coordinate
   std::optional<Unit> unit = {};  ///< unit of the velocity; none: units are not checked
   std::optional<Interval> rate_range = {};
   cln::cl_R start_rate = 0;
@@ -131,9 +129,8 @@ struct ElementaryTransform {
   TransformKind kind = TransformKind::translation;
   Vector3 vector{};
   ExpressionId angle = 0;
-  std::array<ExpressionId, 4> quaternion{};  ///< w, x, y, z
-  /// If `quaternion` is a rotation variable of the model: index in Model::rotations.
-  std::optional<std::uint32_t> rotation = {};
+  std::array<ExpressionId, 4> quaternion{};    ///< w, x, y, z
+  std::optional<std::uint32_t> rotation = {};  ///< the rotation that is `quaternion`; else none
 };
 
 /// A coordinate system with x_world = rotation x_frame + origin. Rotation and origin refer to the

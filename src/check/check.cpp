@@ -5,10 +5,7 @@
 // cycles, ingredients (leaves and functions), degrees and units. The scene is last, except for the
 // entries that it adds to those of the model. Errors are collected throughout; a step that could
 // only repeat earlier errors is skipped.
-#include <algorithm>
-#include <array>
 #include <memory>
-#include <string_view>
 #include <utility>
 
 #include "base/reason.hpp"
@@ -69,22 +66,20 @@ void read_all_entries(Context& context, const FileSyntax& syntax) {
   read_entries(context, instances, {{"output", read_output}});
 }
 
-/// The entries of a scene that are read like entries of a model.
-constexpr std::array<std::string_view, 3> added_entries{"frame", "input", "output"};
-
-/// The entries that the scene adds. E112 for an input that is no external force.
+/// The entries of a scene that are read like those of a model. E112 for an input that is no
+/// external force.
 FileSyntax entries_added_by(const FileSyntax* scene, Context& context) {
   FileSyntax added;
   if (scene == nullptr) return added;
   for (const EntrySyntax& entry : scene->entries) {
-    if (std::ranges::find(added_entries, entry.name) == added_entries.end()) continue;
-    if (entry.name != "input" || is_wrench_input(entry)) {
+    const bool is_input = entry.name == "input";
+    if (is_input && !is_wrench_input(entry)) {
+      context.report.add(Reason::input_of_scene, entry.span,
+                         "an input of a scene has `wrench` or `at`");
+      context.symbols.mark_failed(entry.find("name")->value.expression.text);
+    } else if (is_input || entry.name == "frame" || entry.name == "output") {
       added.entries.push_back(entry);
-      continue;
     }
-    context.report.add(Reason::input_of_scene, entry.span,
-                       "an input of a scene has `wrench` or `at`");
-    context.symbols.mark_failed(entry.find("name")->value.expression.text);
   }
   return added;
 }

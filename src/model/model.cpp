@@ -57,25 +57,20 @@ std::uint32_t append_rotation(Model& model, Rotation rotation) {
 
 namespace {
 
-bool is_locked(const Model& whole, std::uint32_t velocity) {
-  return std::ranges::any_of(whole.reduction.locks, [&](const LockedCoordinate& lock) {
-    return lock.has_velocity(velocity);
-  });
-}
-
 /// The velocities on which a force does work: none, only locked velocities, or free velocities too.
 enum class WorkTarget : std::uint8_t { nothing, locks, others };
 
 WorkTarget work_target(const Model& whole, const Force& force) {
   if (force.velocity)
-    return is_locked(whole, *force.velocity) ? WorkTarget::locks : WorkTarget::others;
+    return has_velocity(whole.reduction.locks, *force.velocity) ? WorkTarget::locks
+                                                                : WorkTarget::others;
   WorkTarget reach = WorkTarget::nothing;
   for (const ExpressionId id : reachable_expressions(whole, work_expressions(whole, force))) {
     const Expression& node = whole.expressions[id];
     const bool is_place = is_leaf(node, Opcode::coordinate);
     if (!is_place && !is_leaf(node, Opcode::velocity)) continue;
     const std::uint32_t velocity = is_place ? whole.coordinates[node.index].velocity : node.index;
-    if (!is_locked(whole, velocity)) return WorkTarget::others;
+    if (!has_velocity(whole.reduction.locks, velocity)) return WorkTarget::others;
     reach = WorkTarget::locks;
   }
   return reach;
@@ -100,7 +95,8 @@ RemainingIndices remaining_inputs(const Model& whole) {
     const std::optional<std::uint32_t>& on = whole.inputs[i].velocity;
     if (on)
       reaches[i] =
-          std::max(reaches[i], is_locked(whole, *on) ? WorkTarget::locks : WorkTarget::others);
+          std::max(reaches[i], has_velocity(whole.reduction.locks, *on) ? WorkTarget::locks
+                                                                        : WorkTarget::others);
   }
   const std::vector<WorkTarget> alone = reaches;
   for (std::uint32_t i = 0; i < whole.inputs.size(); ++i) {

@@ -268,13 +268,13 @@ std::optional<OutputRequest> require_request(const Model& model, std::string_vie
                                              const std::vector<std::uint32_t>& independent) {
   std::optional<OutputRequest> request = find_request(model, name);
   if (!request) {
-    // V0 is V at rest, so V means it, too.
-    const std::string symbol(name == "V" ? "V0" : name);
-    const auto named = std::ranges::find_if(output_table(), [&symbol](const OutputRow& row) {
-      return !symbol.empty() && row.symbol.text == symbol;
+    const std::vector<std::string> names = available_names(model, independent);
+    const auto named = std::ranges::find_if(output_table(), [&](const OutputRow& row) {
+      const bool is_symbol = row.symbol.text == name || row.symbol.text == std::string(name) + "0";
+      return is_symbol && std::ranges::count(names, row.name) > 0;
     });
     report.add(Code::E601, span, "unknown output " + quote_text(name),
-               named == output_table().end() ? suggestion(name, available_names(model, independent))
+               named == output_table().end() ? suggestion(name, names)
                                              : quote_text(name) + " is " + quote_text(named->name));
     return std::nullopt;
   }

@@ -79,32 +79,6 @@ bool draws_nothing(const Glyphs& symbol) {
   });
 }
 
-/// True if a declared name of the model is `name`.
-bool has_name(const Model& model, const std::string& name) {
-  const auto holds = [&name](const auto& list) {
-    return std::ranges::any_of(list, [&name](const auto& each) { return each.name == name; });
-  };
-  return holds(model.coordinates) || holds(model.parameter_arrays) || holds(model.inputs) ||
-         holds(model.functions) || holds(model.definitions) || holds(model.prescribed);
-}
-
-/// The symbol of a name, from its `latex` key or from its letters.
-Glyphs symbol_of_text(std::string_view name, const std::string& key, bool splits_pairs) {
-  const std::size_t bracket = std::min(name.find('['), name.size());
-  Glyphs symbol = key.empty() ? Glyphs{} : read_latex(key);
-  if (key.empty() || draws_nothing(symbol)) {
-    symbol = symbol_from_letters(name.substr(0, bracket), splits_pairs);
-  }
-  if (bracket == name.size()) return symbol;
-  std::string_view index = name.substr(bracket + 1, name.size() - bracket - 2);
-  for (std::size_t at = 0; at < index.size();) {
-    const std::size_t stop = std::min(index.find(',', at), index.size());
-    add_subscript(symbol, read_latex(index.substr(at, stop - at)));
-    at = stop + 1;
-  }
-  return symbol;
-}
-
 /// The symbol of a coordinate; e_{w} for a component of a rotation with `latex = "e"`.
 Glyphs symbol_of(const Model& model, const Coordinate& c) {
   if (!c.rotation) return symbol_in_model(model, c.name, c.latex);
@@ -259,15 +233,27 @@ Glyphs add_dots(Glyphs symbol, std::string_view dots) {
   return with_primes(make_row(std::move(last)), primes);
 }
 
-Glyphs symbol_of_name(std::string_view name, const std::string& key) {
-  return symbol_of_text(name, key, true);
+Glyphs symbol_of_name(std::string_view name, const std::string& key, bool splits_pairs) {
+  const std::size_t bracket = std::min(name.find('['), name.size());
+  Glyphs symbol = key.empty() ? Glyphs{} : read_latex(key);
+  if (key.empty() || draws_nothing(symbol)) {
+    symbol = symbol_from_letters(name.substr(0, bracket), splits_pairs);
+  }
+  if (bracket == name.size()) return symbol;
+  std::string_view index = name.substr(bracket + 1, name.size() - bracket - 2);
+  for (std::size_t at = 0; at < index.size();) {
+    const std::size_t stop = std::min(index.find(',', at), index.size());
+    add_subscript(symbol, read_latex(index.substr(at, stop - at)));
+    at = stop + 1;
+  }
+  return symbol;
 }
 
 Glyphs symbol_in_model(const Model& model, std::string_view name, const std::string& key) {
   const std::string_view base = name.substr(0, name.find('['));
   const bool is_ambiguous =
-      is_letter_pair(base) && has_name(model, fmt::format("{}_{}", base[0], base.substr(1)));
-  return symbol_of_text(name, key, !is_ambiguous);
+      is_letter_pair(base) && has_value_named(model, fmt::format("{}_{}", base[0], base.substr(1)));
+  return symbol_of_name(name, key, !is_ambiguous);
 }
 
 std::size_t ModelSymbols::reserve_primes(const std::vector<Glyphs>& symbols) {

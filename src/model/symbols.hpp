@@ -59,8 +59,9 @@ class ModelSymbols {
 };
 
 /// The symbol of a name, from its `latex` key; the key of "l[2]" is the key of `l`. If the key is
-/// empty or draws nothing, the symbol follows from the name.
-[[nodiscard]] Glyphs symbol_of_name(std::string_view name, const std::string& key = {});
+/// empty or draws nothing, the symbol follows from the name. `splits_pairs`: `Jm` is J_{m}.
+[[nodiscard]] Glyphs symbol_of_name(std::string_view name, const std::string& key = {},
+                                    bool splits_pairs = true);
 /// symbol_of_name() for a name of the model. `Jm` is the word Jm, not J_{m}, if the model also has
 /// the name `J_m`.
 [[nodiscard]] Glyphs symbol_in_model(const Model& model, std::string_view name,

@@ -135,10 +135,8 @@ MaybeUnmetNeed check_closed_functions(const Model& model) {
 
 /// True for a generalised force on a locked coordinate: no equation of motion contains the force.
 bool acts_on_locked_coordinate(const Model& model, const Force& force) {
-  if (model.reduction.unreduced || !force.velocity) return false;
-  return std::ranges::any_of(model.reduction.locks, [&](const LockedCoordinate& lock) {
-    return lock.has_velocity(*force.velocity);
-  });
+  return !model.reduction.unreduced && force.velocity &&
+         has_velocity(model.reduction.locks, *force.velocity);
 }
 
 /// The first function with a kink in the roots, also through names; null if there is none.

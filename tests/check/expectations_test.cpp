@@ -170,7 +170,7 @@ TEST_CASE("fewer equations than accelerations are allowed, and may contain multi
   CHECK(said(wall, "lambda(wall) = 0") == note);
   CHECK(said(wall, "2*lambda_wall = lambda(wall)") == note);
   CHECK(said(wall, "dot(dot(x)) = lambda_wal") ==
-        "E201 18:29 unknown name `lambda_wal` | did you mean `lambda_wall`?\n");
+        "E201 18:29 unknown name `lambda_wal`\n");
   CHECK(said("", "dot(dot(x)) = lambda_wall") == "E201 15:29 unknown name `lambda_wall`\n");
   CHECK(said(wall, "x = 0") ==
         "E540 18:15 `x = 0` contains no acceleration | the acceleration of `x` is "
@@ -191,7 +191,8 @@ TEST_CASE("the rate of an acceleration or a multiplier is refused") {
       "give\n";
   CHECK(said("dot(dot(dot(x))) = 0") == "E319 14:15 `dot(dot(dot(x)))`" + refused);
   CHECK(said("dot(dot(x)) = dot(lambda(rod)*x)") == "E319 14:29 `dot(lambda(rod)*x)`" + refused);
-  CHECK(said("dot(x*dot(x)) = 2*lambda(rod)") == "");
+  CHECK(said("dot(x*dot(x)) = 2*lambda(rod)") ==
+        "E520 5:9 `x`, `y`: no unit, so expressions with it are not checked\n");
 }
 
 TEST_CASE(

@@ -123,11 +123,15 @@ TEST_CASE("the expectations of a scene have the shapes of the scene") {
            "E517 7:15 2 x 2 entries, but `mass_matrix` is 1 x 1 | a matrix is a list of rows: "
            "[[…], […]]\n"},
           {"conserved = [\"p(y)\"]\n", unchecked},
-          {"conserved = [\"p(x)\"]\n", "E319 7:15 `p(x)` is the momentum of a locked coordinate\n"},
+          {"conserved = [\"p(x)\"]\n",
+           "E319 7:15 `p(x)` is the momentum of a coordinate that the scene removes\n"},
           {"equations = [\"dot(dot(y)) = 0\"]\n", unchecked},
           {"mass_matrix = [[1]]\nat = { x = 1 }\n", "E201 8:8 unknown name `x`\n"},
       },
       [&](const std::string& claim) { return messages(pair, adding(locked + claim)); });
+  const std::string cyclic = "[routh]\ny = true\n[[expect]]\nconserved = [\"p(y)\"]\n";
+  CHECK(mentions(messages(pair, adding(cyclic)),
+                 "E319 7:15 `p(y)` is the momentum of a coordinate that the scene removes\n"));
 }
 
 TEST_CASE("mistakes in additions are reported in the scene") {

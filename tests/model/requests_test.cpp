@@ -125,6 +125,8 @@ TEST_CASE("unknown and unavailable outputs are errors") {
       {"mass_matrx", "E601 1:1 unknown output `mass_matrx` | did you mean `mass_matrix`?\n"},
       {"M", "E601 1:1 unknown output `M` | `M` is `mass_matrix`\n"},
       {"a", "E601 1:1 unknown output `a` | `a` is `forward_dynamics`\n"},
+      {"V", "E601 1:1 unknown output `V` | `V` is `potential_energy`\n"},
+      {"J", "E601 1:1 unknown output `J`\n"},
       {"eom", "E601 1:1 unknown output `eom`\n"},
       {"bias, tp", "E601 1:7 unknown output `tp` | did you mean `tip`?\n"},
       {"cyclic_rates", "E603 1:1 `cyclic_rates` needs a coordinate in `[routh]`\n"},

@@ -165,7 +165,6 @@ void derive_kinematics(Context& context, Frame& frame) {
 
 const RootRequest angle_request{{"an angle", place::configuration_terms}, find_unit("rad")};
 const RootRequest length_request{{place::position, place::configuration_terms}, find_unit("m")};
-const RootRequest quaternion_request{{"a quaternion", place::configuration_terms}, {}};
 constexpr std::array<std::string_view, 5> orientations{"rotate", "rpy", "dh", "quaternion",
                                                        "rotation"};
 
@@ -321,7 +320,7 @@ class FrameReader {
   void read_quaternion(const ValueSyntax& value) {
     if (!check_count(value, 4, "a quaternion", report_)) return;
     const std::vector<ExpressionId> components =
-        values_.read_roots(value, request(quaternion_request));
+        values_.read_roots(value, request({{"a quaternion", place::configuration_terms}, {}}));
     ElementaryTransform transform{TransformKind::quaternion};
     std::copy(components.begin(), components.end(), transform.quaternion.begin());
     const auto is_zero = [&](ExpressionId id) { return context_.constants[id] == 0; };

@@ -124,16 +124,12 @@ void check_rates(Context& context, const std::vector<ExpressionTraits>& traits,
     const bool is_unknown = (traits[node.operands[0]].ingredients & unknowns) != 0;
     if (!is_kinked && !is_unknown) continue;
     root.has_forbidden_ingredient = true;
-    const std::string text = in_backticks(node.span);
-    if (is_kinked) {
-      context.report.add(Code::E315, node.span, text + " is the rate of a function with a kink",
-                         smooth_stand_in);
-    } else {
-      context.report.add(Code::E319, node.span,
-                         text +
-                             " is the rate of an acceleration or a multiplier, which the "
-                             "equations of motion do not give");
-    }
+    const std::string noun = is_kinked ? "a function with a kink"
+                                       : "an acceleration or a multiplier, which the equations of "
+                                         "motion do not give";
+    context.report.add(is_kinked ? Code::E315 : Code::E319, node.span,
+                       in_backticks(node.span) + " is the rate of " + noun,
+                       is_kinked ? smooth_stand_in : "");
   }
 }
 

@@ -51,8 +51,11 @@ ExpressionSyntax substitute_arguments(ExpressionSyntax definition, const Express
   return definition;
 }
 
-/// Hint on a function of other languages: "write `x^2`" for pow(x, 2); "" for other names.
-std::string translation_hint(const ExpressionSyntax& call) {
+/// Hint on an unknown function: for one of other languages the call to write, such as `x^2` for
+/// pow(x, 2); for other names the nearest function.
+std::string unknown_function_hint(const ExpressionSyntax& call) {
+  if (call.text == "deg" || call.text == "radians" || call.text == "deg2rad")
+    return std::string(degrees_hint);
   std::vector<std::string> arguments;
   for (const ExpressionSyntax& operand : call.operands) {
     const std::string text(covered_text(operand.span));
@@ -63,7 +66,8 @@ std::string translation_hint(const ExpressionSyntax& call) {
   const bool is_rate = call.text == "diff" && arguments.size() == 2 && call.operands[1].text == "t";
   const std::string translated =
       is_rate ? "dot(" + arguments[0] + ")" : translate_call(call.text, arguments);
-  return translated.empty() ? "" : "write " + quote_text(translated);
+  return translated.empty() ? suggestion(call.text, function_names())
+                            : "write " + quote_text(translated);
 }
 
 }  // namespace
@@ -82,12 +86,8 @@ std::optional<ExpressionId> Resolver::resolve_call(const ExpressionSyntax& call)
 #undef ELGEN_EXPANDED
   // not in the table, since a model may declare a `p`
   if (call.text == "p") return resolve_momentum(call);
-  const bool converts_degrees =
-      call.text == "deg" || call.text == "radians" || call.text == "deg2rad";
-  std::string hint = converts_degrees ? std::string(degrees_hint) : translation_hint(call);
-  if (hint.empty()) hint = suggestion(call.text, function_names());
   context_.report.add(Code::E202, call.span, "unknown function " + quote_text(call.text),
-                      std::move(hint));
+                      unknown_function_hint(call));
   return std::nullopt;
 }
 

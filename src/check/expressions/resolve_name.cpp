@@ -91,13 +91,14 @@ std::optional<DottedName> dotted_name(const std::string& name, const SymbolTable
   return std::nullopt;
 }
 
-/// Hint on an angle in degrees, a unit, pi, a component of a place, a rate or an acceleration, if
-/// `name` looks like any of these; "" otherwise.
+/// Hint on an angle in degrees, pi, e, a unit, a component of a place, a rate or an acceleration,
+/// if `name` looks like any of these; "" otherwise.
 std::string usual_name_hint(const ExpressionSyntax& name, const SymbolTable& symbols) {
   if (name.text == "deg" || name.text == "degrees") return std::string(degrees_hint);
   if (name.text == "PI") return "write `pi`";
+  if (name.text == "e") return "e^x is written `exp(x)`";
   if (name.text.size() > 1 && find_unit(name.text))
-    return "units have a key of their own: `unit = \"" + name.text + "\"`";
+    return "a unit belongs to a parameter: `unit = \"" + name.text + "\"`";
   const std::string place = place_hint(name, symbols);
   return place.empty() ? rate_hint(name.text, covered_text(name.span), symbols) : place;
 }
@@ -127,22 +128,13 @@ std::optional<ExpressionId> Resolver::resolve_name(const ExpressionSyntax& name)
     report_hidden_energy(name, *symbol);
     return resolve_symbol(name, *symbol);
   }
-  const std::vector<std::string> multipliers = multiplier_names();
-  const auto multiplier = std::ranges::find(multipliers, covered_text(name.span));
-  if (multiplier != multipliers.end()) {
-    return push_leaf(Opcode::multiplier,
-                     static_cast<std::uint32_t>(multiplier - multipliers.begin()), name.span);
+  const std::size_t multipliers =
+      (allowed_ & uses_multiplier) == 0 ? 0 : context_.model.constraints.size();
+  for (std::uint32_t i = 0; i < multipliers; ++i) {
+    if (leaf_text(context_.model, Opcode::multiplier, i) == covered_text(name.span))
+      return push_leaf(Opcode::multiplier, i, name.span);
   }
-  return is_refused ? std::nullopt : report_unknown_name(name, {});
-}
-
-std::vector<std::string> Resolver::multiplier_names() const {
-  std::vector<std::string> names;
-  if ((allowed_ & uses_multiplier) == 0) return names;
-  for (std::uint32_t i = 0; i < context_.model.constraints.size(); ++i) {
-    names.push_back(leaf_text(context_.model, Opcode::multiplier, i));
-  }
-  return names;
+  return is_refused ? std::nullopt : report_unknown_name(name);
 }
 
 bool Resolver::is_energy(const ExpressionSyntax& name) const {
@@ -225,20 +217,17 @@ std::optional<std::uint32_t> Resolver::resolve_element(const ExpressionSyntax& n
   return found->second;
 }
 
-std::optional<ExpressionId> Resolver::report_unknown_name(const ExpressionSyntax& name,
-                                                          std::string hint) {
+std::optional<ExpressionId> Resolver::report_unknown_name(const ExpressionSyntax& name) {
   if (is_reserved_function(name.text)) {
     context_.report.add(Code::E316, name.span, quote_text(name.text) + " has no argument",
                         "write `" + name.text + "(…)`");
     return std::nullopt;
   }
-  if (hint.empty()) hint = usual_name_hint(name, context_.symbols);
+  std::string hint = usual_name_hint(name, context_.symbols);
   if (hint.empty() && context_.report.needs_suggestion()) {
     std::vector<std::string> candidates = context_.symbols.names();
     const std::vector<std::string> indices = scope_.names();
     candidates.insert(candidates.end(), indices.begin(), indices.end());
-    const std::vector<std::string> multipliers = multiplier_names();
-    candidates.insert(candidates.end(), multipliers.begin(), multipliers.end());
     candidates.insert(candidates.end(), {"pi", "t"});
     hint = context_.symbols.suggest(name.text, candidates);
   }

@@ -107,17 +107,10 @@ std::optional<ExpressionId> Resolver::resolve_operation(const ExpressionSyntax& 
 }
 
 std::optional<ExpressionId> Resolver::resolve_power(const ExpressionSyntax& power) {
-  const ExpressionSyntax& e = power.operands[0];
-  const bool is_e = e.text == "e" && e.kind == SyntaxKind::name && e.operands.empty();
-  if (is_e && !scope_.find("e") && context_.symbols.find("e") == nullptr &&
-      !context_.symbols.has_failed("e")) {
-    const std::string written(covered_text(power.operands[1].span));
-    const std::string argument = written.starts_with('(') ? written : "(" + written + ")";
-    return report_unknown_name(e, "write " + quote_text("exp" + argument));
-  }
   const std::optional<ExpressionId> base = resolve(power.operands[0]);
+  if (!base) return std::nullopt;
   const std::optional<cln::cl_RA> exponent = resolve_exponent(power.operands[1]);
-  if (!base || !exponent || !check_exponent(*exponent, power.operands[1].span)) return std::nullopt;
+  if (!exponent || !check_exponent(*exponent, power.operands[1].span)) return std::nullopt;
   // (x^a)^b is the power x^(a b), so the product must be within the limit too.
   const cln::cl_RA product = *exponent * exponent_of(context_.model, *base);
   if (product != *exponent && !check_exponent(product, power.span)) return std::nullopt;

@@ -75,12 +75,8 @@ class Resolver {
   std::optional<ExpressionId> resolve_name(const ExpressionSyntax& name);
   std::optional<ExpressionId> resolve_symbol(const ExpressionSyntax& name,
                                              const DeclaredName& symbol);
-  /// `hint`: "" if the name alone gives the hint.
-  std::optional<ExpressionId> report_unknown_name(const ExpressionSyntax& name, std::string hint);
+  std::optional<ExpressionId> report_unknown_name(const ExpressionSyntax& name);
   [[nodiscard]] bool is_energy(const ExpressionSyntax& name) const;
-  /// The names of the multipliers in the order of the constraints, such as `lambda_rod`. Empty if
-  /// the place takes no multiplier.
-  [[nodiscard]] std::vector<std::string> multiplier_names() const;
   void report_hidden_energy(const ExpressionSyntax& name, const DeclaredName& symbol);
 
   std::optional<ExpressionId> resolve_call(const ExpressionSyntax& call);

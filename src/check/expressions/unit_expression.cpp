@@ -55,8 +55,10 @@ std::string unknown_unit_hint(std::string_view name, const ValueSyntax* value) {
 
 class UnitReader {
  public:
-  UnitReader(const ValueSyntax& unit, Report& report, const ValueSyntax* value)
-      : text_(unit.text), span_(unit.span), report_(report), value_(value) {}
+  /// `hint`: the hint of all errors; "": each error has its own.
+  UnitReader(const ValueSyntax& unit, Report& report, const ValueSyntax* value,
+             const std::string& hint)
+      : text_(unit.text), span_(unit.span), report_(report), value_(value), hint_(hint) {}
 
   std::optional<Unit> read() {
     std::optional<Unit> unit = parse_product(0);
@@ -136,12 +138,13 @@ class UnitReader {
   std::optional<Unit> report_unknown_unit(std::string_view name, std::size_t begin) {
     report_.add(Code::E402, text_span(begin, begin + name.size()),
                 "unknown unit " + quote_text(name),
-                unknown_unit_hint(name, name == text_ ? value_ : nullptr));
+                hint_.empty() ? unknown_unit_hint(name, name == text_ ? value_ : nullptr) : hint_);
     return std::nullopt;
   }
 
   std::optional<Unit> fail(std::size_t begin, std::size_t end, const std::string& message) {
-    report_.add(Code::E402, text_span(begin, end), message + " in the unit " + quote_text(text_));
+    report_.add(Code::E402, text_span(begin, end), message + " in the unit " + quote_text(text_),
+                hint_);
     return std::nullopt;
   }
 
@@ -171,19 +174,15 @@ class UnitReader {
   Span span_;
   Report& report_;
   const ValueSyntax* value_;
+  std::string hint_;
   std::size_t position_ = 0;
 };
 
 /// Signs of other notations, and the signs of the language.
 constexpr auto unit_signs =
-    std::to_array<std::pair<std::string_view, std::string_view>>({{"**", "^"},
-                                                                  {".", "*"},
-                                                                  {"\u00B7", "*"},
+    std::to_array<std::pair<std::string_view, std::string_view>>({{"\u00B7", "*"},
                                                                   {"\u22C5", "*"},
-                                                                  {"\u00D7", "*"},
                                                                   {"\u207B", "^-"},
-                                                                  {"\u2126", "ohm"},
-                                                                  {"\u03A9", "ohm"},
                                                                   {"^-\u00B9", "^-1"},
                                                                   {"^-\u00B2", "^-2"},
                                                                   {"^-\u00B3", "^-3"},
@@ -194,10 +193,8 @@ constexpr auto unit_signs =
 /// exponents: "kg*m^2" for "kg m²", "m/s^2" for "m/s2".
 std::string usual_spelling(std::string text) {
   for (const auto& [sign, usual] : unit_signs) {
-    for (std::size_t at = text.find(sign); at != std::string::npos; at = text.find(sign, at)) {
+    for (std::size_t at = 0; (at = text.find(sign, at)) != std::string::npos;)
       text.replace(at, sign.size(), usual);
-      at += usual.size();
-    }
   }
   std::string result;
   bool after_space = false;
@@ -215,18 +212,12 @@ std::string usual_spelling(std::string text) {
 }  // namespace
 
 std::optional<Unit> read_unit(const ValueSyntax& unit, Report& report, const ValueSyntax* value) {
-  Report found;
-  const std::optional<Unit> result = UnitReader(unit, found, value).read();
-  if (result) return result;
   ValueSyntax usual = unit;
   usual.text = usual_spelling(unit.text);
   Report unheard;
-  const bool is_mended = usual.text != unit.text && UnitReader(usual, unheard, nullptr).read();
-  for (Diagnostic error : found.sorted_diagnostics()) {
-    if (is_mended) error.hint = "write " + quote_text(usual.text);
-    report.add(std::move(error));
-  }
-  return std::nullopt;
+  const bool is_mended = usual.text != unit.text && UnitReader(usual, unheard, nullptr, "").read();
+  const std::string hint = is_mended ? "write " + quote_text(usual.text) : "";
+  return UnitReader(unit, report, value, hint).read();
 }
 
 }  // namespace elgen

@@ -11,14 +11,12 @@ namespace elgen {
 namespace {
 
 constexpr std::array<std::string_view, 2> acting_keys{"wrench", "at"};
+constexpr std::array<std::string_view, 3> exclusive_keys{"on", "wrench", "at"};
 
 /// "_tx" … "_fz": what the name of a component adds to the name of its wrench.
 std::string component_suffix(const WrenchComponentCounts& count, std::uint32_t component) {
-  constexpr std::string_view axes = "xyz";
-  const bool is_torque = component < count.torque;
-  const bool is_planar_torque = is_torque && count.torque == 1;
-  const std::uint32_t axis = is_planar_torque ? 2U : component - (is_torque ? 0U : count.torque);
-  return std::string(is_torque ? "_t" : "_f") + axes[axis];
+  if (component >= count.torque) return std::string("_f") + "xyz"[component - count.torque];
+  return std::string("_t") + "xyz"[count.torque == 1 ? 2U : component];
 }
 
 void set_units(Input* first, std::uint32_t count, const Unit& unit, const std::string& text) {
@@ -51,12 +49,8 @@ std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntryS
     return refuse(Reason::repeated_name, repetition == nullptr ? name.span : repetition->key_span,
                   "a wrench cannot be repeated: its index counts its components");
   }
-  if (const KeySyntax* second = first_two_keys(entry, acting_keys)[1]) {
+  if (const KeySyntax* second = first_two_keys(entry, exclusive_keys)[1]) {
     return refuse(Reason::not_one_alternative, second->key_span,
-                  "an input has one of `on`, `wrench` and `at`");
-  }
-  if (const KeySyntax* on = entry.find("on")) {
-    return refuse(Reason::not_one_alternative, on->key_span,
                   "an input has one of `on`, `wrench` and `at`");
   }
   if (const KeySyntax* unit = entry.find("unit")) {
@@ -72,9 +66,8 @@ std::optional<std::uint32_t> declare_wrench_input(Context& context, const EntryS
     context.model.inputs.back().indexed_name = indexed.text();
     context.model.inputs.back().is_external = true;
     for (const NewName& each : {indexed, component}) {
-      if (!context.symbols.declare(each, SymbolKind::input, first + i, context.report)) {
+      if (!context.symbols.declare(each, SymbolKind::input, first + i, context.report))
         return std::nullopt;
-      }
     }
   }
   const Unit newton = *find_unit("N");

@@ -301,23 +301,20 @@ bool contains_error(const Model& model, ExpressionId entry) {
   return std::ranges::count(reachable_expressions(model, {entry}), no_expression) > 0;
 }
 
-bool is_locked_velocity(const Model& model, std::uint32_t velocity) {
-  return std::ranges::any_of(model.reduction.locks, [velocity](const LockedCoordinate& lock) {
-    return lock.has_velocity(velocity);
-  });
-}
-
-/// Reports E319 for each momentum of a locked coordinate in the scene, whose functions do not take
-/// it.
-void refuse_locked_momenta(Context& context) {
+/// Reports E319 for each momentum of a locked or cyclic coordinate in the [[expect]] of the scene,
+/// whose functions do not take it.
+void refuse_removed_momenta(Context& context) {
   const Model& model = context.model;
   for (const Expectation& expectation : model.expectations) {
     if (!is_of_scene(model, expectation.span)) continue;
     for (const ExpressionId id : reachable_expressions(model, expectation.entries)) {
       const Expression& node = model.expressions[id];
-      if (!is_leaf(node, Opcode::momentum) || !is_locked_velocity(model, node.index)) continue;
-      context.report.add(Code::E319, node.span,
-                         in_backticks(node.span) + " is the momentum of a locked coordinate");
+      const auto& [locks, cyclic, unreduced] = model.reduction;
+      const bool is_removed = has_velocity(locks, node.index) || has_velocity(cyclic, node.index);
+      if (!is_leaf(node, Opcode::momentum) || !is_removed) continue;
+      context.report.add(
+          Code::E319, node.span,
+          in_backticks(node.span) + " is the momentum of a coordinate that the scene removes");
     }
   }
 }
@@ -356,7 +353,7 @@ void read_expectations(Context& context, const FileSyntax& syntax,
       }
     }
   }
-  refuse_locked_momenta(context);
+  refuse_removed_momenta(context);
 }
 
 }  // namespace elgen

@@ -46,8 +46,8 @@ struct ExpectationOptions {
 };
 
 /// Resolves every closed form and compares its shape with the output's. E517, E601, and the errors
-/// of require_request() and read_expected_state(). E319: a momentum of a locked coordinate in a
-/// scene.
+/// of require_request() and read_expected_state(). E319: a momentum of a coordinate that the
+/// scene removes, in its own [[expect]].
 void read_expectations(Context& context, const FileSyntax& syntax,
                        const ExpectationOptions& options);
 

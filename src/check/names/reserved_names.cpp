@@ -74,13 +74,10 @@ bool is_macro(std::string_view name) {
 
 }  // namespace
 
-const std::vector<std::string>& function_names() {
-  static const std::vector<std::string> all = [] {
-    std::vector<std::string> names = column_words(function_table(), &FunctionRow::name);
-    for (const CallRow& call : call_table()) names.emplace_back(call.name);
-    return names;
-  }();
-  return all;
+std::vector<std::string> function_names() {
+  std::vector<std::string> names = column_words(function_table(), &FunctionRow::name);
+  for (const CallRow& call : call_table()) names.emplace_back(call.name);
+  return names;
 }
 
 std::string_view reserved_reason(std::string_view name) {

@@ -9,7 +9,7 @@
 
 namespace elgen {
 
-[[nodiscard]] const std::vector<std::string>& function_names();
+[[nodiscard]] std::vector<std::string> function_names();
 
 /// Why the name is reserved ("a C++ keyword"); "" if it is free.
 [[nodiscard]] std::string_view reserved_reason(std::string_view name);

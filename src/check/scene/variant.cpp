@@ -135,8 +135,8 @@ class ModelReducer {
       const auto index = remaining_.velocities[node.index];
       index ? void(node.index = *index) : rewrite_rate(node);
     } else if (is_leaf(node, Opcode::momentum)) {
-      const auto index = remaining_.velocities[node.index];
-      index ? void(node.index = *index) : rewrite_momentum(node);
+      // Only the [[expect]] of the model, which are removed, have momenta of removed coordinates.
+      node.index = remaining_.velocities[node.index].value_or(0);
     } else if (is_leaf(node, Opcode::input)) {
       // A removed input occurs only in forces that are removed too.
       const auto index = remaining_.inputs[node.index];
@@ -155,16 +155,6 @@ class ModelReducer {
     const HeldReplacement& held = replacements_[velocity.coordinate];
     const bool is_rate = is_leaf(node, Opcode::velocity);
     set_prescribed_name(node, is_rate ? held.rate : held.acceleration);
-  }
-
-  /// Replaces `node`, the momentum of a cyclic coordinate, by its parameter.
-  void rewrite_momentum(Expression& node) const {
-    for (const CyclicCoordinate& cyclic : whole_.reduction.cyclic) {
-      if (cyclic.velocity != node.index) continue;
-      node.leaf = Opcode::parameter;
-      node.index = cyclic.parameter;
-      return;
-    }
   }
 
   void renumber_variables(const RemainingIndices& rotations) {
