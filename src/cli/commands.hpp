@@ -62,9 +62,8 @@ inline std::string number_error(const std::string& word) {
 inline std::string unit_error(const std::string& word) {
   const std::size_t end = word.find_first_not_of("0123456789.eE+-");
   if (end == std::string::npos || end == 0) return "";
-  const std::string number = word.substr(0, end);
-  return "`" + word + "` is not a number" +
-         (word.substr(end) == "s" ? ": write `" + number + "`" : ": numbers have no unit");
+  return "`" + word + "` is not a number: " +
+         (word.substr(end) == "s" ? "write `" + word.substr(0, end) + "`" : "numbers have no unit");
 }
 
 /// Adds an option for a number to `command`. Without the option, `value` stays empty.

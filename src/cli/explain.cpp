@@ -1,6 +1,7 @@
-// elgen explain NAME: explains an error code, an output, a function of the model language, or a
-// name in [[expect]]. If NAME is an entry of model or scene files (`coordinate`, `scene.outputs`),
-// lists the keys of the entry.
+// elgen explain NAME: explains an error code, an output, a function of the model language, a name
+// in
+// [[expect]], or a command. If NAME is an entry of model or scene files (`coordinate`,
+// `scene.outputs`), lists its keys; if NAME is a key, lists this key of all entries.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -22,30 +23,26 @@ namespace {
 /// Lines of details break at this column, so that they stay readable on wide terminals.
 constexpr std::size_t page_width = 100;
 
-/// A name that [[expect]] may use, although no model declares it.
-struct ExpectNameRow {
+/// A name with one paragraph.
+struct NameRow {
   std::string_view name;
+  std::string_view noun;
   std::string_view doc;
 };
 
-constexpr std::array expect_name_table{
-    ExpectNameRow{
-        "E",
+/// Names that [[expect]] may use, although no model declares them, and the commands.
+constexpr std::array name_table{
+    NameRow{
+        "E", "a name in [[expect]]",
         "In `conserved` of `[[expect]]` the energy function v dL/dv - L, unless the model declares "
         "a name `E`. `energy_function` is the same quantity in every model."},
-    ExpectNameRow{
-        "p",
-        "In `[[expect]]` `p(NAME)` is the momentum dL/d(dot(NAME)) of a coordinate. For a "
-        "rotation `p(NAME[k])` is the momentum about axis k of the body. It is allowed in "
-        "`conserved` and in outputs that take momenta. A name `p` of the model takes "
-        "precedence."}};
-
-struct ExplainedCommand {
-  std::string_view name;
-};
-
-constexpr std::array explained_commands{
-#define ELGEN_COMMAND(name) ExplainedCommand{#name},
+    NameRow{"p", "a name in [[expect]]",
+            "In `[[expect]]` `p(NAME)` is the momentum dL/d(dot(NAME)) of a coordinate. For a "
+            "rotation `p(NAME[k])` is the momentum about axis k of the body. It is allowed in "
+            "`conserved` and in outputs that take momenta. A name `p` of the model takes "
+            "precedence."},
+#define ELGEN_COMMAND(name) \
+  NameRow{#name, "a command", "`elgen " #name " --help` lists its options."},
 #include "cli/commands.def"
 #undef ELGEN_COMMAND
 };
@@ -84,13 +81,11 @@ Json json_of(const FunctionRow& row) {
           {"forces_only", row.use == FunctionUse::forces_only}};
 }
 
-Json json_of(const ExpectNameRow& row) { return {{"name", row.name}, {"doc", row.doc}}; }
+Json json_of(const NameRow& row) { return {{"name", row.name}, {"doc", row.doc}}; }
 
 Json json_of(const CallRow& row) {
   return {{"function", row.name}, {"usage", row.usage}, {"doc", row.doc}};
 }
-
-Json json_of(const ExplainedCommand& row) { return {{"command", row.name}}; }
 
 std::string text_of(const CodeRow& row) {
   const std::vector<std::string_view> reasons = reasons_of(row.code);
@@ -117,16 +112,12 @@ std::string text_of(const FunctionRow& row) {
           : "");
 }
 
-std::string text_of(const ExpectNameRow& row) {
-  return fmt::format("{}: a name in [[expect]]\n\n{}\n", row.name, row.doc);
+std::string text_of(const NameRow& row) {
+  return fmt::format("{}: {}\n\n{}\n", row.name, row.noun, row.doc);
 }
 
 std::string text_of(const CallRow& row) {
   return fmt::format("{}: a function of expressions\n\n{}: {}\n", row.name, row.usage, row.doc);
-}
-
-std::string text_of(const ExplainedCommand& row) {
-  return fmt::format("{0}: a command; `elgen {0} --help` lists its options\n", row.name);
 }
 
 /// The details in lines that begin with `indent`; "" if there are no details.
@@ -157,8 +148,7 @@ std::string entry_header(const std::string& name) {
 }
 
 /// The keys of the entry `name` and of the tables inside this entry. If models have no entry
-/// `name`, the keys of the entry of scenes: `routh` means `scene.routh`. `scene.frame` has the keys
-/// of `frame`.
+/// `name`, the keys of the entry of scenes: `routh` means `scene.routh`.
 std::vector<KeyRow> keys_of_entry(const std::string& name) {
   std::vector<KeyRow> keys;
   for (const KeyRow& key : key_table()) {
@@ -190,18 +180,12 @@ std::vector<std::string> known_names() {
     if (!output.is_user_output) names.emplace_back(output.name);
   }
   for (const FunctionRow& function : function_table()) names.emplace_back(function.name);
-  for (const ExpectNameRow& word : expect_name_table) names.emplace_back(word.name);
+  for (const NameRow& word : name_table) names.emplace_back(word.name);
   for (const CallRow& call : call_table()) names.emplace_back(call.name);
-  for (const KeyRow& key : key_table()) names.emplace_back(key.key);
-  for (const ExplainedCommand& command : explained_commands) names.emplace_back(command.name);
-  return names;
-}
-
-const OutputRow* find_output(std::string_view name) {
-  for (const OutputRow& output : output_table()) {
-    if (!output.is_user_output && output.name == name) return &output;
+  for (const KeyRow& key : key_table()) {
+    if (key.key != "*") names.emplace_back(key.key);
   }
-  return nullptr;
+  return names;
 }
 
 template <class Row>
@@ -210,11 +194,9 @@ ExitCode print_row(const GlobalOptions& global, const Row& row) {
 }
 
 ExitCode print_keys(const GlobalOptions& global, const std::vector<KeyRow>& keys,
-                    const std::string& header, const OutputRow* namesake) {
+                    const std::string& text) {
   Json list = Json::array();
   for (const KeyRow& key : keys) list.push_back(json_of(key));
-  const std::string text =
-      header + text_of(keys) + (namesake == nullptr ? "" : "\n" + text_of(*namesake));
   return print(global, wants_json(global) ? list.dump(2) + "\n" : text);
 }
 
@@ -222,21 +204,21 @@ ExitCode explain(const GlobalOptions& global, const std::string& name) {
   if (const CodeRow* row = find_code(upper_case(name))) return print_row(global, *row);
   const std::string owner(entry_of_keys(name));
   const std::vector<KeyRow> keys = keys_of_entry(owner);
-  // If an entry and an output have the same name, such as `gravity`, both are printed.
+  const OutputRow* const output = find_output(name);
   if (!keys.empty()) {
-    return print_keys(global, keys, owner == name ? "" : entry_header(name) + "\n",
-                      find_output(name));
+    // If an entry and an output have the same name, such as `gravity`, both are printed.
+    return print_keys(global, keys,
+                      (owner == name ? "" : entry_header(name) + "\n") + text_of(keys) +
+                          (output == nullptr ? "" : "\n" + text_of(*output)));
   }
-  if (const OutputRow* row = find_output(name)) return print_row(global, *row);
+  if (output != nullptr) return print_row(global, *output);
   if (const FunctionRow* row = find_function(name)) return print_row(global, *row);
-  const auto word = std::ranges::find(expect_name_table, name, &ExpectNameRow::name);
-  if (word != expect_name_table.end()) return print_row(global, *word);
   if (const CallRow* row = find_call(name)) return print_row(global, *row);
+  const auto word = std::ranges::find(name_table, name, &NameRow::name);
+  if (word != name_table.end()) return print_row(global, *word);
   std::vector<KeyRow> named(key_table().begin(), key_table().end());
   std::erase_if(named, [&name](const KeyRow& key) { return key.key != name || name == "*"; });
-  if (!named.empty()) return print_keys(global, named, "", nullptr);
-  const auto command = std::ranges::find(explained_commands, name, &ExplainedCommand::name);
-  if (command != explained_commands.end()) return print_row(global, *command);
+  if (!named.empty()) return print_keys(global, named, text_of(named));
   return report(global,
                 {{Reason::nothing_to_explain,
                   {},

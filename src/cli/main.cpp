@@ -14,7 +14,6 @@
 #include "base/json.hpp"
 #include "base/reason.hpp"
 #include "cli/commands.hpp"
-#include "cli/files/inputs.hpp"
 #include "cli/help/command_list.hpp"
 #include "cli/help/commit.hpp"
 #include "cli/process/resources.hpp"
@@ -145,47 +144,44 @@ std::vector<std::string> repeat_options(const std::vector<std::string>& words) {
 /// The option of the begun command, or the common option, that takes the word of a flag such as
 /// `--latex`: "--as latex". "" if no option takes the word.
 std::string option_with_choice(const CLI::App& app, const std::string& word) {
-  std::vector<ListedOption> options;
-  for (const CLI::App* command : app.get_subcommands()) options = command_list(*command).options;
-  const std::vector<ListedOption> common = command_list(app).options;
-  options.insert(options.end(), common.begin(), common.end());
-  const auto takes_word = [&word](const ListedOption& option) {
-    return std::ranges::count(option.choices, word) > 0;
-  };
-  const auto found = std::ranges::find_if(options, takes_word);
-  return found == options.end() ? "" : fmt::format("{} {}", found->names.back(), word);
+  for (const CLI::App* command : app.get_subcommands()) {
+    const std::string option = option_with_choice(*command, word);
+    if (!option.empty()) return option;
+  }
+  for (const ListedOption& option : command_list(app).options) {
+    const bool takes_word = std::ranges::count(option.choices, word) > 0;
+    if (takes_word) return fmt::format("{} {}", option.names.back(), word);
+  }
+  return "";
 }
 
-/// The hint on words that no option or argument takes.
-std::string extra_words_hint(const CLI::App& app, const std::vector<std::string>& extras) {
-  const std::string word = extras.front().substr(0, extras.front().find('='));
-  const std::vector<std::string> known = known_words(app);
-  const std::string near = suggestion(word, known);
-  const bool has_command = !app.get_subcommands().empty();
-  if (!has_command && word.ends_with(".toml"))
-    return fmt::format("write `elgen show {}`", printable_path(word));
-  if (!near.empty()) return near;
-  const auto longer = std::ranges::find_if(known, [&word](const std::string& name) {
-    return word.size() > 1 && name.starts_with(word);
-  });
-  if (longer != known.end()) return fmt::format("did you mean `{}`?", *longer);
+/// The hint on a word that no option or argument takes.
+std::string extra_word_hint(const CLI::App& app, const std::string& extra) {
+  const std::string word = extra.substr(0, extra.find('='));
+  if (word.ends_with(".toml")) {
+    return app.get_subcommands().empty()
+               ? fmt::format("write `elgen show {}`", printable_path(word))
+               : "one input at a time";
+  }
   if (word == "-o") return "the result goes to stdout: write `> FILE`";
+  const std::vector<std::string> known = known_words(app);
+  std::string meant = nearest_word(word, known);
+  const auto longer = std::ranges::find_if(
+      known, [&word](const std::string& name) { return name.starts_with(word); });
+  if (meant.empty() && word.size() > 1 && longer != known.end()) meant = *longer;
+  if (!meant.empty()) return fmt::format("did you mean `{}`?", meant);
   const std::string option = word.starts_with("--") ? option_with_choice(app, word.substr(2)) : "";
-  if (!option.empty()) return fmt::format("write `{}`", option);
-  return has_command && word.ends_with(".toml") ? "one input at a time" : help_hint(app);
+  return option.empty() ? help_hint(app) : fmt::format("write `{}`", option);
 }
 
-/// The hint on a required option or argument that is missing.
+/// The hint on a required option or argument that is missing; if none is, help_hint().
 std::string missing_option_hint(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands()) {
-    const std::string near = command->get_name() == "import" ? "" : near_input("");
     for (const CLI::Option* option : command->get_options()) {
       if (!option->get_required() || option->count() > 0) continue;
+      const std::string& doc = option->get_description();
       const std::string name = option->get_name();
-      if (name.starts_with("--"))
-        return fmt::format("{}: write `{} 10`", option->get_description(), name);
-      if (name.starts_with("input") && !near.empty())
-        return fmt::format("write `elgen {} {}`", command->get_name(), near);
+      return name.starts_with("--") ? fmt::format("{}: write `{} 10`", doc, name) : "write " + doc;
     }
   }
   return help_hint(app);
@@ -195,15 +191,13 @@ Diagnostic parse_error(const CLI::App& app, const std::vector<std::string>& word
                        const CLI::ParseError& error) {
   const std::vector<std::string> extras = app.remaining(true);
   if (!extras.empty()) {
-    return error_at_word(words, extras.front(),
-                         fmt::format("`{}` is not understood", extras.front()),
-                         extra_words_hint(app, extras));
+    const std::string& word = extras.front();
+    return error_at_word(words, word, fmt::format("`{}` is not understood", word),
+                         extra_word_hint(app, word));
   }
   std::string message = error.what();
   if (!message.empty()) message[0] = to_lower_case(message[0]);
-  const bool is_missing = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-  return {
-      Reason::unknown_option, {}, message, is_missing ? missing_option_hint(app) : help_hint(app)};
+  return {Reason::unknown_option, {}, message, missing_option_hint(app)};
 }
 
 Result<Limits> read_limits(const std::vector<std::string>& settings) {

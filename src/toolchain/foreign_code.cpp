@@ -18,7 +18,6 @@
 #include <utility>
 
 #include "base/json.hpp"
-#include "elgen/scene.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "model/requests.hpp"
@@ -161,10 +160,7 @@ Result<ForeignResults> run_library(const ForeignCalls& calls) {
   const std::size_t answered = std::min(memory.answered[0].load(), count);
   const char* const refusal = &memory.refusal[0];
   if (answered == 0 && end.succeeded() && *refusal != '\0') {
-    const std::string& code = calls.function.code;
-    const bool is_script = std::ranges::any_of(language_table, [&code](const LanguageRow& row) {
-      return row.is_interpreted && code.ends_with(fmt::format(".{}", row.file_extension));
-    });
+    const bool is_script = calls.function.code.ends_with(".py");
     return Diagnostic{Code::E716,
                       {},
                       std::string(refusal, ::strnlen(refusal, most_words)),

@@ -101,8 +101,8 @@ TEST_CASE("a wrong command line gets the line to write") {
   };
   const std::string simulate_help = "see `elgen simulate --help`";
   for (const auto& [line, message, hint] : std::vector<Row>{
-           {"generate", "inputs is required", "write `elgen generate base.toml`"},
-           {"simulate", "input is required", "write `elgen simulate base.toml`"},
+           {"generate", "inputs is required", "write NAME.toml, NAME.scene.toml or - (stdin)"},
+           {"import", "input is required", "write NAME.urdf or - (stdin)"},
            {"simulate base.toml", "--time is required", "duration in s: write `--time 10`"},
            {"simulate base.toml --time 10s", "--time: `10s` is not a number: write `10`",
             simulate_help},

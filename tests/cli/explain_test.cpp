@@ -77,15 +77,14 @@ TEST_CASE("explain knows expanded functions, keys and commands") {
   CHECK(run("elgen explain x").output ==
         "x: a function of expressions\n\nx(P): world coordinate x of the place P\n");
   CHECK(run("elgen explain simulate").output ==
-        "simulate: a command; `elgen simulate --help` lists its options\n");
+        "simulate: a command\n\n`elgen simulate --help` lists its options.\n");
   const std::string unit = run("elgen explain unit").output;
   CHECK(mentions(unit, "[[coordinate]]: "));
   CHECK(mentions(unit, "\n  unit "));
   CHECK_FALSE(mentions(unit, "\n  name "));
   const auto json = nlohmann::json::parse(run("elgen explain dist2 --format json").output);
   CHECK(json.at("usage") == "dist2(P, Q)");
-  CHECK(nlohmann::json::parse(run("elgen explain show --format json").output).at("command") ==
-        "show");
+  CHECK(nlohmann::json::parse(run("elgen explain show --format json").output).at("name") == "show");
   for (const CallRow& row : call_table()) {
     INFO(row.name);
     CHECK(mentions(run("elgen explain " + std::string(row.name)).output, std::string(row.doc)));

@@ -41,15 +41,19 @@ Diagnostic unreadable(const std::string& path, int error) {
   return unreadable_error(path, "could not be read: " + std::generic_category().message(error));
 }
 
-std::vector<std::string> toml_files(const fs::path& folder) {
-  std::vector<std::string> names;
+/// The model or scene beside a missing file that has a near name: "base.toml" for "base" and
+/// "basse.toml". "" if there is none.
+std::string near_file(const fs::path& missing) {
+  if (missing.has_extension() && missing.extension() != ".toml") return "";
+  const fs::path folder = missing.parent_path();
+  std::vector<std::string> stems;
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, failed)) {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with(".toml")) names.push_back(name);
+    if (entry.path().extension() == ".toml") stems.push_back(entry.path().stem().string());
   }
-  std::sort(names.begin(), names.end());
-  return names;
+  std::ranges::sort(stems);
+  const std::string near = nearest_word(missing.stem().string(), stems);
+  return near.empty() ? "" : (folder / (near + ".toml")).string();
 }
 
 /// E111 if the file does not exist; E707 if stat() fails, or if the file is neither regular nor a
@@ -58,7 +62,7 @@ std::optional<Diagnostic> missing_file_error(const std::string& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0) {
     if (errno != ENOENT && errno != ENOTDIR) return unreadable(path, errno);
-    const std::string near = near_input(path);
+    const std::string near = near_file(path);
     return Diagnostic{Code::E111,
                       {},
                       fmt::format("`{}` does not exist", printable_path(path)),
@@ -142,22 +146,12 @@ std::string hint_of_scene(const fs::path& scene, const fs::path& model) {
   const bool is_alone = scene.parent_path().filename().string().starts_with("git-blob-");
   if (is_alone)
     return "git passes the scene without its model; `elgen diff --against REV` reads both";
-  std::vector<std::string> names = toml_files(model.parent_path());
-  std::erase_if(names, [](const std::string& name) { return name.ends_with(".scene.toml"); });
-  const std::string near = suggestion(model.filename().string(), names);
-  return near.empty() ? "the path is relative to the scene" : near;
+  const std::string near = fs::path(near_file(model)).filename().string();
+  return near.empty() ? "the path is relative to the scene"
+                      : fmt::format("did you mean `{}`?", near);
 }
 
 }  // namespace
-
-std::string near_input(const std::string& path) {
-  const fs::path wanted = path;
-  const std::vector<std::string> names = toml_files(wanted.parent_path());
-  if (path.empty()) return names.empty() ? "" : names.front();
-  const std::string ending = wanted.has_extension() ? "" : ".toml";
-  const std::string near = nearest_word(wanted.filename().string() + ending, names);
-  return near.empty() ? "" : (wanted.parent_path() / near).string();
-}
 
 Result<SourcePointer> make_limited_source(const std::string& path, std::string text,
                                           const Limits& limits) {

@@ -14,10 +14,6 @@ namespace elgen::cli {
 /// The name of standard input in diagnostics.
 inline constexpr std::string_view stdin_name = "<stdin>";
 
-/// The model or scene beside a missing file that has a near name: "base.toml" for "base" and
-/// "basse.toml". For "" the first one in the working directory. "" if there is none.
-[[nodiscard]] std::string near_input(const std::string& path);
-
 /// Reads a file, or standard input if `path` is "-". E111 if the file does not exist; E707 if the
 /// input cannot be read; E901 if the input exceeds `limits.file_bytes`. Ends the process with E909
 /// if the input does not arrive within `limits.seconds`.
