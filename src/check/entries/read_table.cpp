@@ -58,7 +58,7 @@ void read_gravity(ValueReader& values, const EntrySyntax& entry) {
 
 struct EnergyKey {
   std::string_view key;
-  std::optional<ExpressionId> Energies::* member;
+  std::optional<ExpressionId> Energies::*member;
   std::string_view unit;
   Ingredients allowed = place::energy_terms;
 };

@@ -167,8 +167,7 @@ class SimulationRun {
 };
 
 std::string rotation_symbol(const Model& model, std::uint32_t index) {
-  const Rotation& rotation = model.rotations[index];
-  return unicode_text(symbol_of_name(rotation.name, rotation.latex));
+  return unicode_text(symbol_of_name(model.rotations[index].name, model.rotations[index].latex));
 }
 
 /// The columns of a run; x and y of `point` are included if `point` is not empty.
