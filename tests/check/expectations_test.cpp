@@ -165,12 +165,12 @@ TEST_CASE("fewer equations than accelerations are allowed, and may contain multi
   };
   const std::string loop = "[[constraint]]\nname = \"loop\"\ncoincide = [\"P\", \"Nobody\"]\n";
   CHECK(said(loop, "dot(dot(x)) = 0") == "E201 16:19 unknown point `Nobody`\n");
-  const std::string note = "E405 13:8 `1` contains no name, so it is in kg, the SI unit of its key\n";
+  const std::string note =
+      "E405 13:8 `1` contains no name, so it is in kg, the SI unit of its key\n";
   CHECK(said("", "dot(dot(x)) = 0") == note);
   CHECK(said(wall, "lambda(wall) = 0") == note);
   CHECK(said(wall, "2*lambda_wall = lambda(wall)") == note);
-  CHECK(said(wall, "dot(dot(x)) = lambda_wal") ==
-        "E201 18:29 unknown name `lambda_wal`\n");
+  CHECK(said(wall, "dot(dot(x)) = lambda_wal") == "E201 18:29 unknown name `lambda_wal`\n");
   CHECK(said("", "dot(dot(x)) = lambda_wall") == "E201 15:29 unknown name `lambda_wall`\n");
   CHECK(said(wall, "x = 0") ==
         "E540 18:15 `x = 0` contains no acceleration | the acceleration of `x` is "
