@@ -23,13 +23,14 @@ function element([, tag, attributes], options) {
     id: values.id,
     hidden: "hidden" in values,
     value: values.value,
+    name: values.name,
     getContext: () => drawing,
     getAttribute: (name) => made.values[name],
     setAttribute: (name, value) => { made.values[name] = value; },
     addEventListener: (name, act) => { made.listeners[name] = act; },
     nextElementSibling: { textContent: "" },
-    add: (option) => { made.options.push(option); },
-    replaceChildren: () => { made.options = []; },
+    add: (option) => { made.replaceChildren(...made.options, option); },
+    replaceChildren: (...added) => { made.options = added; made.value ??= added[0].value; },
   });
 }
 

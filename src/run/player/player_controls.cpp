@@ -5,13 +5,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
+#include <cstdint>
 #include <numbers>
 #include <optional>
-#include <set>
-#include <utility>
+#include <string>
+#include <vector>
 
 #include "elgen/leaf_names.hpp"
 #include "elgen/real.hpp"
@@ -24,8 +23,6 @@ namespace elgen {
 namespace {
 
 struct Slider {
-  char kind = 'q';  ///< 'q', 'v', 'u' or 'p'; `index` counts within the kind
-  std::size_t index = 0;
   std::string name = {};  ///< in the model language
   Formula symbol = {};
   std::string unit = {};
@@ -40,10 +37,8 @@ TemplateData slider_data(const Slider& slider) {
   const double low = slider.range ? to_double(slider.range->low) : slider.value - slider.half_width;
   const double high =
       slider.range ? to_double(slider.range->high) : slider.value + slider.half_width;
-  return TemplateRow{{"kind", std::string(1, slider.kind)},
-                     {"index", std::to_string(slider.index)},
-                     {"name", html_attribute_text(slider.name)},
-                     {"symbol", escape_xml(unicode_text(slider.symbol))},
+  return TemplateRow{{"name", html_attribute_text(slider.name)},
+                     {"symbol", html_attribute_text(unicode_text(slider.symbol))},
                      {"unit", html_attribute_text(unicode_unit(slider.unit))},
                      {"value", fmt::format("{}", slider.value)},
                      {"low", fmt::format("{}", std::min(low, slider.value))},
@@ -60,7 +55,7 @@ Sliders coordinate_sliders(const Model& model, const Symbols& symbols) {
     const double start = to_double(c.start_value);
     const double reach = is_angle(c) ? std::numbers::pi : default_half_width(start);
     if (c.rotation) continue;
-    list.push_back({'q', i, c.name, symbols.q[i], c.unit_text, start, reach, c.range});
+    list.push_back({c.name, symbols.q[i], c.unit_text, start, reach, c.range});
   }
   return list;
 }
@@ -71,7 +66,7 @@ Sliders velocity_sliders(const Model& model, const LeafNames& leaves, const Symb
   for (std::size_t i = 0; i < model.velocities.size(); ++i) {
     const Velocity& v = model.velocities[i];
     const double start = to_double(v.start_rate);
-    list.push_back({'v', i, leaf_text(leaves, Opcode::velocity, static_cast<std::uint32_t>(i)),
+    list.push_back({leaf_text(leaves, Opcode::velocity, static_cast<std::uint32_t>(i)),
                     symbols.v[i], velocity_unit_text(model, v), start,
                     turns * default_half_width(start), v.rate_range});
   }
@@ -86,7 +81,7 @@ Sliders input_sliders(const CheckedModel& checked, const Symbols& symbols) {
   for (std::size_t k = 0; k < model.inputs.size(); ++k) {
     const Input& input = model.inputs[k];
     if (find_law(checked.scene, input) != nullptr) continue;
-    list.push_back({'u', k, input.name, symbols.u[k], input.unit_text, 0, reach, input.limits});
+    list.push_back({input.name, symbols.u[k], input.unit_text, 0, reach, input.limits});
   }
   return list;
 }
@@ -100,8 +95,8 @@ Sliders parameter_sliders(const Model& model, const Program& program, const Symb
       std::optional<Interval> range = array.range;
       const bool is_above_zero = !range && parameter.assumption != Assumption::none;
       if (is_above_zero) range = Interval{parameter.value / 4, parameter.value * 4};
-      list.push_back({'p', list.size(), parameter.name, symbols.parameters[array.first + i],
-                      array.unit_text, value, default_half_width(value), range});
+      list.push_back({parameter.name, symbols.parameters[array.first + i], array.unit_text, value,
+                      default_half_width(value), range});
     }
   }
   return list;
@@ -113,15 +108,7 @@ std::string html_attribute_text(const std::string& text) {
   return escape_markup(escape_xml(text), {{'"', "&quot;"}});
 }
 
-TemplateData tolerance_choices(double chosen) {
-  const std::set<double, std::greater<>> tolerances{1e-3, 1e-6, 1e-9, 1e-12, chosen};
-  return repeated_section(tolerances, [chosen](double tolerance) {
-    return TemplateRow{{"tolerance", fmt::format("{}", tolerance)},
-                       {"selected", tolerance == chosen ? " selected" : ""}};
-  });
-}
-
-void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program) {
+TemplateData slider_groups(const CheckedModel& checked, const Program& program) {
   const Model& model = checked.model;
   const Symbols symbols = ModelSymbols(model).leaf_symbols();
   constexpr std::size_t most_open = 12;  // groups with more sliders are collapsed at first
@@ -136,20 +123,7 @@ void set_controls(TemplateData& data, const CheckedModel& checked, const Program
   add("Rates at the start", velocity_sliders(model, program.leaves, symbols));
   add("Inputs", input_sliders(checked, symbols));
   add("Parameters", parameter_sliders(model, program, symbols));
-  data.set("groups", groups);
-  TemplateData phases(TemplateData::type::list);
-  for (std::size_t i = 0; i < model.velocities.size(); ++i) {
-    const Velocity& v = model.velocities[i];
-    if (v.rotation) continue;
-    phases << TemplateRow{{"index", std::to_string(i)},
-                          {"symbol", escape_xml(unicode_text(symbols.q[v.coordinate]))}};
-  }
-  data.set("phases", phases);
-  constexpr std::array paces{"0.1", "0.25", "0.5", "1", "2", "5", "10"};
-  data.set("paces", repeated_section(paces, [](const std::string_view pace) {
-             return TemplateRow{{"pace", std::string(pace)},
-                                {"selected", pace == "1" ? " selected" : ""}};
-           }));
+  return groups;
 }
 
 }  // namespace elgen

@@ -1,17 +1,15 @@
-// player_controls: the sliders and choices of a page.
+// player_controls: the sliders of a page.
 #pragma once
+
+#include <string>
 
 #include "base/fill_template.hpp"
 #include "elgen/pipeline.hpp"
-#include "elgen/simulate.hpp"
 
 namespace elgen {
 
-/// Sets the variables of `data` for groups of sliders, phase planes and paces.
-void set_controls(TemplateData& data, const CheckedModel& checked, const Program& program);
-
-/// The options of the page's tolerance; `chosen` is one of them, and selected.
-[[nodiscard]] TemplateData tolerance_choices(double chosen);
+/// Groups of sliders: of the start, its rates, inputs without laws, and parameters.
+[[nodiscard]] TemplateData slider_groups(const CheckedModel& checked, const Program& program);
 
 /// Escapes a text for use in a quoted HTML attribute.
 [[nodiscard]] std::string html_attribute_text(const std::string& text);

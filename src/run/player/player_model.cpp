@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "analyse/formulas.hpp"
@@ -60,7 +60,7 @@ Json velocities_json(const Model& model, const LeafNames& leaves,
                     {"unit", unicode_unit(velocity_unit_text(model, v))},
                     {"range", largest_in_range(v.rate_range)},
                     {"start", to_double(v.start_rate)},
-                    {"coordinate", v.coordinate}});
+                    {"coordinate", v.rotation ? Json(nullptr) : Json(v.coordinate)}});
   }
   return list;
 }
@@ -82,13 +82,15 @@ Json laws_json(const CheckedModel& checked) {
   return list;
 }
 
+/// The value of a parameter is p[array][key], or p[key] if `array` is null.
 Json parameters_json(const Model& model, const Program& program, LanguageId language) {
   Json list = Json::array();
   for (const ParameterArray& array : emitted_parameters(model, program)) {
     for (std::uint32_t i = 0; i < array.count; ++i) {
+      const std::string member = name_in_language(language, array.name);
       list.push_back({{"name", model.parameters[array.first + i].name},
-                      {"member", name_in_language(language, array.name)},
-                      {"element", array.is_array ? Json(i) : Json(nullptr)}});
+                      {"array", array.is_array ? Json(member) : Json(nullptr)},
+                      {"key", array.is_array ? Json(i) : Json(member)}});
     }
   }
   return list;
@@ -110,12 +112,6 @@ Json integrals_json(const Model& model) {
   }
   return list;
 }
-
-/// A start at rest, for the menu of the page.
-struct ShownStart {
-  std::string name = {};  ///< "θ = 0 (stable)", "mode of 4.43 rad/s: θ = 0"
-  std::vector<double> q = {};
-};
 
 /// Labels of points of rest, in the symbols of the model.
 class RestLabels {
@@ -158,54 +154,45 @@ class RestLabels {
   LeafValues<Formula> symbols_;
 };
 
-ShownStart rest_start(const RestPoint& point, std::string name) {
-  ShownStart start{std::move(name)};
-  for (const cln::cl_R& value : point.state.q) start.q.push_back(to_double(value) + 0.0);
-  return start;
+Numbers position_at(const RestPoint& point) {
+  Numbers q;
+  for (const cln::cl_R& value : point.state.q) q.push_back(to_double(value) + 0.0);
+  return q;
 }
 
-/// A start at rest: the equilibrium `point` plus 0.1 times the shape of `mode`.
-ShownStart mode_start(const Model& model, const RestLabels& labels, const RestPoint& point,
-                      const NormalMode& mode) {
+/// "mode of 4.43 rad/s: θ = 0": the equilibrium plus 0.1 times the shape of the mode.
+Json mode_start_json(const Model& model, const RestLabels& labels, const RestPoint& point,
+                     const NormalMode& mode) {
   constexpr double part = 0.1;
   const double omega = std::sqrt(to_double(mode.omega_squared));
-  ShownStart start =
-      rest_start(point, fmt::format("mode of {:.4g} rad/s: {}", omega, labels.label(point)));
+  Numbers q = position_at(point);
   for (std::size_t i = 0; i < mode.shape.size(); ++i) {
-    start.q[model.velocities[i].coordinate] += part * mode.shape[i];
+    q[model.velocities[i].coordinate] += part * mode.shape[i];
   }
-  return start;
+  return {{"name", fmt::format("mode of {:.4g} rad/s: {}", omega, labels.label(point))}, {"q", q}};
 }
 
-/// The equilibria, stable ones first. For models without rotations, also each stable equilibrium
-/// plus 0.1 times the shape of each normal mode with omega^2 > 0.
-std::vector<ShownStart> shown_starts(const Model& model, const Products& read) {
-  std::vector<ShownStart> starts;
+/// Starts at rest. The equilibria, stable ones first: "θ = 0 (stable)". For models without
+/// rotations, also each normal mode with omega^2 > 0 about each stable equilibrium.
+Json starts_json(const Model& model, const Products& read) {
+  Json starts = Json::array();
   if (!read.equilibria) return starts;
   const RestLabels labels(model, *read.equilibria);
   for (const bool is_wanted_stable : {true, false}) {
     for (const RestPoint& point : read.equilibria->points) {
       if (is_stable(point.stability.kind) != is_wanted_stable) continue;
-      const char* const verdict = is_wanted_stable ? " (stable)" : "";
-      starts.push_back(rest_start(point, labels.label(point) + verdict));
+      const std::string name = labels.label(point) + (is_wanted_stable ? " (stable)" : "");
+      starts.push_back({{"name", name}, {"q", position_at(point)}});
     }
   }
   if (!read.modes || !model.rotations.empty()) return starts;
   for (const LinearMotions& motions : read.modes->motions) {
     for (const NormalMode& mode : motions.modes) {
       if (!cln::plusp(mode.omega_squared)) continue;
-      starts.push_back(mode_start(model, labels, motions.point, mode));
+      starts.push_back(mode_start_json(model, labels, motions.point, mode));
     }
   }
   return starts;
-}
-
-Json starts_json(const Model& model, const Products& read) {
-  Json list = Json::array();
-  for (const ShownStart& start : shown_starts(model, read)) {
-    list.push_back({{"name", start.name}, {"q", start.q}});
-  }
-  return list;
 }
 
 /// Simulated seconds per real second: 1 if the run takes 2 to 60 s; otherwise the pace that shows
@@ -240,27 +227,16 @@ Json kinks_json(const CheckedModel& checked) {
   return list;
 }
 
-/// The script finds the method by these keys: with `pair` it is dopri5, with `step` all steps have
-/// this length.
+/// With `step`, all steps have this length.
 Json run_json(const SimulationOptions& options) {
   const MethodRow method = *find_method(options);
   const StepRule rule = *step_rule(method, options);
-  Json json{{"from", options.from},
-            {"duration", options.duration},
-            {"projects", options.projects},
-            {"pace", playback_pace(options)}};
-  if (method.step_kind == StepKind::adaptive) {
-    const EmbeddedPair pair = dopri5_pair();
-    json["pair"] = {{"rows", pair.rows}, {"instants", pair.instants}, {"errors", pair.errors}};
-  }
-  if (rule.step) {
-    json["step"] = *rule.step;
-    return json;
-  }
-  json["tolerance"] = rule.tolerance;
-  json["shortest"] = rule.shortest_step;
-  json["too_short"] = step_too_short;
-  json["slides"] = slides_along;
+  Json json{{"method", method.name},          {"from", options.from},
+            {"duration", options.duration},   {"projects", options.projects},
+            {"pace", playback_pace(options)}, {"tolerance", rule.tolerance},
+            {"shortest", rule.shortest_step}, {"too_short", step_too_short},
+            {"slides", slides_along}};
+  if (rule.step) json["step"] = *rule.step;
   return json;
 }
 
@@ -275,7 +251,8 @@ std::string player_model_json(const CheckedModel& checked, const Program& progra
   Json json;
   json["coordinates"] = coordinates_json(model, symbols);
   json["velocities"] = velocities_json(model, program.leaves, symbols);
-  json["inputs"] = model.inputs.size();
+  json["inputs"] = Json::array();
+  for (const Input& input : model.inputs) json["inputs"].push_back(input.name);
   json["laws"] = laws_json(checked);
   json["parameters"] = parameters_json(model, program, checked.scene.emission.language);
   json["multipliers"] = multipliers_json(model, symbols);
@@ -283,8 +260,6 @@ std::string player_model_json(const CheckedModel& checked, const Program& progra
   add_places(json, checked, program);
   json["kinks"] = kinks_json(checked);
   json["starts"] = starts_json(model, read);
-  json["may_rest_elsewhere"] =
-      read.equilibria && read.equilibria->completeness != Completeness::proved;
   json["power"] = {{"has_time", conservation.has_time},
                    {"is_forced", conservation.is_forced},
                    {"has_moving_constraints", has_moving_constraints(model)}};

@@ -135,19 +135,17 @@ Result<std::string> player_page(const Products& run_products, const Products& sh
   if (!functions) return functions.diagnostics;
   const ReadableTexts texts = make_readable_texts(shown_products);
   const std::string title = page_title(model);
-  const TemplateData tolerances = tolerance_choices(options.tolerance.value_or(default_tolerance));
-  TemplateData data(TemplateRow{
-      {"generated", std::string(generated_marker)},
-      {"title", escape_xml(title)},
-      {"error_control", optional_section(!options.step, TemplateRow{{"tolerances", tolerances}})},
-      {"label", html_attribute_text("The motion of " + title)},
-      {"no_places", shown_places(model).empty() ? " hidden" : ""},
-      {"functions", *functions},
-      {"calls", calls_data(*assembled, program)},
-      {"model", player_model_json(*assembled, program, shown_products, options)},
-      {"equations", texts.equations},
-      {"derivation", derivation_data(texts)}});
-  set_controls(data, *assembled, program);
+  const TemplateData data(
+      TemplateRow{{"generated", std::string(generated_marker)},
+                  {"title", escape_xml(title)},
+                  {"label", html_attribute_text("The motion of " + title)},
+                  {"no_places", shown_places(model).empty() ? " hidden" : ""},
+                  {"functions", *functions},
+                  {"calls", calls_data(*assembled, program)},
+                  {"groups", slider_groups(*assembled, program)},
+                  {"model", player_model_json(*assembled, program, shown_products, options)},
+                  {"equations", texts.equations},
+                  {"derivation", derivation_data(texts)}});
   std::string page = fill_template("player/page.html.mustache", data);
   if (page.size() <= limits.page_bytes) return page;
   return Diagnostic{

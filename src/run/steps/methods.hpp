@@ -8,7 +8,6 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "elgen/simulate.hpp"
 #include "elgen/step_methods.hpp"
@@ -115,20 +114,6 @@ struct MethodRow {
 [[nodiscard]] std::unique_ptr<Stepper> make_dopri5(SimulatedSystem& system, const StepRule& rule);
 [[nodiscard]] std::unique_ptr<Stepper> make_step_program(SimulatedSystem& system,
                                                          const StepRule& rule);
-
-/// The coefficients of two Runge-Kutta methods with common rates k_j:
-///
-///     k_0 = f(x, t),   k_{i+1} = f(x + h sum_j rows[i][j] k_j, t + instants[i] h)
-///
-/// The last argument of f is the state after the step, and h sum_j errors[j] k_j is its error.
-struct EmbeddedPair {
-  std::vector<Numbers> rows = {};
-  Numbers instants = {};
-  Numbers errors = {};
-};
-
-/// The coefficients of dopri5.
-[[nodiscard]] EmbeddedPair dopri5_pair();
 
 /// The row of options.method. E620 for an unknown method, with a suggestion; E647 for an unknown
 /// order.

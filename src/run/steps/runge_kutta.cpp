@@ -7,7 +7,6 @@
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <string>
 
@@ -208,29 +207,6 @@ std::unique_ptr<Stepper> make_dopri5(SimulatedSystem& system, const StepRule& ru
   using Steps = odeint::runge_kutta_dopri5<Numbers>;
   if (rule.step) return make_fixed_stepper<Steps>(system, *rule.step);
   return std::make_unique<AdaptiveStepper<Steps>>(system, rule);
-}
-
-/// Rate i of the step is the unit vector i. So the states at which the step asks for rates, and the
-/// error at its end, consist of coefficients.
-EmbeddedPair dopri5_pair() {
-  // One more than the method has stages within a step: the rates at its end.
-  constexpr std::size_t rate_count = 7;
-  EmbeddedPair pair;
-  pair.errors.resize(rate_count);
-  const auto unit_rates = [&pair](const Numbers& state, Numbers& rates, double t) {
-    const std::size_t stage = pair.rows.size();
-    const auto count = static_cast<std::ptrdiff_t>(stage);
-    pair.rows.emplace_back(state.begin(), state.begin() + count);
-    pair.instants.push_back(t);
-    rates.assign(state.size(), 0);
-    rates[stage] = 1;
-  };
-  Numbers state(rate_count);
-  odeint::runge_kutta_dopri5<Numbers> method;
-  method.do_step(unit_rates, state, 0.0, 1.0, pair.errors);
-  pair.rows.erase(pair.rows.begin());
-  pair.instants.erase(pair.instants.begin());
-  return pair;
 }
 
 }  // namespace elgen

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "run/simulate/compiled_model.hpp"
@@ -136,26 +135,6 @@ TEST_CASE("rk4 loses 9.03e-8 of the pendulum's energy per period of a hundred st
   CHECK(run.energy.worst == Approx(9.03e-6).epsilon(0.01));
   // The mean of the last tenth minus the mean of the first tenth: nine tenths of the loss.
   CHECK(run.energy.secular == Approx(-0.9 * 9.03e-6).epsilon(0.01));
-}
-
-TEST_CASE("the coefficients of dopri5 are those of Dormand and Prince") {
-  const EmbeddedPair pair = dopri5_pair();
-  REQUIRE(pair.rows.size() == 6);
-  // Sums of at most 7 rounded coefficients of at most 12.
-  const double rounding = 1e-14;
-  for (std::size_t i = 0; i < pair.rows.size(); ++i) {
-    CHECK(pair.rows[i].size() == i + 1);
-    const double sum = std::accumulate(pair.rows[i].begin(), pair.rows[i].end(), 0.0);
-    CHECK(sum == Approx(pair.instants[i]).margin(rounding));
-  }
-  CHECK(pair.rows[4][1] == -355.0 / 33);
-  CHECK(pair.rows[5] ==
-        Numbers{35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84});
-  CHECK(pair.instants == Numbers{0.2, 0.3, 0.8, 8.0 / 9, 1, 1});
-  REQUIRE(pair.errors.size() == 7);
-  CHECK(pair.errors[1] == 0);
-  CHECK(pair.errors[6] == -1.0 / 40);
-  CHECK(std::accumulate(pair.errors.begin(), pair.errors.end(), 0.0) == Approx(0).margin(rounding));
 }
 
 TEST_CASE("a run ends if no step meets its tolerance") {
