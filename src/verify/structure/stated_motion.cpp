@@ -169,7 +169,7 @@ std::string second_solution_text(const State& motion) {
 
 /// Counts the independent equations of an incomplete set. E540 if there are none.
 void count_equations(ExpectationReport& report, CertificateRow& row, const StatedSystem& system,
-                     const std::vector<State>& motions) {
+                     const Span& span, const std::vector<State>& motions) {
   row.verdict = Verdict::skipped;
   row.worst_value = "no state of the motion was found";
   if (motions.empty()) return;
@@ -185,7 +185,7 @@ void count_equations(ExpectationReport& report, CertificateRow& row, const State
   row.verdict = rank > constraints ? Verdict::noted : Verdict::fails;
   if (rank > constraints) return;
   report.diagnostics.push_back(
-      {Code::E540, system.equations.span,
+      {Code::E540, span,
        fmt::format("d(left - right)/da has rank 0{}, so no acceleration is determined",
                    constraints == 0 ? "" : " beyond the rows of A"),
        "an identity, such as 0 = 0, holds for any motion"});
@@ -247,7 +247,7 @@ void check_rank(ExpectationReport& report, const Expectation& equations,
   row.tolerance = "pivots above 1e-50 of the largest entry of their row, in 60 digits";
   const std::size_t n = system.accelerations();
   const bool incomplete = is_incomplete(subject.model, equations);
-  if (incomplete) count_equations(report, row, system, motions);
+  if (incomplete) count_equations(report, row, system, equations.span, motions);
   for (std::size_t i = 0; !incomplete && i < motions.size(); ++i) {
     const std::vector<cl_R> slopes = unknown_slopes(system, motions[i]);
     if (slopes.empty()) continue;
