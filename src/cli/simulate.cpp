@@ -110,8 +110,8 @@ Result<Trajectory> run_simulation(const GlobalOptions& global, const SimulateOpt
 
 bool writes_page(const SimulateOptions& options) { return options.output.file.ends_with(".html"); }
 
-/// The options of a page's run. The default method is that of the scene's `step`, otherwise dopri5.
-/// Other methods than dopri5 make ten thousand steps of equal length by default.
+/// The options of a page's run. By default, the scene's `step` gives the method; without `step` it
+/// is dopri5. Other methods than dopri5 make ten thousand steps of equal length by default.
 SimulationOptions page_run_options(SimulationOptions run, const std::optional<StepSpec>& of_scene) {
   constexpr double default_steps = 10'000;
   const bool is_open = run.method.empty() && !run.order && !run.step && !run.tolerance;

@@ -228,7 +228,7 @@ class KeyComparison {
   }
 
   /// Compares the orders of coordinates, inputs, constraints and parameters, on which callers rely.
-  /// Of these, a scene declares only inputs.
+  /// A scene declares only inputs.
   void compare_orders(const IdentifiedEntries& olds, const IdentifiedEntries& news) {
     for (const char* const kind : {"coordinate", "input", "constraint"}) {
       place_ = {.table = kind, .entry = fmt::format("[[{}]]", kind), .is_reordering = true};

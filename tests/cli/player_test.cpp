@@ -102,14 +102,14 @@ value = ["-R*mu*sy", "R*mu*sx", "0"]
 
 }  // namespace
 
-TEST_CASE("player: pages of ten models have at most 120 KB and load nothing from elsewhere") {
+TEST_CASE("player: pages of ten models have at most 130 KB and load nothing from elsewhere") {
   const Pages folder;
   for (const std::string name :
        {"cart_pole", "double_pendulum", "heavy_top", "free_body", "quadrotor", "kepler_polar",
         "two_link_arm", "slider_crank", "rolling_disc", "triple_pendulum"}) {
     const std::string text = folder.page(shipped(name));
     INFO(name << " " << text.size());
-    CHECK(text.size() <= 120'000);
+    CHECK(text.size() <= 130'000);  // up to 60 KB are the derivation
     CHECK_FALSE(mentions(text, "http:"));
     CHECK_FALSE(mentions(text, "https:"));
     CHECK_FALSE(mentions(text, "import "));

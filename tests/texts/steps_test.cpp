@@ -170,8 +170,11 @@ void expect_solved(const Model& model, const PrintedEquation& equation,
 bool all_rows_readable(const ReadableDerivation& steps, std::size_t velocities) {
   const std::vector<Function>& read = steps.program.readable;
   const auto end = read.end() - 2;
+  const auto is_read = [](const Field& field) { return !field.entries.empty(); };
   return std::all_of(end - static_cast<std::ptrdiff_t>(velocities), end,
-                     [](const Function& row) { return !row.fields.empty(); });
+                     [&is_read](const Function& row) {
+                       return !row.fields.empty() && std::ranges::all_of(row.fields, is_read);
+                     });
 }
 
 /// Compares the equations of motion and of constraints, and for a single velocity also the solved
