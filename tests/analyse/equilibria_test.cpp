@@ -8,6 +8,7 @@
 #include "elgen/analysis_pages.hpp"
 #include "elgen/page.hpp"
 #include "program/evaluate/subject.hpp"
+#include "support/models.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -109,6 +110,9 @@ TEST_CASE("the page of a system without equilibria gives the reason and the cycl
   no equilibrium: g = (0, -m g h sin θ, 0) is not 0 for θ in [0.1, 3.04159] at the parameters' values (proved)
   φ and ψ are cyclic: a scene with [routh] holds their momenta and may have steady motions
 )");
+  const Analysed crane = analyse_model(read_model("crane"));
+  CHECK(mentions(text_of(equilibria_page(crane.checked, crane.equilibria)),
+                 "  an input is 0 unless --input NAME=VALUE sets it: F and S\n"));
 }
 
 TEST_CASE("only coordinates that [routh] can remove are called cyclic") {

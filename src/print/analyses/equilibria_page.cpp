@@ -109,6 +109,12 @@ void add_cyclic_note(Formulas& lines, const CheckedModel& checked, const PageFor
   lines.push_back(row_of({enumeration(std::move(symbols)), std::move(claim)}));
 }
 
+void add_input_note(Formulas& lines, const PageForms& known) {
+  if (known.symbols.u.empty()) return;
+  lines.push_back(row_of(
+      {prose("an input is 0 unless --input NAME=VALUE sets it:"), enumeration(known.symbols.u)}));
+}
+
 Formulas no_equilibrium_lines(const CheckedModel& checked, PageForms& known,
                               const Equilibria& equilibria) {
   Formulas lines;
@@ -122,6 +128,7 @@ Formulas no_equilibrium_lines(const CheckedModel& checked, PageForms& known,
   if (equilibria.chart_singularities.empty()) {
     lines.push_back(
         row_of({prose("no equilibrium:"), residual_formula(known), prose("is not 0"), proved}));
+    add_input_note(lines, known);
   } else {
     lines.push_back(row_of({prose("no equilibrium with a regular M"), proved}));
     add_chart_breaks(lines, known, equilibria.chart_singularities);
