@@ -29,10 +29,6 @@ constexpr std::string_view explicit_rate = R"(\frac{\partial L}{\partial t})";
 
 bool is_damped(const Model& model) { return !dissipation_roots(model).empty(); }
 
-bool has_applied_force(const Model& model) {
-  return !model.forces.empty() || !model.inputs.empty();
-}
-
 /// Q - dD/dv + A^T lambda, in brackets unless it is one term without a sign; "" without terms.
 std::string virtual_force(const Model& model) {
   std::string text;
@@ -56,6 +52,10 @@ std::string virtual_work(const Model& model) {
 }
 
 }  // namespace
+
+bool has_applied_force(const Model& model) {
+  return !model.forces.empty() || !model.inputs.empty();
+}
 
 std::vector<std::string> principle_lines(const Model& model) {
   std::vector<std::string> lines(variation_lines.begin(), variation_lines.end());

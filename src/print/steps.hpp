@@ -30,6 +30,9 @@ inline constexpr std::string_view rotation_doc =
     "For an angular velocity, d/dt is the rate in the world frame and adds [w]x dL/dw; L is "
     "differentiated along a rotation about the axis of the body.";
 
+/// True if applied forces or inputs act, so that the equations contain Q.
+[[nodiscard]] bool has_applied_force(const Model& model);
+
 /// The lines of the section "Action" in the notation of latex_formula(): S, its variation, the
 /// virtual work, and Lagrange's equation.
 [[nodiscard]] std::vector<std::string> principle_lines(const Model& model);
