@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "elgen/wording.hpp"
@@ -155,11 +156,19 @@ bool is_drawing_key(std::string_view entry, std::string_view key) {
 }
 
 std::string foreign_word_hint(std::string_view entry, std::string_view word) {
-#define ELGEN_FOREIGN_WORD(of, foreign, hint) \
-  if (entry == (of) && word == (foreign)) return hint;
+  struct Row {
+    std::string_view entry;
+    std::string_view word;
+    std::string_view hint;
+  };
+  static constexpr auto rows = std::to_array<Row>({
+#define ELGEN_FOREIGN_WORD(...) {__VA_ARGS__},
 #include "parse/foreign_words.def"
 #undef ELGEN_FOREIGN_WORD
-  return {};
+  });
+  const auto* const found = std::ranges::find_if(
+      rows, [&](const Row& row) { return row.entry == entry && row.word == word; });
+  return found == rows.end() ? std::string() : std::string(found->hint);
 }
 
 std::vector<EntryRow> entry_rows_of(FileKind kind) {

@@ -241,8 +241,10 @@ std::vector<PageEquation> mass_and_force_equations(const Model& model, const Fra
 /// Appends `section` with the quantities from kind `from` to kind `to`. A quantity with definitions
 /// ends its section, because definitions of other quantities may have the same names. The next
 /// section has no title.
-void append_quantities(const Model& model, const ReadableDerivation& steps, FrameQuantity from,
-                       FrameQuantity to, PageSection section, std::vector<PageSection>& sections) {
+void append_quantities(const Model& model, const ReadableDerivation& steps,
+                       std::pair<FrameQuantity, FrameQuantity> kinds, PageSection section,
+                       std::vector<PageSection>& sections) {
+  const auto [from, to] = kinds;
   ModelSymbols symbols(model);
   for (std::size_t i = 0; i < steps.frame_quantities.size(); ++i) {
     if (steps.frame_quantities[i] < from || steps.frame_quantities[i] > to) continue;
@@ -281,15 +283,15 @@ std::vector<PageSection> frame_sections(const Model& model, const ReadableDeriva
   PageSection spins{.title = prose("Angular velocities"),
                     .doc = "omega: angular velocity of a frame, in its axes."};
   if (has(origin_rate)) spins.doc += " nu: velocity of its origin, in its axes.";
-  append_quantities(model, steps, spin, origin_rate, std::move(spins), sections);
+  append_quantities(model, steps, {spin, origin_rate}, std::move(spins), sections);
   PageSection centres{.title = prose("Centres of mass"),
                       .doc = "r: position in the world. v: its rate, if it is not 0."};
   if (has(centre))
     centres.doc +=
         " If these are too long: position c in the frame, and v in the axes of the frame.";
-  append_quantities(model, steps, position, velocity, std::move(centres), sections);
+  append_quantities(model, steps, {position, velocity}, std::move(centres), sections);
   append_quantities(
-      model, steps, energy, energy,
+      model, steps, {energy, energy},
       {.title = prose("Kinetic energies"),
        .doc = "T of each body; I is the inertia about the centre of mass.",
        .lines = {latex_formula(R"(T = \frac{1}{2} m v^{2} + \frac{1}{2} \omega^{\top} I \omega)")}},
