@@ -61,8 +61,7 @@ PaperSolution solution_on_paper(const Model& model, const Program& forward_dynam
   };
   const ModelSymbols symbols(model);
   add_field("acceleration", symbols.leaf_symbols().a, "acceleration", model.velocities);
-  add_field("multipliers", symbols.leaf_symbols().multipliers, "multiplier",
-            model.constraints);
+  add_field("multipliers", symbols.leaf_symbols().multipliers, "multiplier", model.constraints);
   if (!shown.empty()) result.equations = equations_of_entries(model, forward_dynamics, 0, shown);
   return result;
 }

@@ -104,8 +104,7 @@ Energies
 )") == 0);
   const Derivation driven(read_model("cart_pole"));
   const std::string text = driven.text();
-  CHECK(mentions(text,
-                 "  delta W = Q * delta q is the virtual work of forces (d'Alembert)\n"));
+  CHECK(mentions(text, "  delta W = Q * delta q is the virtual work of forces (d'Alembert)\n"));
   CHECK(mentions(text, "for every delta q, so d/dt dL/dv - dL/dq = Q\n"));
   CHECK(mentions(text, "\n  dE/dt = v^T Q\n"));
 }
@@ -169,8 +168,7 @@ TEST_CASE("velocity constraints do virtual work and do not change L") {
 TEST_CASE("a page of steps prints multipliers by their symbols, also in its heading") {
   const Derivation d(read_model("rod"));
   const Page page = d.page();
-  CHECK(mentions(latex_of(page.equation_of_motion),
-                 "= A^{\\top} \\boldsymbol{\\lambda}"));
+  CHECK(mentions(latex_of(page.equation_of_motion), "= A^{\\top} \\boldsymbol{\\lambda}"));
   CHECK(latex_of(page.sections.back().equations.at(0).entries.at(0)) ==
         "\\lambda_{\\mathrm{rod}} x");
 }

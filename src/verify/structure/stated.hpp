@@ -12,8 +12,8 @@
 
 namespace elgen {
 
-/// Finds a row of M a + bias - B u - A^T lambda such that `equation`, left - right, is a multiple of
-/// the row: "row theta of the equations of motion, times 1/(m*l)". "" if no row is proved.
+/// Finds a row of M a + bias - B u - A^T lambda such that `equation`, left - right, is a multiple
+/// of the row: "row theta of the equations of motion, times 1/(m*l)". "" if no row is proved.
 [[nodiscard]] std::string matching_row(const ExpectationProver& proofs, const Fraction& equation);
 
 /// In which terms `equation`, left - right of the entry, differs from the nearest right form, the
