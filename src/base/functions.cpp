@@ -61,6 +61,8 @@ constexpr Row sinh{anywhere, odd,      entire, all, dimensionless, 4,
 constexpr Row cosh{anywhere, even, entire_positive, all, dimensionless, 4, "", "\\cosh",
                    0,        1,    Far{inf, inf}};
 constexpr Row tanh{anywhere, odd, entire, all, dimensionless, 4, "", "\\tanh", 0, 0, Far{-1, 1}};
+constexpr Row asinh{anywhere, odd, real_analytic, all, dimensionless, 4, "", "\\mathrm{arsinh}", 0,
+                    0,        {}};
 constexpr Row exp{anywhere, none, entire_positive, all, dimensionless, 1, "", "\\exp",
                   0,        1,    Far{0, inf}};
 constexpr Row log{anywhere, none, half_plane, above_zero, dimensionless, 1, "", "\\ln", 1, 0, {}};

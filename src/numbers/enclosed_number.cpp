@@ -40,6 +40,14 @@ cl_F log_one_plus(const cl_F& x) {
   return cln::zerop(kept) ? x : cln::ln(sum) * x / kept;
 }
 
+/// asinh(x) = log(|x| + sqrt(1 + x^2)) with the sign of x, without cancellation near 0.
+cl_F area_hyperbolic_sine(const cl_F& x) {
+  const cl_F size = cln::abs(x);
+  const cl_F square = size * size;
+  const cl_F value = log_one_plus(size + square / (1 + cln::sqrt(1 + square)));
+  return cln::minusp(x) ? -value : value;
+}
+
 /// e^x - 1 = 2 sinh(x/2) e^(x/2) for |x| <= 1, so that a small x loses no digits.
 cl_F exp_minus_one(const cl_F& x) {
   if (cln::abs(x) > cl_R(1)) return cln::exp(x) - 1;
@@ -269,6 +277,7 @@ EnclosedResult EnclosedArithmetic::call(FunctionId function, const EnclosedNumbe
     case FunctionId::sin:
     case FunctionId::cos:
     case FunctionId::atan:
+    case FunctionId::asinh:
       return call_with_slope(function, to_float(x), 1);
     case FunctionId::tan:
       return tangent(to_float(x));
@@ -321,6 +330,7 @@ cl_R function_value(FunctionId function, const cl_F& x, const cl_F& y) {
     ELGEN_VALUE(sinh, cln::sinh(x))
     ELGEN_VALUE(cosh, cln::cosh(x))
     ELGEN_VALUE(tanh, cln::tanh(x))
+    ELGEN_VALUE(asinh, area_hyperbolic_sine(x))
     ELGEN_VALUE(exp, cln::exp(x))
     ELGEN_VALUE(log, cln::ln(x))
     ELGEN_VALUE(log1p, log_one_plus(x))

@@ -243,6 +243,7 @@ ELGEN_RISING(asin, clip_to_domain(x, -1, 1))
 ELGEN_RISING(atan, x)
 ELGEN_RISING(sinh, x)
 ELGEN_RISING(tanh, x, -1, 1)
+ELGEN_RISING(asinh, x)
 ELGEN_RISING(exp, x, 0)
 ELGEN_RISING(expm1, x, -1)
 #undef ELGEN_RISING

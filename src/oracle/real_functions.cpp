@@ -104,6 +104,14 @@ cl_R log_one_plus(const cl_R& x) {
   }
 }
 
+/// asinh(x) = sgn(x) log(1 + |x| + x^2/(1 + sqrt(1 + x^2)))
+cl_R area_hyperbolic_sine(const cl_R& x) {
+  if (cln::zerop(x)) return x;
+  const cl_R size = cln::abs(x);
+  const cl_R root = real_power(1 + size * size, cl_RA(1) / 2);
+  return cln::signum(x) * log_one_plus(size + size * size / (1 + root));
+}
+
 /// e^x - 1. For small x the difference would lose digits, so the series x + x^2/2! + … is summed.
 cl_R exponential_less_one(const cl_R& x) {
   if (x < -largest_exponent) {
@@ -176,6 +184,8 @@ cl_R uncached_value(FunctionId function, const cl_R& x, const cl_R& y) {
       return cln::cosh(widen_exponent(x));
     case FunctionId::tanh:
       return hyperbolic_tangent(x);
+    case FunctionId::asinh:
+      return area_hyperbolic_sine(x);
     case FunctionId::exp:
       return cln::exp(widen_exponent(x));
     case FunctionId::log:

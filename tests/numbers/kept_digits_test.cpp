@@ -153,6 +153,16 @@ TEST_CASE("log1p and expm1 keep all digits of small numbers") {
   CHECK_FALSE(log1p(Real(-1)).is_defined());
 }
 
+TEST_CASE("asinh keeps all digits of small and large numbers") {
+  for (const double x : {1e-300, 3e-12, 0.2, 1.0, 40.0, 1e17, 1e300}) {
+    INFO(x);
+    CHECK(relative(exactly(std::asinh(x)), asinh(exactly(x))) < 0x1p-51);
+    CHECK(relative(-asinh(exactly(-x)), asinh(exactly(x))) == 0);
+  }
+  CHECK(relative(sinh(asinh(Real(3))), Real(3)) < 1e-60);
+  CHECK(asinh(Dual<double>{0.75, 1}).slope == Approx(0.8));
+}
+
 TEST_CASE("hypot has a value if its squares overflow double") {
   CHECK(relative(hypot(Real(-3), Real(4)), Real(5)) < 1e-62);
   CHECK(interpreter::call(FunctionId::hypot, 3e200, 4e200) == Approx(5e200));
