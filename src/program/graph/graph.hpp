@@ -135,6 +135,9 @@ class Graph {
                                             const std::vector<SignedNode>& arguments);
   void collect_factors(const Power& power, Factors& factors);
   void merge_factors(Factors& factors);
+  bool join_hyperbolic_quotient(std::vector<Operand>& powers);
+  bool join_logistic_quotient(std::vector<Operand>& powers);
+  [[nodiscard]] std::optional<SignedNode> logistic_argument(NodeId id) const;
   SignedNode build_product(Factors factors);
   std::optional<Term> scaled_product(NodeId id);
   Term split_coefficient(SignedNode term);

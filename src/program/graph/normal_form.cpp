@@ -6,6 +6,8 @@
 //               x + (y - x)          -> y
 //     product:  (y - x)*x*(x - y)    -> -x*(x - y)^2 signs pulled out, equal bases merged
 //               2*pi*x/4             -> 1/2*pi*x     rational numbers are one coefficient
+//               sinh(x)/cosh(x)      -> tanh(x)      the calls overflow, their quotient does not
+//               e^x/(1 + e^x)        -> 1/(1 + e^-x)
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -30,6 +32,9 @@ void merge_by_node(std::vector<Part>& parts, const Merging& merge) {
   }
   parts.resize(count);
 }
+
+/// Larger multiples k of x in e^(k x)/(1 + e^x) stay; the code would have long powers.
+constexpr int max_logistic_power = 4;
 
 }  // namespace
 
@@ -81,6 +86,7 @@ void Graph::merge_factors(Factors& factors) {
   for (;;) {
     merge_by_node(powers, [](Operand& to, const Operand& from) { to.weight += from.weight; });
     std::erase_if(powers, [](const Operand& power) { return power.weight == 0; });
+    if (join_hyperbolic_quotient(powers) || join_logistic_quotient(powers)) continue;
     if (std::ranges::none_of(powers, is_squared)) return;
     for (const Operand& power : std::exchange(powers, {})) {
       const bool is_whole = !is_squared(power);
@@ -92,6 +98,70 @@ void Graph::merge_factors(Factors& factors) {
       collect_factors({{radicand.node, radicand.weight < 0}, power.weight / 2}, factors);
     }
   }
+}
+
+/// Replaces powers of sinh(x)/cosh(x), or of the reciprocal, by powers of tanh(x). False if there
+/// is no such quotient.
+bool Graph::join_hyperbolic_quotient(std::vector<Operand>& powers) {
+  for (Operand& sine : powers) {
+    if (!is_call(node(sine.node), FunctionId::sinh)) continue;
+    const Operand argument = node(sine.node).operands[0];
+    const auto cosine = std::ranges::find_if(powers, [&](const Operand& power) {
+      return is_call(node(power.node), FunctionId::cosh) &&
+             node(power.node).operands[0].node == argument.node;
+    });
+    if (cosine == powers.end() || (sine.weight > 0) == (cosine->weight > 0)) continue;
+    const std::int32_t size = std::min(std::abs(sine.weight), std::abs(cosine->weight));
+    const std::int32_t weight = sine.weight > 0 ? size : -size;
+    sine.weight -= weight;
+    cosine->weight += weight;
+    powers.push_back({call(FunctionId::tanh, {{argument.node, false}}).node, weight});
+    return true;
+  }
+  return false;
+}
+
+/// The argument x of a sum 1 + e^x; none for any other node.
+std::optional<SignedNode> Graph::logistic_argument(NodeId id) const {
+  const Node& sum = node(id);
+  if (sum.kind != NodeKind::sum || sum.operands.size() != 2) return std::nullopt;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const auto [one, other] = std::pair(sum.operands[1 - i], sum.operands[i]);
+    if (rational_value({one.node, one.weight < 0}) != cln::cl_RA(1) || other.weight < 0) continue;
+    if (!is_call(node(other.node), FunctionId::exp)) continue;
+    const Operand& argument = node(other.node).operands[0];
+    return SignedNode{argument.node, argument.weight < 0};
+  }
+  return std::nullopt;
+}
+
+/// Replaces e^(k x)/(1 + e^x)^n, k a positive integer, by e^((k - m) x) (1 + e^x)^(m - n)
+/// (1 + e^-x)^-m with m = min(k, n). False if there is no such quotient.
+bool Graph::join_logistic_quotient(std::vector<Operand>& powers) {
+  for (std::size_t i = 0; i < powers.size(); ++i) {
+    const auto argument = powers[i].weight < 0 ? logistic_argument(powers[i].node) : std::nullopt;
+    if (!argument) continue;
+    const Term single = split_coefficient(*argument);
+    for (std::size_t k = 0; k < powers.size(); ++k) {
+      if (powers[k].weight < 0 || !is_call(node(powers[k].node), FunctionId::exp)) continue;
+      const Operand exponent = node(powers[k].node).operands[0];
+      const Term multiple = split_coefficient({exponent.node, exponent.weight < 0});
+      const cln::cl_RA ratio = multiple.coefficient / single.coefficient;
+      const bool is_multiple = multiple.node == single.node && cln::denominator(ratio) == 1 &&
+                               cln::plusp(ratio) && ratio <= max_logistic_power;
+      if (!is_multiple) continue;
+      const auto grown = static_cast<std::int32_t>(cln::cl_I_to_long(cln::numerator(ratio)));
+      const std::int32_t count = powers[k].weight * grown;
+      const std::int32_t joined = std::min(count, -powers[i].weight);
+      powers[k].weight = 0;
+      powers[i].weight += joined;
+      powers.push_back({call(FunctionId::exp, {*argument}).node, count - joined});
+      const SignedNode falling = call(FunctionId::exp, {-*argument});
+      powers.push_back({sum({rational(1), falling}).node, -joined});
+      return true;
+    }
+  }
+  return false;
 }
 
 SignedNode Graph::build_product(Factors factors) {
