@@ -44,6 +44,9 @@ struct FormCosts {
   /// The index, over all fields, of the first entry that every closed form computes inaccurately
   /// although the recursive form keeps the digits of the entry (choose/text_errors.hpp).
   std::optional<std::size_t> inaccurate_entry = {};
+  /// The index, over all fields, of the first entry for which the limit of rewritings was reached,
+  /// so that a form with more digits may exist. None: all rewritings were tried.
+  std::optional<std::size_t> limited_entry = {};
   Form chosen_form = Form::recursive;
   bool is_demanded = false;  ///< true: the scene demands `chosen_form` at any cost
 };

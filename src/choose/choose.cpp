@@ -207,6 +207,7 @@ class FormChooser {
     result_.program.functions[index] = run_last_passes(function, result_.program, normalized_);
     FormCosts costs{function.name, count_operations(result_.program.functions[index])};
     costs.is_demanded = request.form.has_value();
+    costs.limited_entry = first_limited_entry(entries);
     Function closed;
     if (is_complete(entries)) {
       if (wants_closed || is_worth_lowering(entries, function)) {

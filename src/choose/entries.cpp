@@ -26,11 +26,18 @@ std::size_t term_count(const ClosedFunction& closed) {
   return count;
 }
 
-/// All rewritings of an entry, shortest first: the rewritings of its closed form, `precise`,
-/// `derived` unless it is null, and the results of rewrite_to_keep_digits().
-std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<CollectedForm> precise,
-                                        const DerivedEntry* derived) {
-  std::vector<Expressions> rewritings;
+/// All rewritings of one entry.
+struct EntryRewritings {
+  std::vector<Expressions> shortest_first = {};
+  bool is_limited = false;  ///< rewrite_to_keep_digits() reached its limit
+};
+
+/// The rewritings of the closed form of an entry, `precise`, `derived` unless it is null, and the
+/// results of rewrite_to_keep_digits().
+EntryRewritings all_rewritings(Rewritings of_form, std::vector<CollectedForm> precise,
+                               const DerivedEntry* derived) {
+  EntryRewritings result;
+  std::vector<Expressions>& rewritings = result.shortest_first;
   for (auto* some : {&of_form.collected, &precise}) {
     for (CollectedForm& rewriting : *some) rewritings.push_back(std::move(rewriting.expressions));
   }
@@ -46,18 +53,20 @@ std::vector<Expressions> all_rewritings(Rewritings of_form, std::vector<Collecte
     sources.push_back(derived->unexpanded);
   }
   for (const Expressions& source : sources) {
-    auto kept = rewrite_to_keep_digits(source, SquareHandling::unfactored);
-    auto apart = rewrite_to_keep_digits(kept ? *kept : source, SquareHandling::factored);
-    for (auto* rewriting : {&kept, &apart}) {
-      if (!*rewriting) continue;
-      if (auto fewer = replace_redundant_calls(**rewriting))
+    KeptDigits kept = rewrite_to_keep_digits(source, SquareHandling::unfactored);
+    KeptDigits apart =
+        rewrite_to_keep_digits(kept.rewriting.value_or(source), SquareHandling::factored);
+    for (KeptDigits* made : {&kept, &apart}) {
+      result.is_limited = result.is_limited || made->is_limited;
+      if (!made->rewriting) continue;
+      if (auto fewer = replace_redundant_calls(*made->rewriting))
         rewritings.push_back(std::move(*fewer));
-      rewritings.push_back(std::move(**rewriting));
+      rewritings.push_back(std::move(*made->rewriting));
     }
   }
   std::ranges::stable_sort(rewritings, {},
                            [](const Expressions& rewriting) { return written_length(rewriting); });
-  return rewritings;
+  return result;
 }
 
 /// Compares the errors of the rewritings of one entry with the errors of its recursive form.
@@ -87,8 +96,9 @@ class EntryJudge {
   }
 
  private:
-  void keep_accurate_rewritings(std::vector<Expressions> rewritings) {
-    for (Expressions& rewriting : rewritings) {
+  void keep_accurate_rewritings(EntryRewritings rewritings) {
+    form_.is_limited = rewritings.is_limited;
+    for (Expressions& rewriting : rewritings.shortest_first) {
       auto errors = text_.errors_if_accurate(rewriting, entry_);
       if (!errors) continue;
       rewritings_.push_back(std::move(rewriting));
@@ -217,6 +227,13 @@ std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries, std
     if (entries[i]->is_rewritten) numbers.push_back(i);
   }
   return numbers;
+}
+
+std::optional<std::size_t> first_limited_entry(const ReadableEntries& entries) {
+  const auto found =
+      std::ranges::find_if(entries, [](const auto& entry) { return entry && entry->is_limited; });
+  if (found == entries.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - entries.begin());
 }
 
 std::optional<ReadableEntries> replace_lossy_entries(const ReadableEntries& entries, double limit) {

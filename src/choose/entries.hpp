@@ -35,6 +35,9 @@ namespace elgen {
 [[nodiscard]] std::vector<std::uint32_t> rewritten_entries(const ReadableEntries& entries,
                                                            std::size_t count);
 
+/// The index of the first entry for which not all rewritings were tried; none if all were.
+[[nodiscard]] std::optional<std::size_t> first_limited_entry(const ReadableEntries& entries);
+
 /// Replaces each entry that loses more than `limit` by its rewriting that keeps digits. None if no
 /// entry is replaced.
 [[nodiscard]] std::optional<ReadableEntries> replace_lossy_entries(const ReadableEntries& entries,

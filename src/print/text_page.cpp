@@ -179,6 +179,9 @@ std::string cost_page(const std::vector<FormCosts>& costs) {
       mark +=
           fmt::format("{}inaccurate in entry {}", mark.empty() ? "" : ", ", *of.inaccurate_entry);
     }
+    if (form == of.chosen_form && of.limited_entry) {
+      mark += fmt::format(", limit of rewritings in entry {}", *of.limited_entry);
+    }
     std::vector<std::string>& row = rows.emplace_back();
     row = {of.function, std::string(name_of(form))};
     for (const std::size_t count : {n.add, n.mul, n.div, n.sqrt, n.sincos, n.other, cost(n)}) {

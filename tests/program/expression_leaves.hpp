@@ -62,6 +62,14 @@ inline Real value_of(const Expressions& expressions, const Arguments<Real>& poin
   return evaluate(program, program.functions[0], point).at(0);
 }
 
+/// The value in double at `letters`, five numbers.
+inline double value_in_double(const Expressions& expressions, const std::vector<double>& letters) {
+  Arguments<double> point;
+  point.q = letters;
+  const Program program = program_of(make_network(expressions));
+  return evaluate(program, program.functions[0], point).at(0);
+}
+
 inline Program program_of(const Texts& texts) {
   return program_of(make_network(expressions_of(texts)));
 }

@@ -2,10 +2,33 @@
 #include "forms/write/graph_terms.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 
 namespace elgen {
 
 using cln::cl_RA;
+
+namespace {
+
+/// True if `is_sought` holds for `top` or a node that `top` needs. Visits only these nodes, whereas
+/// reachable_nodes() passes over the whole graph, which long rewritings fill with thousands of
+/// nodes.
+template <class IsSought>
+bool contains_node(const Graph& graph, NodeId top, const IsSought& is_sought) {
+  std::vector<NodeId> left{top};
+  std::unordered_set<NodeId> known{top};
+  while (!left.empty()) {
+    const NodeId id = left.back();
+    left.pop_back();
+    if (is_sought(id)) return true;
+    for (const Operand& operand : graph.node(id).operands) {
+      if (known.insert(operand.node).second) left.push_back(operand.node);
+    }
+  }
+  return false;
+}
+
+}  // namespace
 
 bool are_equal_terms(const ScaledTerm& x, const ScaledTerm& y) {
   return x.coefficient == y.coefficient && x.factors.size() == y.factors.size() &&
@@ -184,15 +207,15 @@ bool GraphTermBuilder::has_parameter_term(SignedNode value) const {
                                             ? terms_of(value.node)
                                             : std::vector<SignedNode>{value};
   return std::ranges::any_of(terms, [&](SignedNode term) {
-    return std::ranges::all_of(reachable_nodes(graph_, {term}), [&](NodeId id) {
+    return !contains_node(graph_, term.node, [&](NodeId id) {
       const Node& node = graph_.node(id);
-      return node.kind != NodeKind::leaf || node.leaf == Opcode::parameter;
+      return node.kind == NodeKind::leaf && node.leaf != Opcode::parameter;
     });
   });
 }
 
 bool GraphTermBuilder::has_branches(SignedNode value) const {
-  return std::ranges::any_of(reachable_nodes(graph_, {value}), [&](NodeId id) {
+  return contains_node(graph_, value.node, [&](NodeId id) {
     const Node& node = graph_.node(id);
     if (node.kind == NodeKind::square_root) return !graph_.is_constant(id);
     return node.kind == NodeKind::call &&

@@ -20,6 +20,9 @@ constexpr std::size_t most_terms_in_pairs = 24;
 /// Sums in a rewriting are rewritten again, up to this depth; (r^6 - s^6)/r^6 needs four levels.
 /// Without a limit, sums of quotients may grow forever.
 constexpr int max_rewrite_depth = 6;
+/// The limit of sums to rewrite, nested ones included. The entries of models/ need at most 340;
+/// each takes up to 0.1 ms.
+constexpr std::size_t max_rewritten_sums = 600;
 
 /// root + rest = (root^2 - rest^2)/(root - rest)
 class ConjugateRewriter : GraphTermBuilder {
@@ -117,22 +120,53 @@ class SumRewriter : GraphTermBuilder {
     return better ? std::optional(negate_if(*better, value.is_negative)) : std::nullopt;
   }
 
-  /// log(1 + x) = log1p(x), log(a/b) = log1p((a - b)/b), and log(a) = log1p(a - 1) if a - 1 can be
-  /// rewritten.
+  /// log(1 + x) = log1p(x). If a - 1 can be rewritten, or a is a quotient b/c, for which a - 1 is
+  /// (b - c)/c, log(a) becomes logarithm_near_one().
   std::optional<SignedNode> rewrite_logarithm(SignedNode argument) {
     if (const auto difference = split_logarithm(argument)) return difference;
     const SignedNode less = sum({argument, -one()});
     if (has_term_one(argument)) return call(FunctionId::log1p, less);
     if (graph_.node(less.node).kind != NodeKind::sum) return std::nullopt;
-    if (const auto better = rewrite(less)) return call(FunctionId::log1p, *better);
+    if (const auto better = rewrite(less)) return logarithm_near_one(argument, *better);
     const ScaledTerm term = split_term(argument);
     const auto divisor = std::ranges::find(term.factors, -1, &Operand::weight);
     if (term.factors.size() < 2 || divisor == term.factors.end()) return std::nullopt;
     const SignedNode b{divisor->node, false};
-    return call(FunctionId::log1p, quotient(sum({multiply(argument, b), -b}), b));
+    return logarithm_near_one(argument, quotient(sum({multiply(argument, b), -b}), b));
   }
 
  private:
+  /// log(a) for a = 1 + `less`: log1p(less) if less >= 0. Otherwise log1p(less) keeps no digit of a
+  /// small a, but 2 asinh(less/(2 sqrt(a))) does, because 2 sinh(log(a)/2) = sqrt(a) - 1/sqrt(a).
+  SignedNode logarithm_near_one(SignedNode a, SignedNode less) {
+    if (is_nonnegative(less)) return call(FunctionId::log1p, less);
+    const SignedNode root = graph_.square_root(a);
+    const SignedNode two = graph_.rational(2);
+    const SignedNode ratio = graph_.product({{less, 1}, {root, -1}, {two, -1}});
+    return graph_.product({{two, 1}, {call(FunctionId::asinh, ratio), 1}});
+  }
+
+  /// True if `value` is a positive number times even powers, roots and positive calls, or a sum of
+  /// such terms.
+  [[nodiscard]] bool is_nonnegative(SignedNode value) const {
+    const Node& node = graph_.node(value.node);
+    if (node.kind == NodeKind::sum) {
+      const std::vector<SignedNode> terms = terms_of(value.node);
+      return !value.is_negative && std::ranges::all_of(terms, [&](SignedNode term) {
+        return graph_.node(term.node).kind != NodeKind::sum && is_nonnegative(term);
+      });
+    }
+    const ScaledTerm term = split_term(value);
+    const auto is_factor_nonnegative = [&](const Operand& factor) {
+      const Node& base = graph_.node(factor.node);
+      const bool is_positive_call =
+          base.kind == NodeKind::call &&
+          function_row(base.function).smoothness == Smoothness::entire_positive;
+      return factor.weight % 2 == 0 || base.kind == NodeKind::square_root || is_positive_call;
+    };
+    return cln::plusp(term.coefficient) && std::ranges::all_of(term.factors, is_factor_nonnegative);
+  }
+
   /// log(a/b) = log(a) - log(b), if a + b is a positive number. a and b are then both positive,
   /// because a/b is positive.
   std::optional<SignedNode> split_logarithm(SignedNode argument) {
@@ -270,18 +304,25 @@ SignedNode express_by_shared_call(Graph& graph, FunctionId function, SignedNode 
 
 std::optional<SignedNode> rewrite_sum(Graph& graph, RewriteOptions options, SignedNode value) {
   if (options.depth == max_rewrite_depth) return std::nullopt;
-  return SumRewriter(graph, {options.squares, options.depth + 1}).rewrite(value);
+  if (options.remaining != nullptr) {
+    if (*options.remaining == 0) return std::nullopt;
+    --*options.remaining;
+  }
+  ++options.depth;
+  return SumRewriter(graph, options).rewrite(value);
 }
 
-std::optional<Expressions> rewrite_to_keep_digits(const Expressions& expressions,
-                                                  SquareHandling squares) {
+KeptDigits rewrite_to_keep_digits(const Expressions& expressions, SquareHandling squares) {
   bool has_any = false;
+  std::size_t remaining = max_rewritten_sums;
+  const RewriteOptions options{.squares = squares, .remaining = &remaining};
   const auto rule = [&](Graph& graph, const RebuildStep& step) {
-    return rewrite_node(graph, step, RewriteOptions{squares}, has_any);
+    return rewrite_node(graph, step, options, has_any);
   };
   Expressions result = rebuild(expressions, rule);
-  if (!has_any) return std::nullopt;
-  return result;
+  if (remaining == 0) return {.is_limited = true};
+  if (!has_any) return {};
+  return {std::move(result)};
 }
 
 std::optional<Expressions> replace_redundant_calls(const Expressions& expressions) {

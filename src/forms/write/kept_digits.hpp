@@ -6,6 +6,7 @@
 // Each rewriting is equal to the original wherever the original is defined.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -17,22 +18,31 @@ namespace elgen {
 /// 1/sqrt(1 - a^2) - 1 is then no longer recognised.
 enum class SquareHandling : std::uint8_t { unfactored, factored };
 
-/// How sums are rewritten, and the depth of nested rewritings.
+/// How sums are rewritten, the depth of nested rewritings, and how many sums may still be rewritten
+/// (max_rewritten_sums, if not null).
 struct RewriteOptions {
   SquareHandling squares = SquareHandling::unfactored;
   int depth = 0;
+  std::size_t* remaining = nullptr;
+};
+
+/// The result of rewrite_to_keep_digits().
+struct KeptDigits {
+  std::optional<Expressions> rewriting = {};  ///< none if nothing is rewritten
+  bool is_limited = false;                    ///< nothing is rewritten because of the limit
 };
 
 /// Rewrites terms of sums, and arguments of logarithms and arc cosines, that may cancel. Uses the
 /// rows of digit_rows.def, kept_terms.hpp and, for a common factor C:
 ///
 ///     C sqrt(a) - b               (C^2 a - b^2)/(C sqrt(a) + b)   if that is shorter
-///     log(1 + a), log(a/b)        log1p(a), log1p((a - b)/b)
+///     log(1 + a), log(a/b)        log1p(a), 2 asinh((a - b)/b/(2 sqrt(a/b)))
 ///     (l + x)^2 - l^2             2 l x + x^2
 ///
-/// None if nothing is rewritten.
-[[nodiscard]] std::optional<Expressions> rewrite_to_keep_digits(const Expressions& expressions,
-                                                                SquareHandling squares);
+/// Gives up after a fixed number of rewritten sums, because quotients of sums of roots may produce
+/// ever longer sums.
+[[nodiscard]] KeptDigits rewrite_to_keep_digits(const Expressions& expressions,
+                                                SquareHandling squares);
 
 /// Rewrites one sum in its graph; none if nothing is rewritten.
 [[nodiscard]] std::optional<SignedNode> rewrite_sum(Graph& graph, RewriteOptions options,

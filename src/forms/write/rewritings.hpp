@@ -68,6 +68,7 @@ struct ReadableForm {
   std::size_t length = 0;     ///< length of the readable form
   bool is_shortest = false;   ///< the readable form is also the compact form
   bool is_rewritten = false;  ///< the code must use `compact`, because `readable` loses digits
+  bool is_limited = false;    ///< not all rewritings were tried (KeptDigits::is_limited)
   double loss = 0;            ///< loss of the compact form (text_errors.hpp)
   std::optional<Expressions> precise = {};  ///< a longer form with the digits that `compact` loses
 };
