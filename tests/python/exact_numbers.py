@@ -105,6 +105,15 @@ def check_parameters_with_one_double():
     assert abs(root.Parameters().k - sympy.sqrt(2)) < sympy.Float("1e-50")
 
 
+def check_functions():
+    """SymPy lacks expm1, log1p and hypot: the module writes them by other functions."""
+    text = head.format(name="grow", parameters="m = 1", V="expm1(x)^2 + log1p(x^2) + hypot(x, 2)")
+    code = written(text).on(sympy)
+    V = (sympy.exp(x) - 1) ** 2 + sympy.log(1 + x**2) + sympy.sqrt(x**2 + 4)
+    assert sympy.expand(code.potential_energy(code.Parameters(), [x]) - V) == 0
+    assert sympy.expand(code.gravity(code.Parameters(), [x])[0] - sympy.diff(V, x)) == 0
+
+
 tilted = """format = 1
 [model]
 name = "tilted"
@@ -193,6 +202,7 @@ def check_doubles():
 
 check_large_and_small()
 check_long_decimals()
+check_functions()
 check_parameters_with_one_double()
 check_forms_of_one_number()
 check_composed_steps()

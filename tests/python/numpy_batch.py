@@ -78,6 +78,17 @@ def check_singular():
     raise AssertionError("no exception")
 
 
+def check_pivots():
+    """The tests of pivots have one result for each state."""
+    code = module_of("double_pendulum")
+    found = [numpy.array([1.0, 0.5, numpy.nan, 1.0]), numpy.array([1e-3, 1e-17, 1.0, 1e-15])]
+    ones = list(zip(*found))
+    functions = code.on(numpy)
+    assert functions.is_regular(found).tolist() == [True, False, False, True] == [*map(code.is_regular, ones)]
+    assert numpy.allclose(functions.digits_left(found), [*map(code.digits_left, ones)], rtol=1e-15, atol=0.0)
+    assert functions.digits_left([1.0, 0.5]) == code.digits_left([1.0, 0.5])
+
+
 def check_stack():
     """Axes of states, then rows, then columns; entries that are numbers are repeated for every state."""
     module = module_of("cart_pole")
@@ -133,6 +144,7 @@ def check_blocks():
 
 
 check_entries_that_are_numbers()
+check_pivots()
 check_stack()
 check_blocks()
 check_arrays_of_parameters()

@@ -43,8 +43,7 @@ TEST_CASE("names reserved by Python are changed, and names that modules need are
   check_script("names");
 }
 
-TEST_CASE(
-    "functions with kinks refuse symbols with a message, and take arrays element by element") {
+TEST_CASE("functions that branch on a number choose for each element of arrays and symbols") {
   check_script("kinks");
 }
 

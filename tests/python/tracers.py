@@ -1,11 +1,11 @@
-"""Numbers with the restrictions of tracers (JAX, CasADi's SX): no truth value, no comparison, no conversion.
+"""Numbers with the restrictions of tracers (JAX, CasADi's SX): no truth value, no conversion; a comparison is a tracer.
 
 Every function of every model runs on them and gives the bits of `math`."""
 import inspect
 import math
 import types
 
-from generated import flat, functions_of, models, module_of, state, value_at
+from generated import flat, functions_of, models, module_of, root, state, value_at
 
 
 def forbidden(name):
@@ -22,7 +22,7 @@ class Traced:
         self.value = value
 
 
-for name in "bool float int index complex len iter contains eq ne lt le gt ge hash round trunc floor ceil pow".split():
+for name in "bool float int index complex len iter contains eq ne le ge hash round trunc floor ceil pow".split():
     setattr(Traced, f"__{name}__", forbidden(name))
 
 
@@ -39,6 +39,19 @@ for name in "add sub mul truediv radd rsub rmul rtruediv neg pos".split():
     setattr(Traced, f"__{name}__", operation(name))
 
 
+def comparison(name):
+    compute = getattr(float, f"__{name}__")
+    return lambda x, y: Traced(compute(x.value, float(value_of(y))))
+
+
+for name in ("lt", "gt"):
+    setattr(Traced, f"__{name}__", comparison(name))
+
+
+def where(is_first, x, y):
+    return Traced(float(value_of(x) if is_first.value else value_of(y)))
+
+
 def function(name):
     compute = getattr(math, name)
 
@@ -53,6 +66,7 @@ space = types.ModuleType("tracers")
 for name in dir(math):
     if callable(getattr(math, name)) and not name.startswith("_"):
         setattr(space, name, function(name))
+space.where = where
 
 
 def traced(value):
@@ -76,7 +90,7 @@ def check(module, each, values):
 
 
 compared = 0
-for path in models:
+for path in [*models, root / "tests/emit/compiled/functions.toml"]:
     module = module_of(path)
     for seed in (1, 2):
         compared += sum(check(module, each, state(module, seed)) for each in functions_of(module))
