@@ -123,10 +123,8 @@ CertificateRow compiled_row(const SystemUnderTest& subject, const CompiledHeader
                             const Function& function,
                             const std::vector<SampledState<Scalar>>& states,
                             const std::vector<std::vector<Scalar>>& values) {
-  // If needs_ordered_scalar(), a batch evaluates state by state, with the scalar sine and cosine.
-  const bool in_packs = compiled.is_in_packs && !needs_ordered_scalar(function);
-  const SineEvaluator<Scalar> sines(subject.scene,
-                                    in_packs ? SineArithmetic::packs : SineArithmetic::numbers);
+  const SineEvaluator<Scalar> sines(
+      subject.scene, compiled.is_in_packs ? SineArithmetic::packs : SineArithmetic::numbers);
   const double most = allowed_roundings(compiled, function);
   std::size_t wrong = 0;
   std::size_t entries = 0;

@@ -61,14 +61,15 @@ TEST_CASE("the scalars have polynomials of the requested accuracy") {
   CHECK(mentions(text, "off by at most 0.001 for angles up to 1000;"));
 }
 
-TEST_CASE("a function that compares numbers processes one state at a time") {
+TEST_CASE("a function that compares numbers takes packs, whose numbers it compares") {
   Subject subject = cart_pole();
   subject.program = read_program(
       "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = sign 0\n  2 = exp 0\n"
       "  3 = atan2 0 2\n  result 2 1 = 1 3\n");
   const std::string text = batch_text(subject);
-  CHECK(mentions(text, "  using Scalar = T;\n"));
-  CHECK(mentions(text, "// gravity compares numbers, so that it computes one state at a time.\n"));
+  CHECK(mentions(text, "  using Scalar = Pack<T>;\n"));
+  CHECK(mentions(text, "  T operator[](std::size_t i) const noexcept { return native[i]; }\n"));
+  CHECK_FALSE(mentions(batch_text(cart_pole()), "operator[]"));
   CHECK(mentions(text, "Pack<T, N> exp("));
   CHECK(mentions(text, "Pack<T, N> atan2("));
 }

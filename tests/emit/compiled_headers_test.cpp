@@ -46,18 +46,13 @@ void add_folder(std::vector<Header>& headers, const fs::path& folder, bool is_ex
   }
 }
 
-/// The scalar types of the functions of `header`. Packs and arrays have neither comparisons nor
-/// atan2; AutoDiffScalar has neither atan nor the inverse hyperbolic functions.
+/// The scalar types of the functions of `header`. Packs and arrays have no atan2. AutoDiffScalar
+/// has neither atan nor the inverse hyperbolic functions.
 std::vector<std::string> scalars_of(const Header& header) {
   std::vector<std::string> scalars = {"float", "double", "long double"};
   if (!header.is_exhaustive) return scalars;
   scalars.emplace_back("Decimal");
-  const bool needs_order =
-      mentions(header.text, "detail::sign_of<") || mentions(header.text, "detail::smaller<") ||
-      mentions(header.text, "detail::larger<") || mentions(header.text, "detail::stumpff<");
-  if (!needs_order && !mentions(header.text, "atan2(")) {
-    scalars.insert(scalars.end(), {"Pack", "Array"});
-  }
+  if (!mentions(header.text, "atan2(")) scalars.insert(scalars.end(), {"Pack", "Array"});
   if (!mentions(header.text, "atan")) scalars.emplace_back("AutoDiff");
   return scalars;
 }

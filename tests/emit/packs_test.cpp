@@ -22,10 +22,14 @@ Outcome build(const std::string& compiler, const std::string& program, const Wor
                workspace.path());
 }
 
-/// Builds a program with each compiler and runs it.
-void build_and_run(const std::string& program, const std::string& flags = "") {
+/// Builds a program with each compiler and runs it. `scene` is generated first, if given.
+void build_and_run(const std::string& program, const std::string& flags = "",
+                   const std::string& scene = "") {
   const std::string compiler = GENERATE("g++", "clang++");
   const Workspace workspace;
+  if (!scene.empty()) {
+    workspace.prepare("elgen generate -q -o . " ELGEN_SOURCE_DIR "/tests/emit/compiled/" + scene);
+  }
   REQUIRE(failure_of(build(compiler, program, workspace, flags)) == "");
   CHECK(failure_of(shell("./program", workspace.path())) == "");
 }
@@ -56,6 +60,10 @@ TEST_CASE("a pack has to declare the type of its elements") {
 
 TEST_CASE("batches agree with the functions of one state") {
   build_and_run("batch.cpp", GENERATE("", "-march=native", "-march=x86-64-v3"));
+}
+
+TEST_CASE("packs on both sides of a comparison have the bits of one state") {
+  build_and_run("kinked.cpp", "-Wno-psabi -Wno-ignored-attributes -I.", "kinked.scene.toml");
 }
 
 TEST_CASE("kernels of batches agree with the functions of one state") {

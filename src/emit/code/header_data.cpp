@@ -146,6 +146,7 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   };
   const bool has_kinks = has(FunctionId::sign) || has(FunctionId::min) || has(FunctionId::max);
   data.set("kinks", optional_section(has_kinks));
+  data.set("compares", optional_section(compares_numbers(input.program)));
   data.set("columns", optional_section(has_column_loops(input.program)));
   data.set("stumpff", optional_section(has(FunctionId::stumpff)));
   data.set("hyperbolic", optional_section(has_negative_stumpff_order(input.program)));

@@ -34,12 +34,7 @@ Texts note_lines(const EmissionInput& input) {
                     name_of(scalar), error, angle_reduction(scalar).domain));
   }
   for (const Function& function : input.program.functions) {
-    if (!is_returned_by_value(function)) {
-      lines.push_back(omission_note(function));
-    } else if (needs_ordered_scalar(function)) {
-      lines.push_back(fmt::format(" {} compares numbers, so that it computes one state at a time.",
-                                  function.name));
-    }
+    if (!is_returned_by_value(function)) lines.push_back(omission_note(function));
   }
   return wrap_notes(lines);
 }
@@ -114,7 +109,6 @@ TemplateData functions_data(const EmissionInput& input) {
         {"signature", batch_signature("void", "const Parameters<T>& p", input.model, function)},
         {"kernel",
          batch_signature("__global__ void", "Parameters<T> constants", input.model, function)},
-        {"scalar", needs_ordered_scalar(function) ? "T" : "Pack<T>"},
         {"statements", kernel_statements(input, function)}};
   }
   return list;
@@ -132,6 +126,7 @@ std::string batch_header(const EmissionInput& input) {
   TemplateData data = stamp_data(input);
   data.set("header", input.scene.base_name + ".hpp");
   data.set("notes", lines_section(note_lines(input)));
+  data.set("compares", optional_section(compares_numbers(input.program)));
   const Numerics& numerics = input.scene.numerics;
   const bool has_tables = has_batch_sine_tables(input.scene, input.program);
   const std::vector<ScalarKind> none;

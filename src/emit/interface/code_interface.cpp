@@ -211,6 +211,10 @@ bool needs_ordered_scalar(const Function& function) {
       });
 }
 
+bool compares_numbers(const Program& program) {
+  return std::ranges::any_of(program.functions, needs_ordered_scalar);
+}
+
 bool calls_sines(const Program& program) {
   return calls_function(program, FunctionId::sin) || calls_function(program, FunctionId::cos);
 }

@@ -96,8 +96,12 @@ struct DeclaredArray {
 /// True if some function has a sine followed by the cosine of the same angle.
 [[nodiscard]] bool has_sine_cosine_pair(const Program& program);
 
-/// True if the function calls `min`, `max`, `sign` or `stumpff`, which need `<` on Scalar.
+/// True if the function calls `min`, `max`, `sign` or `stumpff`, which need `<` on Scalar or on the
+/// numbers of a pack.
 [[nodiscard]] bool needs_ordered_scalar(const Function& function);
+
+/// True if some function calls one of these four.
+[[nodiscard]] bool compares_numbers(const Program& program);
 
 /// Names of library functions of this arity that the program calls. sqrt is included. sin, cos and
 /// functions that the emitted code defines itself are excluded.

@@ -21,6 +21,7 @@ struct Lanes {
   Lanes(Element number) : native(number - Native{}) {}
   auto& operator[](std::size_t lane) { return reinterpret_cast<Element*>(&native)[lane]; }
   Element operator[](std::size_t lane) const { return native[lane]; }
+  static constexpr std::size_t size() { return Count; }
 
   friend Lanes operator+(const Lanes& x, const Lanes& y) { return x.native + y.native; }
   friend Lanes operator-(const Lanes& x, const Lanes& y) { return x.native - y.native; }
