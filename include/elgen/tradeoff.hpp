@@ -4,12 +4,12 @@
 // each design. measure_costs() and find_errors() measure the results, and rank_rows() ranks them.
 // check_max_error() checks `max_error` of a scene.
 //
-// Costs and errors have noise. Two costs are equal if their ratio is at most equality_factor or
-// their quartiles overlap. The error of a design is measured in three samples of states, with three
-// seeds; its noise is the interval [least, worst] of the three errors. The error of a run is known
-// up to the distance between two reference runs. Error x is smaller than error y if
-// equality_factor * x.worst < y.least. A row is on the Pareto front if its error is smaller than
-// the error of every cheaper row of the front.
+// Costs and errors have noise. A cost equals a smaller cost if their ratio is at most
+// equality_factor, or within the noise of the smaller cost. The error of a design is measured in
+// three samples of states, with three seeds; its noise is the interval [least, worst] of the three
+// errors. The error of a run is known up to the distance between two reference runs. Error x is
+// smaller than error y if equality_factor * x.worst < y.least. A row is on the Pareto front if its
+// error is smaller than the error of every cheaper row of the front.
 #pragma once
 
 #include <functional>
@@ -179,11 +179,12 @@ inline constexpr double equality_factor = 1.1;
                                                           const CompiledHeaders& compiled,
                                                           const VerifyOptions& options);
 
-/// The median, the lower quartile `low` and the upper quartile `high` of a sample.
-struct Quartiles {
-  double median = 0;
-  double low = 0;
-  double high = 0;
+/// The cost of a piece of work. Other work on the machine only lengthens a timing, so the least of
+/// many timings is closest to the cost.
+struct MeasuredCost {
+  double least = 0;  ///< the least time of all rounds
+  /// high / low - 1, if low <= high are the least times of the even and of the odd rounds.
+  double noise = 0;
 };
 
 /// The error of a design or a run in a table, with its noise.
@@ -202,11 +203,12 @@ struct DesignErrors {
 struct TimedWork {
   std::function<void()> run = {};
   std::size_t parts = 1;
-  Quartiles* cost = nullptr;
+  MeasuredCost* cost = nullptr;
 };
 
 /// Measures the costs of all `works` in rounds that time each work once, so that changes of the
-/// machine affect all works. Runs rounds for about `seconds` s: at least 9 and at most 1001 rounds.
+/// machine affect all works. Runs rounds for about `seconds` s: at least 10 and at most 1000
+/// rounds.
 void measure_costs(const std::vector<TimedWork>& works, double seconds = 1.5);
 
 /// A run of `steps` equal steps, each a call of the emitted output `step`.
@@ -242,15 +244,16 @@ struct PlannedRun {
 struct TradeoffRow {
   std::vector<std::string> values = {};  ///< value of each of TradeoffTable::dimensions, in order
   Design design = {};
-  Quartiles cost = {};
-  Quartiles call_cost = {};  ///< cost of a call with one state; in packs, the state fills one lane
+  MeasuredCost cost = {};
+  /// Cost of a call with one state; in packs, the state fills one lane.
+  MeasuredCost call_cost = {};
   DesignErrors error = {};
   std::string failure = {};  ///< why cost and error are missing; "": they are present
   /// True: the measured error is below the error of the reference run, and `error` holds the error
   /// of the reference run instead.
   bool is_below_reference = false;
   /// The rank by cost, from 1; 0 if the row failed. All rows whose cost equals the cheapest cost of
-  /// the remaining rows get the next rank.
+  /// the remaining rows get the next rank, so the rows of a rank never form a chain.
   std::size_t rank = 0;
   /// True if the row is not below the reference, its worst error is at most 1, and this error is,
   /// beyond noise, smaller than the error of every earlier row that is on the front or below the

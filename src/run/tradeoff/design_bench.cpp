@@ -236,7 +236,7 @@ class DesignBench {
     process_.on_stage("time");
     process_.renew_time_limit();
     std::vector<TimedWork> works;
-    const auto add = [this, &works](TimedFunction& function, Quartiles& cost) {
+    const auto add = [this, &works](TimedFunction& function, MeasuredCost& cost) {
       works.push_back({[&function] { function.run(); }, states_.size(), &cost});
     };
     for (const auto& [rows, functions] : libraries_) {

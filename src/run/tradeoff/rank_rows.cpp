@@ -10,9 +10,9 @@
 namespace elgen {
 namespace {
 
-/// True if `cost` exceeds `than` by more than noise.
-bool is_more_expensive(const Quartiles& cost, const Quartiles& than) {
-  return cost.low > than.high && cost.median > equality_factor * than.median;
+/// True if `cost` exceeds `than` by more than the noise of `than`.
+bool is_more_expensive(const MeasuredCost& cost, const MeasuredCost& than) {
+  return cost.least > std::max(equality_factor, 1 + than.noise) * than.least;
 }
 
 /// Ranks the rows that have not failed, by cost.
@@ -21,7 +21,7 @@ void assign_ranks(std::vector<TradeoffRow>& rows) {
   for (TradeoffRow& row : rows) {
     if (row.failure.empty()) by_cost.push_back(&row);
   }
-  std::ranges::stable_sort(by_cost, {}, [](const TradeoffRow* row) { return row->cost.median; });
+  std::ranges::stable_sort(by_cost, {}, [](const TradeoffRow* row) { return row->cost.least; });
   const TradeoffRow* cheapest = nullptr;
   for (TradeoffRow* const row : by_cost) {
     const bool is_next = cheapest == nullptr || is_more_expensive(row->cost, cheapest->cost);

@@ -28,8 +28,8 @@ struct StepCode {
   StepLoops loops = {};
   std::string failure = {};
   bool is_measured = true;  ///< false: the step is not measured; a sentence in `refusals_` says why
-  Quartiles single_cost = {};  ///< ns per step
-  Quartiles pack_cost = {};
+  MeasuredCost single_cost = {};  ///< ns per step
+  MeasuredCost pack_cost = {};
 };
 
 /// The sentences below the table. `bar`: the distance between both reference runs.
@@ -41,7 +41,7 @@ std::vector<std::string> table_sentences(const std::map<StepSpec, StepCode>& cod
   for (const auto& [step, code] : codes) {
     if (code.loops.one_state_loop == nullptr) continue;
     all.push_back(fmt::format("one step by {} takes {:.4g} ns, in packs {:.4g} ns",
-                              name_of_step(step), code.single_cost.median, code.pack_cost.median));
+                              name_of_step(step), code.single_cost.least, code.pack_cost.least));
   }
   return all;
 }
@@ -196,9 +196,8 @@ class RunBench {
     for (std::size_t i = 0; i < table_.rows.size(); ++i) {
       const Design& design = table_.rows[i].design;
       const StepCode& code = codes_.at(*design.step);
-      const auto& [median, low, high] = design.in_packs ? code.pack_cost : code.single_cost;
-      const auto steps = static_cast<double>(steps_[i]);
-      table_.rows[i].cost = {median * steps, low * steps, high * steps};
+      table_.rows[i].cost = design.in_packs ? code.pack_cost : code.single_cost;
+      table_.rows[i].cost.least *= static_cast<double>(steps_[i]);
     }
   }
 

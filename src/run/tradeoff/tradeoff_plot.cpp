@@ -79,7 +79,7 @@ class TradeoffPlot {
     std::vector<double> costs;
     std::vector<double> errors;
     for (const TradeoffRow* row : rows_) {
-      costs.push_back(row->cost.median);
+      costs.push_back(row->cost.least);
       errors.push_back(row->error.worst);
     }
     chart_ = {left_margin, top_margin,           plot_width,
@@ -105,7 +105,7 @@ class TradeoffPlot {
 
  private:
   [[nodiscard]] double x_of(const TradeoffRow& row) const {
-    return chart_.x_of(std::log10(row.cost.median));
+    return chart_.x_of(std::log10(row.cost.least));
   }
   /// The y of a mark; the bottom of the chart if the error is 0.
   [[nodiscard]] double y_of(const TradeoffRow& row) const {

@@ -17,7 +17,7 @@ Cells column_titles(const TradeoffTable& table) {
   Cells titles{"rank"};
   titles.insert(titles.end(), table.dimensions.begin(), table.dimensions.end());
   titles.push_back(table.cost);
-  titles.emplace_back("quartiles");
+  titles.emplace_back("noise");
   if (!table.call_cost.empty()) titles.push_back(table.call_cost);
   titles.emplace_back("worst error");
   titles.emplace_back("median error");
@@ -31,9 +31,9 @@ Cells cells_of(const TradeoffTable& table, const TradeoffRow& row) {
     cells.push_back(row.failure);
     return cells;
   }
-  cells.push_back(fmt::format("{:.4g}", row.cost.median));
-  cells.push_back(fmt::format("{:.4g} to {:.4g}", row.cost.low, row.cost.high));
-  if (!table.call_cost.empty()) cells.push_back(fmt::format("{:.4g}", row.call_cost.median));
+  cells.push_back(fmt::format("{:.4g}", row.cost.least));
+  cells.push_back(fmt::format("{:.1f} %", 100 * row.cost.noise));
+  if (!table.call_cost.empty()) cells.push_back(fmt::format("{:.4g}", row.call_cost.least));
   if (row.is_below_reference) {
     cells.emplace_back("below the reference");
     return cells;
@@ -47,17 +47,15 @@ Cells cells_of(const TradeoffTable& table, const TradeoffRow& row) {
 std::string pick_line(const TradeoffTable& table) {
   const TradeoffRow* const row = picked_row(table);
   if (row == nullptr) return "";
-  std::string cost = fmt::format("{:.4g} {}", row->cost.median, table.cost);
+  std::string cost = fmt::format("{:.4g} {}", row->cost.least, table.cost);
   if (!table.call_cost.empty()) {
-    cost += fmt::format(", {:.4g} {}", row->call_cost.median, table.call_cost);
+    cost += fmt::format(", {:.4g} {}", row->call_cost.least, table.call_cost);
   }
   return fmt::format("cheapest within {}: {}; {}, error {:.1e}\n", *table.max_error, name_of(*row),
                      cost, row->error.worst);
 }
 
-Json json_of(const Quartiles& spread) {
-  return {{"median", spread.median}, {"low", spread.low}, {"high", spread.high}};
-}
+Json json_of(const MeasuredCost& cost) { return {{"least", cost.least}, {"noise", cost.noise}}; }
 
 /// null for infinity and NaN, which JSON lacks.
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
@@ -101,9 +99,11 @@ std::string to_text(const TradeoffTable& table) {
   }
   text += fmt::format("{}\n", fmt::join(lines, "\n"));
   text += fmt::format(
-      "\ndesigns of one rank cost the same: at most {0} times the cheapest, or with overlapping "
-      "quartiles\n*: more accurate than every * above, by a factor of {0} and beyond the noise of "
-      "both\n",
+      "\na time is the least of many rounds; its noise: the least times of even and of odd rounds "
+      "differ by this\n"
+      "designs of one rank cost the same: at most {0} times the cheapest of the rank, or within "
+      "its noise\n"
+      "*: more accurate than every * above, by a factor of {0} and beyond the noise of both\n",
       equality_factor);
   for (const std::string& sentence : table.sentences) text += sentence + '\n';
   return text +
@@ -136,18 +136,16 @@ std::string to_csv(const TradeoffTable& table) {
   std::string text;
   for (const std::string& dimension : table.dimensions) text += csv_cell(dimension) + ",";
   text +=
-      "rank,cost,cost_low,cost_high,call_cost,worst_error,median_error,least_error,front,pick,"
-      "failure\n";
+      "rank,cost,cost_noise,call_cost,worst_error,median_error,least_error,front,pick,failure\n";
   for (const TradeoffRow& row : table.rows) {
-    const auto& [median, low, high] = row.cost;
-    const double call = row.call_cost.median;
+    const auto& [cost, noise] = row.cost;
+    const double call = row.call_cost.least;
     for (const std::string& value : row.values) text += csv_cell(value) + ",";
-    text += row.failure.empty()
-                ? fmt::format("{},{},{},{},{},{},{},{},{:d},{:d},\n", row.rank, median, low, high,
-                              call > 0 ? fmt::format("{}", call) : "", row.error.worst,
-                              row.error.median, row.error.least, row.is_on_pareto_front,
-                              &row == picked_row(table))
-                : fmt::format(",,,,,,,,0,0,{}\n", csv_cell(row.failure));
+    text += row.failure.empty() ? fmt::format("{},{},{},{},{},{},{},{:d},{:d},\n", row.rank, cost,
+                                              noise, call > 0 ? fmt::format("{}", call) : "",
+                                              row.error.worst, row.error.median, row.error.least,
+                                              row.is_on_pareto_front, &row == picked_row(table))
+                                : fmt::format(",,,,,,,0,0,{}\n", csv_cell(row.failure));
   }
   return text;
 }

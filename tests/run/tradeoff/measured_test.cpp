@@ -16,7 +16,7 @@ void pass(std::chrono::microseconds time) {
 
 }  // namespace
 
-TEST_CASE("alternatives take turns in at least nine rounds") {
+TEST_CASE("alternatives take turns in at least ten rounds, after a call that is not measured") {
   std::string calls;
   const auto work = [&calls](char name) {
     return [&calls, name] {
@@ -24,25 +24,36 @@ TEST_CASE("alternatives take turns in at least nine rounds") {
       pass(std::chrono::microseconds(50));
     };
   };
-  std::vector<Quartiles> spreads(2);
-  measure_costs({{work('a'), 1, spreads.data()}, {work('b'), 50, &spreads.back()}}, 0);
-  CHECK(calls ==
-        "aabb"
-        "abababababababab"
-        "ab");
-  CHECK(spreads.front().low >= 5e4);
-  CHECK(spreads.back().low >= 1e3);
-  CHECK(spreads.back().low < 5e4);
-  for (const Quartiles& spread : spreads) {
-    CHECK(spread.low <= spread.median);
-    CHECK(spread.median <= spread.high);
-  }
+  std::vector<MeasuredCost> costs(2);
+  measure_costs({{work('a'), 1, costs.data()}, {work('b'), 50, &costs.back()}}, 0);
+  std::string rounds = "aabb";  // finds the number of calls in a timing
+  for (int round = 0; round < 10; ++round) rounds += "aabb";
+  CHECK(calls == rounds);
+  CHECK(costs.front().least >= 5e4);
+  CHECK(costs.back().least >= 1e3);
+  CHECK(costs.back().least < 5e4);
+  for (const MeasuredCost& cost : costs) CHECK(cost.noise >= 0);
+}
+
+TEST_CASE("a cost is the least time, and its noise comes from even and odd rounds") {
+  // Calls 0 and 1 find the number of calls in a timing, calls 2 and 3 are round 0, and so on.
+  std::size_t calls = 0;
+  const auto work = [&calls] {
+    const bool is_in_even_round = calls++ / 2 % 2 == 1;
+    pass(std::chrono::microseconds(is_in_even_round ? 1000 : 4000));
+  };
+  MeasuredCost cost;
+  measure_costs({{work, 1, &cost}}, 0);
+  CHECK(calls == 22);
+  CHECK(cost.least >= 1e6);
+  CHECK(cost.least < 4e6);
+  CHECK(cost.noise > 0);
 }
 
 TEST_CASE("work shorter than a clock tick is repeated") {
   std::size_t calls = 0;
-  Quartiles spread;
-  measure_costs({{[&calls] { ++calls; }, 1, &spread}}, 0);
+  MeasuredCost cost;
+  measure_costs({{[&calls] { ++calls; }, 1, &cost}}, 0);
   CHECK(calls > 100);
 }
 

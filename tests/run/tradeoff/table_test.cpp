@@ -17,13 +17,13 @@ using namespace elgen::test;
 
 namespace {
 
-/// A row with quartiles 5 % below and above `cost`. In packs, a call for a single state costs
-/// 5 `cost`. `noise` is the worst error divided by the least error.
+/// A row whose cost has a noise of 5 %. In packs, a call for a single state costs 5 `cost`. `noise`
+/// is the worst error divided by the least error.
 TradeoffRow row_of(std::vector<std::string> values, double cost, double error, double noise = 1) {
   const double call = values.back() == "packs" ? 5 * cost : cost;
   return {.values = std::move(values),
-          .cost = {cost, 0.95 * cost, 1.05 * cost},
-          .call_cost = {call, 0.95 * call, 1.05 * call},
+          .cost = {cost, 0.05},
+          .call_cost = {call, 0.05},
           .error = {error, error / 4, error / noise}};
 }
 
@@ -91,24 +91,43 @@ TEST_CASE("rows are sorted by cost, failed rows are last, and undominated rows a
   CHECK(ranks == std::vector<std::size_t>{1, 2, 3, 3, 0});
 }
 
-TEST_CASE("rows whose quartiles overlap the cheapest row's share a rank, sorted by error") {
+TEST_CASE("rows that cost the same share a rank, sorted by error") {
   CHECK(order_of({{10, 1e-7}, {10.4, 1e-9}}) == "b1* a1");
   CHECK(order_of({{10, 1e-9}, {10.4, 1e-7}}) == "a1* b1");
   CHECK(order_of({{10, 1e-7}, {12, 1e-9}}) == "a1* b2*");
 }
 
-TEST_CASE("ranks do not chain overlaps") {
+TEST_CASE("costs of a rank are close to its least cost, and do not form a chain") {
   CHECK(order_of({{11.5, 1e-9}, {10, 1e-7}, {10.8, 1e-8}}) == "c1* b1 a2*");
+  // Each cost is 1.09 times the cost before it, so two costs share a rank, and three do not.
+  TradeoffTable table;
+  for (double cost = 611; cost < 10'700; cost *= 1.09) {
+    table.rows.push_back(row_of({"a"}, cost, 1e-7));
+  }
+  table = rank_rows(std::move(table));
+  REQUIRE(table.rows.size() == 34);
+  for (std::size_t i = 0; i < 34; ++i) CHECK(table.rows[i].rank == 1 + i / 2);
+}
+
+TEST_CASE("only the noise of the cheapest row lets more expensive rows share its rank") {
+  const auto ranked = [](double noise_of_first, double noise_of_second) {
+    TradeoffTable table{.rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, 12, 1e-9)}};
+    table.rows[0].cost.noise = noise_of_first;
+    table.rows[1].cost.noise = noise_of_second;
+    return order_in(std::move(table));
+  };
+  CHECK(ranked(0.21, 0) == "b1* a1");
+  CHECK(ranked(0.19, 9) == "a1* b2*");
 }
 
 TEST_CASE("of equally good designs only the plan's first is on the front") {
   CHECK(order_of({{5.1, 1e-3}, {5, 1e-3}, {4.9, 1e-3}}) == "a1* b1 c1");
 }
 
-TEST_CASE("costs within a factor of 1.1 share a rank, even with narrow quartiles") {
+TEST_CASE("costs within a factor of 1.1 share a rank, even without noise") {
   const auto ranked = [](double dearer) {
     TradeoffTable table{.rows = {row_of({"a"}, 10, 1e-7), row_of({"b"}, dearer, 1e-9)}};
-    for (TradeoffRow& row : table.rows) row.cost.low = row.cost.high = row.cost.median;
+    for (TradeoffRow& row : table.rows) row.cost.noise = 0;
     return order_in(std::move(table));
   };
   CHECK(ranked(10.9) == "b1* a1");
@@ -146,7 +165,7 @@ TEST_CASE("a row below the reference is not on the front, but may be picked") {
   CHECK(name_of(table.rows[0]) == "double, 1");
   CHECK_FALSE(table.rows[0].is_on_pareto_front);
   for (const TradeoffRow& row : table.rows) {
-    CHECK((!row.is_on_pareto_front || row.cost.median < 2 || row.error.worst < 1e-13));
+    CHECK((!row.is_on_pareto_front || row.cost.least < 2 || row.error.worst < 1e-13));
   }
   CHECK(mentions(to_text(table), "below the reference\n"));
   CHECK(name_of(*cheapest_accurate_row(table, 1e-12)) == "double, 1");
@@ -180,14 +199,15 @@ TEST_CASE("text has columns, stars on the front, and the reasons of failures") {
   table.max_error = 1e-6;
   CHECK(to_text(table) == R"(arm, gravity: errors, relative
 
-  rank  scalar  batch  ns per state  quartiles       ns per call  worst error  median error
-* 1     float   packs  4             3.8 to 4.2      20           2.0e-07      5.0e-08
-* 2     double  packs  8             7.6 to 8.4      40           2.0e-16      5.0e-17
-* 3     double  one    40            38 to 42        40           1.0e-16      2.5e-17
-  3     float   one    39.5          37.52 to 41.48  39.5         1.0e-07      2.5e-08
+  rank  scalar  batch  ns per state  noise  ns per call  worst error  median error
+* 1     float   packs  4             5.0 %  20           2.0e-07      5.0e-08
+* 2     double  packs  8             5.0 %  40           2.0e-16      5.0e-17
+* 3     double  one    40            5.0 %  40           1.0e-16      2.5e-17
+  3     float   one    39.5          5.0 %  39.5         1.0e-07      2.5e-08
         half    one    E709: "c++" exits 1
 
-designs of one rank cost the same: at most 1.1 times the cheapest, or with overlapping quartiles
+a time is the least of many rounds; its noise: the least times of even and of odd rounds differ by this
+designs of one rank cost the same: at most 1.1 times the cheapest of the rank, or within its noise
 *: more accurate than every * above, by a factor of 1.1 and beyond the noise of both
 one
 two
@@ -206,10 +226,11 @@ TEST_CASE("without call costs there is no column, and without a pick there is no
                                    .machine = {.compiler = "g++ 12", .processor = "a processor"}});
   const std::string text = R"(arm, 2 s in time: errors
 
-  rank  method  ns per run  quartiles  worst error  median error
-* 1     rk4     40          38 to 42   1.0e-05      2.5e-06
+  rank  method  ns per run  noise  worst error  median error
+* 1     rk4     40          5.0 %  1.0e-05      2.5e-06
 
-designs of one rank cost the same: at most 1.1 times the cheapest, or with overlapping quartiles
+a time is the least of many rounds; its noise: the least times of even and of odd rounds differ by this
+designs of one rank cost the same: at most 1.1 times the cheapest of the rank, or within its noise
 *: more accurate than every * above, by a factor of 1.1 and beyond the noise of both
 measured on a processor, g++ 12
 )";
@@ -229,8 +250,9 @@ TEST_CASE("JSON has a design for every row") {
   const auto& first = json["designs"][0];
   CHECK(first["design"]["scalar"] == "float");
   CHECK(first["rank"] == 1);
-  CHECK(first["cost"]["median"] == 4);
-  CHECK(first["call_cost"]["median"] == 20);
+  CHECK(first["cost"]["least"] == 4);
+  CHECK(first["cost"]["noise"] == 0.05);
+  CHECK(first["call_cost"]["least"] == 20);
   CHECK(first["error"]["worst"] == 2e-7);
   CHECK(first["error"]["least"] == 2e-7);
   CHECK(first["front"] == true);
@@ -260,11 +282,12 @@ TEST_CASE("CSV quotes cells with quotes, and failed rows have no numbers") {
   TradeoffTable table = rank_rows(sample_table());
   table.rows.erase(table.rows.begin() + 1, table.rows.end() - 1);
   table.max_error = 1e-6;
-  CHECK(to_csv(table) ==
-        "scalar,batch,rank,cost,cost_low,cost_high,call_cost,worst_error,median_error,least_error,"
-        "front,pick,failure\n"
-        "float,packs,1,4,3.8,4.2,20,2e-07,5e-08,2e-07,1,1,\n"
-        "half,one,,,,,,,,,0,0,\"E709: \"\"c++\"\" exits 1\"\n");
+  CHECK(
+      to_csv(table) ==
+      "scalar,batch,rank,cost,cost_noise,call_cost,worst_error,median_error,least_error,front,pick,"
+      "failure\n"
+      "float,packs,1,4,0.05,20,2e-07,5e-08,2e-07,1,1,\n"
+      "half,one,,,,,,,,0,0,\"E709: \"\"c++\"\" exits 1\"\n");
 }
 
 TEST_CASE("a plot is XML with every measured design, and a staircase of the Pareto front") {
