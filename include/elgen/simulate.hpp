@@ -153,13 +153,16 @@ struct Trajectory {
 
 /// Coordinates and rates at the end of a reference run, to measure the errors of other runs.
 struct ReferenceRun {
-  std::vector<double> last = {};        ///< final values of a run in long double, tolerance 1e-15
-  std::vector<double> rough_last = {};  ///< final values of a run in double, tolerance 1e-12
+  std::vector<double> last = {};        ///< final values of the run
+  std::vector<double> rough_last = {};  ///< final values of a run with 10 times the tolerance
   std::vector<double> largest = {};     ///< largest magnitude of each value during the run
+  double tolerance = 0;                 ///< of the error of a step, absolute and relative
 };
 
-/// Runs from the assembled start of the model by Fehlberg's method of order 8, in the interpreter.
-/// Laws of inputs are evaluated at every stage of the method. Errors: E538, E623, E624.
+/// Runs from the assembled start of the model by Fehlberg's method of order 8, in the interpreter,
+/// in long double. The tolerance is 1e-18, or 1e-15 if the inputs have laws or if the run needs too
+/// many steps of 1e-18. Laws of inputs are evaluated at every stage of the method. Errors: E538,
+/// E623, E624.
 [[nodiscard]] Result<ReferenceRun> run_reference(const CheckedModel& checked,
                                                  const Program& program, double time);
 

@@ -7,9 +7,9 @@
 // Costs and errors have noise. A cost equals a smaller cost if their ratio is at most
 // equality_factor, or within the noise of the smaller cost. The error of a design is measured in
 // three samples of states, with three seeds; its noise is the interval [least, worst] of the three
-// errors. The error of a run is known up to the distance between two reference runs. Error x is
-// smaller than error y if equality_factor * x.worst < y.least. A row is on the Pareto front if its
-// error is smaller than the error of every cheaper row of the front.
+// errors. The error of a run is known up to four times the distance between two reference runs.
+// Error x is smaller than error y if equality_factor * x.worst < y.least. A row is on the Pareto
+// front if its error is smaller than the error of every cheaper row of the front.
 #pragma once
 
 #include <functional>
@@ -249,15 +249,14 @@ struct TradeoffRow {
   MeasuredCost call_cost = {};
   DesignErrors error = {};
   std::string failure = {};  ///< why cost and error are missing; "": they are present
-  /// True: the measured error is below the error of the reference run, and `error` holds the error
-  /// of the reference run instead.
+  /// True: the measured error is below the error of the reference run. Then `worst` and `median` of
+  /// `error` are the error of the reference run, and `least` is 0.
   bool is_below_reference = false;
   /// The rank by cost, from 1; 0 if the row failed. All rows whose cost equals the cheapest cost of
   /// the remaining rows get the next rank, so the rows of a rank never form a chain.
   std::size_t rank = 0;
-  /// True if the row is not below the reference, its worst error is at most 1, and this error is,
-  /// beyond noise, smaller than the error of every earlier row that is on the front or below the
-  /// reference.
+  /// True if the worst error of the row is at most 1 and, beyond noise, smaller than the error of
+  /// every earlier row that is on the front. A row below the reference may thus end the front.
   bool is_on_pareto_front = false;
 };
 

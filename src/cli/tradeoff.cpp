@@ -54,8 +54,9 @@ Diagnostics no_design_errors(const TradeoffTable& table, double max_error) {
            fmt::format("no design has a worst error of at most {}", max_error),
            nearest == nullptr
                ? ""
-               : fmt::format("the most accurate design is `{}`, with a worst error of {:.1e}",
-                             name_of(*nearest), nearest->error.worst)}};
+               : fmt::format("the most accurate design is `{}`, with a worst error {} {:.1e}",
+                             name_of(*nearest), nearest->is_below_reference ? "below" : "of",
+                             nearest->error.worst)}};
 }
 
 /// Picks the cheapest row within --max-error; E632 if there is none. If --write-scene is set,

@@ -1,7 +1,7 @@
-// run_reference: integrates the equations of motion twice, in double and in long double, by
+// run_reference: integrates the equations of motion twice, to different tolerances, by
 // Boost.odeint's Fehlberg method with steps adapted to its error estimate. The uncertainty of the
-// reference is the distance of both final states. Hairer, Norsett, Wanner, Solving Ordinary
-// Differential Equations I, 2nd ed., sec. II.10.
+// reference follows from the distance of both final states. Hairer, Norsett, Wanner, Solving
+// Ordinary Differential Equations I, 2nd ed., sec. II.10.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,10 +22,10 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
-/// Evaluates d(q, v)/dt in Scalar; a state is q, then v.
-template <class Scalar>
+/// Evaluates d(q, v)/dt; a state is q, then v.
 class ReferenceSystem {
  public:
+  using Scalar = long double;
   using Values = std::vector<Scalar>;
 
   /// `system` evaluates the laws of inputs, in double.
@@ -95,8 +95,7 @@ struct ReferenceResult {
   std::vector<double> largest = {};
 };
 
-template <class Values>
-bool record_state(const Values& state, ReferenceResult& end) {
+bool record_state(const ReferenceSystem::Values& state, ReferenceResult& end) {
   end.last.assign(state.begin(), state.end());
   end.largest.resize(end.last.size());
   for (std::size_t i = 0; i < end.last.size(); ++i) {
@@ -106,10 +105,12 @@ bool record_state(const Values& state, ReferenceResult& end) {
 }
 
 /// The final state of a run, and the largest magnitude of each number along the run. E624 if the
-/// run does not reach its end, or if M or A loses its rank.
-template <class Scalar>
-Result<ReferenceResult> integrate(Scalar tolerance, Scalar time, ReferenceSystem<Scalar> system) {
-  using Values = std::vector<Scalar>;
+/// run does not reach its end in `most_steps`, rejected steps included, or if M or A loses its
+/// rank.
+Result<ReferenceResult> integrate(long double tolerance, long double time, std::size_t most_steps,
+                                  ReferenceSystem system) {
+  using Scalar = ReferenceSystem::Scalar;
+  using Values = ReferenceSystem::Values;
   auto steps = odeint::make_controlled(tolerance, tolerance,
                                        odeint::runge_kutta_fehlberg78<Values, Scalar>());
   const auto rates = [&system](const Values& x, Values& dxdt, Scalar at) {
@@ -121,10 +122,11 @@ Result<ReferenceResult> integrate(Scalar tolerance, Scalar time, ReferenceSystem
   bool goes_on = record_state(state, end);
   Diagnostics lost = system.check_ranks(state, 0);
   Scalar t = 0;
+  std::size_t count = 0;
   for (Scalar length = time / 100; goes_on && lost.empty() && t < time;) {
     const bool is_last = length >= time - t;
     Scalar h = is_last ? time - t : length;
-    goes_on = h >= shortest || is_last;
+    goes_on = (h >= shortest || is_last) && count++ < most_steps;
     if (!goes_on) break;
     const bool is_made = steps.try_step(rates, state, t, h) == odeint::success;
     length = is_made && is_last ? std::max(length, h) : h;
@@ -149,13 +151,27 @@ Result<ReferenceRun> run_reference(const CheckedModel& checked, const Program& p
   SimulatedSystem system(*assembled, program, nullptr);
   Diagnostics refused = check_singular_start(system, system.start_state(), 0);
   if (!refused.empty()) return refused;
-  const Result<ReferenceResult> rougher =
-      integrate<double>(1e-12, time, ReferenceSystem<double>(system, *assembled, program));
-  if (!rougher) return rougher.diagnostics;
-  const Result<ReferenceResult> finer = integrate<long double>(
-      1e-15L, time, ReferenceSystem<long double>(system, *assembled, program));
-  if (!finer) return finer.diagnostics;
-  return ReferenceRun{finer->last, rougher->last, finer->largest};
+  const auto run_twice = [&](long double tolerance,
+                             std::size_t most_steps) -> Result<ReferenceRun> {
+    const auto run = [&](long double of_step) {
+      return integrate(of_step, time, most_steps, ReferenceSystem(system, *assembled, program));
+    };
+    const Result<ReferenceResult> rougher = run(10 * tolerance);
+    if (!rougher) return rougher.diagnostics;
+    const Result<ReferenceResult> finer = run(tolerance);
+    if (!finer) return finer.diagnostics;
+    return ReferenceRun{finer->last, rougher->last, finer->largest, static_cast<double>(tolerance)};
+  };
+  // Ten times the rounding errors of long double. At kinks, steps would become too short.
+  constexpr long double finest_tolerance = 1e-18L;
+  constexpr std::size_t most_finest_steps = 20'000;  // long runs take the larger tolerance
+  // Ten times the rounding errors of double, which laws of inputs have.
+  constexpr long double fine_tolerance = 1e-15L;
+  if (checked.scene.laws.empty()) {
+    Result<ReferenceRun> finest = run_twice(finest_tolerance, most_finest_steps);
+    if (finest) return finest;
+  }
+  return run_twice(fine_tolerance, std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace elgen

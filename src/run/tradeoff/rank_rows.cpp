@@ -43,11 +43,8 @@ TradeoffTable rank_rows(TradeoffTable table) {
   for (TradeoffRow& row : table.rows) {
     if (!row.failure.empty()) break;
     const double error = row.error.worst;
-    row.is_on_pareto_front =
-        !row.is_below_reference && error <= largest_error && equality_factor * error < least;
-    // A row with an error below the error of the reference is not on the front, but excludes more
-    // expensive rows from the front.
-    if (row.is_on_pareto_front || row.is_below_reference) least = std::min(least, row.error.least);
+    row.is_on_pareto_front = error <= largest_error && equality_factor * error < least;
+    if (row.is_on_pareto_front) least = std::min(least, row.error.least);
   }
   return table;
 }

@@ -32,12 +32,14 @@ struct StepCode {
   MeasuredCost pack_cost = {};
 };
 
-/// The sentences below the table. `bar`: the distance between both reference runs.
-std::vector<std::string> table_sentences(const std::map<StepSpec, StepCode>& codes, double bar) {
+/// The sentences below the table. `distance`: between both reference runs. `uncertainty`: of the
+/// reference.
+std::vector<std::string> table_sentences(const std::map<StepSpec, StepCode>& codes,
+                                         double tolerance, double distance, double uncertainty) {
   std::vector<std::string> all{fmt::format(
-      "reference: Fehlberg's method of order 8 with tolerance 1e-15 in long double; a run with "
-      "1e-12 in double differs by {:.1e}",
-      bar)};
+      "reference: Fehlberg's method of order 8 in long double, with tolerance {:g}; a run with "
+      "{:g} differs by {:.1e}, so errors below {:.1e} are not measured",
+      tolerance, 10 * tolerance, distance, uncertainty)};
   for (const auto& [step, code] : codes) {
     if (code.loops.one_state_loop == nullptr) continue;
     all.push_back(fmt::format("one step by {} takes {:.4g} ns, in packs {:.4g} ns",
@@ -92,7 +94,7 @@ class RunBench {
     process_.on_stage("time");
     process_.renew_time_limit();
     time_steps();
-    table_.sentences = table_sentences(codes_, uncertainty_);
+    table_.sentences = table_sentences(codes_, reference_.tolerance, distance_, uncertainty_);
     if (!exact_.checked->model.constraints.empty()) {
       table_.sentences.emplace_back("the cost includes a call of `projected` after every step");
     }
@@ -115,9 +117,10 @@ class RunBench {
     Result<ReferenceRun> reference = run_reference(*exact_.checked, *exact_.program, time_);
     if (!reference) return reference.diagnostics;
     reference_ = std::move(*reference);
-    const double distance =
-        run_errors(reference_.rough_last, reference_, exact_.checked->model).worst;
-    uncertainty_ = std::max(distance, std::numeric_limits<double>::epsilon() / 2);
+    distance_ = run_errors(reference_.rough_last, reference_, exact_.checked->model).worst;
+    // If rounding errors dominate, both runs err by as much, and a part of it may be common.
+    constexpr double safety = 4;
+    uncertainty_ = std::max(safety * distance_, std::numeric_limits<double>::epsilon() / 2);
     return {};
   }
 
@@ -179,7 +182,7 @@ class RunBench {
     // and so is the error to which it is compared; hence the factor 2.
     row.error.least = std::max(row.error.worst - 2 * uncertainty_, 0.0);
     row.is_below_reference = row.error.worst <= uncertainty_;
-    if (row.is_below_reference) row.error = {uncertainty_, uncertainty_, uncertainty_};
+    if (row.is_below_reference) row.error = {uncertainty_, uncertainty_, 0};
   }
 
   void time_steps() {
@@ -206,6 +209,7 @@ class RunBench {
   const BenchOptions& process_;
   Products exact_ = {};  ///< derived without a step; the model has the assembled start
   ReferenceRun reference_ = {};
+  double distance_ = 0;     ///< between both reference runs, relative
   double uncertainty_ = 0;  ///< relative error of the reference; at least u = 2^-53
   std::map<StepSpec, StepCode> codes_ = {};
   TradeoffTable table_ = {};

@@ -163,7 +163,7 @@ class TradeoffPlot {
     std::vector<std::string> notes{"black: the front; no cheaper design is as accurate",
                                    "line: error of the front at each cost"};
     if (std::ranges::any_of(table_.rows, &TradeoffRow::is_below_reference)) {
-      notes.emplace_back("grey: error below the error of the reference");
+      notes.emplace_back("grey: error too small for the reference, not on the front");
     }
     for (const std::string& note : notes) {
       svg += svg_label(legend_left + 14, legend_y(++line), "start", note);

@@ -24,6 +24,11 @@ Cells column_titles(const TradeoffTable& table) {
   return titles;
 }
 
+/// "1.0e-05", or "below 1.0e-15" if the reference does not show the error.
+std::string worst_error_text(const TradeoffRow& row) {
+  return fmt::format("{}{:.1e}", row.is_below_reference ? "below " : "", row.error.worst);
+}
+
 Cells cells_of(const TradeoffTable& table, const TradeoffRow& row) {
   Cells cells{row.rank > 0 ? std::to_string(row.rank) : ""};
   cells.insert(cells.end(), row.values.begin(), row.values.end());
@@ -34,12 +39,8 @@ Cells cells_of(const TradeoffTable& table, const TradeoffRow& row) {
   cells.push_back(fmt::format("{:.4g}", row.cost.least));
   cells.push_back(fmt::format("{:.1f} %", 100 * row.cost.noise));
   if (!table.call_cost.empty()) cells.push_back(fmt::format("{:.4g}", row.call_cost.least));
-  if (row.is_below_reference) {
-    cells.emplace_back("below the reference");
-    return cells;
-  }
-  cells.push_back(fmt::format("{:.1e}", row.error.worst));
-  cells.push_back(fmt::format("{:.1e}", row.error.median));
+  cells.push_back(worst_error_text(row));
+  if (!row.is_below_reference) cells.push_back(fmt::format("{:.1e}", row.error.median));
   return cells;
 }
 
@@ -51,8 +52,8 @@ std::string pick_line(const TradeoffTable& table) {
   if (!table.call_cost.empty()) {
     cost += fmt::format(", {:.4g} {}", row->call_cost.least, table.call_cost);
   }
-  return fmt::format("cheapest within {}: {}; {}, error {:.1e}\n", *table.max_error, name_of(*row),
-                     cost, row->error.worst);
+  return fmt::format("cheapest within {}: {}; {}, error {}\n", *table.max_error, name_of(*row),
+                     cost, worst_error_text(*row));
 }
 
 Json json_of(const MeasuredCost& cost) { return {{"least", cost.least}, {"noise", cost.noise}}; }

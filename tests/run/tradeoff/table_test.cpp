@@ -27,6 +27,14 @@ TradeoffRow row_of(std::vector<std::string> values, double cost, double error, d
           .error = {error, error / 4, error / noise}};
 }
 
+/// A row whose error is below the error `bound` of the reference.
+TradeoffRow row_below(std::vector<std::string> values, double cost, double bound) {
+  TradeoffRow row = row_of(std::move(values), cost, bound);
+  row.is_below_reference = true;
+  row.error.least = 0;
+  return row;
+}
+
 TradeoffRow failed_row(std::vector<std::string> values, std::string why) {
   return {.values = std::move(values), .failure = std::move(why)};
 }
@@ -157,21 +165,27 @@ TEST_CASE("a row with an error above 100 % is not on the front") {
   CHECK(order_of({{1, 1.1}}) == "a1");
 }
 
-TEST_CASE("a row below the reference is not on the front, but may be picked") {
-  TradeoffTable table = sample_table();
-  table.rows[0] = row_of({"double", "1"}, 2, 1e-13);
-  table.rows[0].is_below_reference = true;
-  table = rank_rows(table);
-  CHECK(name_of(table.rows[0]) == "double, 1");
-  CHECK_FALSE(table.rows[0].is_on_pareto_front);
-  for (const TradeoffRow& row : table.rows) {
-    CHECK((!row.is_on_pareto_front || row.cost.least < 2 || row.error.worst < 1e-13));
-  }
-  CHECK(mentions(to_text(table), "below the reference\n"));
-  CHECK(name_of(*cheapest_accurate_row(table, 1e-12)) == "double, 1");
+TEST_CASE("the cheapest row below the reference ends the front, and may be picked") {
+  TradeoffTable table{
+      .cost = "ns",
+      .dimensions = {"name"},
+      .rows = {row_of({"a"}, 1, 1e-7), row_of({"b"}, 2, 1e-12), row_below({"c"}, 4, 1e-13),
+               row_of({"d"}, 8, 1e-9), row_below({"e"}, 16, 1e-13)}};
+  table.max_error = 5e-13;
+  table = rank_rows(std::move(table));
+  CHECK(order_in(table) == "a1* b2* c3* d4 e5");
+  const std::string text = to_text(table);
+  CHECK(mentions(text, "* 3     c     4   5.0 %  below 1.0e-13\n"));
+  CHECK(mentions(text, "\ncheapest within 5e-13: c; 4 ns, error below 1.0e-13\n"));
   const auto json = nlohmann::json::parse(to_json(table))["designs"];
-  CHECK(json[0]["error"]["below_reference"] == true);
+  CHECK(json[2]["error"]["below_reference"] == true);
+  CHECK(json[2]["error"]["worst"] == 1e-13);
   CHECK_FALSE(json[1]["error"].contains("below_reference"));
+}
+
+TEST_CASE("a row below the reference has no star if a cheaper row may be as accurate") {
+  TradeoffTable table{.rows = {row_of({"a"}, 1, 1.05e-13, 1e9), row_below({"b"}, 2, 1e-13)}};
+  CHECK(order_in(std::move(table)) == "a1* b2");
 }
 
 TEST_CASE("cheapest_within and most_accurate select rows") {
@@ -312,7 +326,8 @@ TEST_CASE("a plot labels its axes and dimensions, and explains its marks and lin
     CHECK(mentions(svg, text));
   }
   CHECK_FALSE(mentions(svg, ">grey: "));
-  table.rows[1].is_below_reference = true;
+  table.rows[0] = row_below({"double", "one"}, 40, 1e-15);
+  table.rows[1] = row_below({"double", "packs"}, 8, 1e-15);
   const std::string with_grey = to_svg(rank_rows(table));
   CHECK(mentions(with_grey, ">grey: "));
   CHECK(count(with_grey, "fill=\"#bbb\"") == 2);
