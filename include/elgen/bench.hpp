@@ -57,9 +57,10 @@ struct MeasuredTable {
   Diagnostics compiler_errors = {};  ///< compiler errors of designs that the table lists as failed
 };
 
-/// Costs and errors of the designs of one output. If request.output is empty, warnings of the model
-/// are among the diagnostics. Errors: E601, E603, E630, E631, E633, E644, E645, E704, and the
-/// errors of the pipeline.
+/// Costs and errors of the designs of one output. If the scene sets `trigonometry`, the designs
+/// vary in this dimension, too. If request.output is empty, warnings of the model are among the
+/// diagnostics. Errors: E601, E603, E630, E631, E633, E644, E645, E704, and the errors of the
+/// pipeline.
 [[nodiscard]] Result<MeasuredTable> measure_designs(const DesignRequest& request,
                                                     const BenchOptions& process);
 

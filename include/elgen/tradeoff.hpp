@@ -93,7 +93,7 @@ struct TradeoffPlan {
   std::vector<PlannedDesign> designs = {};
 };
 
-/// All possible combinations of scalar, batch, sines and parameters, and of the dimensions in
+/// All possible combinations of scalar, batch and parameters, and of the dimensions in
 /// choices.more, for the first function of `program`. choices.pinned restricts the combinations.
 /// E631: choices.more contains an unknown dimension. E645: no combination remains.
 [[nodiscard]] Result<TradeoffPlan> plan_designs(const CheckedModel& checked, const Program& program,

@@ -316,7 +316,11 @@ Result<MeasuredTable> measure_designs(const DesignRequest& request, const BenchO
   if (!base) return base.diagnostics;
   Diagnostics wrong = scene_conflicts(base->design_source(), request.choices.pinned);
   if (!wrong.empty()) return wrong;
-  Result<MeasuredTable> measured = DesignBench(request, *base, process, *machine).measure();
+  DesignRequest completed = request;
+  if (find_key(base->design_source().scene, "numeric", "trigonometry") != nullptr) {
+    completed.choices.more.emplace_back("trigonometry");  // so that the scene's value is tried
+  }
+  Result<MeasuredTable> measured = DesignBench(completed, *base, process, *machine).measure();
   if (measured) measured.diagnostics = base.diagnostics;
   return measured;
 }

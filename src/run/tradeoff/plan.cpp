@@ -1,9 +1,9 @@
 // plan: combines all values of all dimensions, and removes combinations that do not exist. Example:
-// a function of parameters and sines, in double and float:
+// a function of parameters and sines, in double and float, if the command names `trigonometry`:
 //
-//     scalar double, float   batch one, packs   trigonometry full, 1e-7
+//     scalar double, float   batch one, packs   trigonometry full, 1e-7, library
 //     parameters arguments, fixed
-//     ->   10 designs: sines of 1e-7 only exist in packs of double
+//     ->   14 designs: sines of 1e-7 only exist in packs of double, the library's for one state
 #include <cln/rational.h>
 #include <fmt/ranges.h>
 
@@ -87,7 +87,8 @@ constexpr std::array value_rows{
                         return trigonometry_error(base.scene.numerics,
                                                   ScalarKind::double_precision) ==
                                cln::cl_RA(1) / 10'000'000;
-                      }},
+                      },
+                      true},
     DimensionValueRow{
         "trigonometry", library_sines, [](Design& d) { d.trigonometry = library_sines; },
         [](const CheckedModel& base) { return base.scene.numerics.has_library_sines; }, true},

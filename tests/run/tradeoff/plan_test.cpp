@@ -42,10 +42,18 @@ T = "m*dot(x)^2"
 
 }  // namespace
 
-TEST_CASE("polynomials of 1e-7 are planned only for packs of double") {
+TEST_CASE("designs differ in scalar, batch and parameters") {
   const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "inverse_dynamics");
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters"});
+  CHECK(plan.designs.size() == 8);
+  CHECK(has(plan, {"float", "packs", "arguments"}));
+}
+
+TEST_CASE("polynomials of 1e-7 are planned on request, only for packs of double") {
+  const TradeoffPlan plan =
+      planned(read_model("pushed_pendulum"), "inverse_dynamics", {.more = {"trigonometry"}});
   CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters"});
-  CHECK(plan.designs.size() == 10);
+  CHECK(plan.designs.size() == 8 + 2 + 4);
   CHECK(has(plan, {"double", "packs", "1e-7", "fixed"}));
   CHECK(has(plan, {"float", "packs", "full", "arguments"}));
   CHECK_FALSE(has(plan, {"float", "packs", "1e-7", "fixed"}));
@@ -60,19 +68,19 @@ TEST_CASE("dimensions without a choice are omitted") {
 
 TEST_CASE("a requested dimension multiplies the designs") {
   const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "gravity", {.more = {"order"}});
-  CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters", "order"});
-  CHECK(plan.designs.size() == 10 * 3);
-  CHECK(has(plan, {"float", "one", "full", "fixed", "3"}));
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "order"});
+  CHECK(plan.designs.size() == 8 * 3);
+  CHECK(has(plan, {"float", "one", "fixed", "3"}));
 }
 
 TEST_CASE("wider scalars are planned on request, for single states in double") {
   const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "gravity", {.more = {"inner"}});
-  CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters", "inner"});
-  CHECK(plan.designs.size() == 10 + 4);
-  CHECK(has(plan, {"double", "one", "full", "arguments", "double-double"}));
-  CHECK(has(plan, {"double", "one", "full", "fixed", "long double"}));
-  CHECK_FALSE(has(plan, {"float", "one", "full", "fixed", "double-double"}));
-  CHECK_FALSE(has(plan, {"double", "packs", "full", "fixed", "long double"}));
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "inner"});
+  CHECK(plan.designs.size() == 8 + 4);
+  CHECK(has(plan, {"double", "one", "arguments", "double-double"}));
+  CHECK(has(plan, {"double", "one", "fixed", "long double"}));
+  CHECK_FALSE(has(plan, {"float", "one", "fixed", "double-double"}));
+  CHECK_FALSE(has(plan, {"double", "packs", "fixed", "long double"}));
   CHECK(refusal(mass, {.pinned = {{"batch", "packs"}, {"inner", "long double"}}}) ==
         "no design fits `--batch packs`, `--inner long double`; a wider scalar needs functions of "
         "one state in double");
@@ -81,7 +89,7 @@ TEST_CASE("wider scalars are planned on request, for single states in double") {
 TEST_CASE("library calls are planned on request, for single states") {
   const TradeoffPlan plan =
       planned(read_model("pushed_pendulum"), "gravity", {.more = {"trigonometry"}});
-  CHECK(plan.designs.size() == 10 + 4);
+  CHECK(plan.designs.size() == 8 + 2 + 4);
   CHECK(has(plan, {"double", "one", "library", "arguments"}));
   CHECK(has(plan, {"float", "one", "library", "fixed"}));
   CHECK_FALSE(has(plan, {"double", "packs", "library", "fixed"}));
