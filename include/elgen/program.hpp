@@ -124,6 +124,9 @@ struct Function {
 /// Number of random points at which a value has to vanish before the value counts as zero.
 inline constexpr std::size_t zero_sample_count = 64;
 
+/// True for a root or a function of numbers, such as cos(7/10). Costs count it as a number.
+[[nodiscard]] bool is_call_of_numbers(const Function& function, const Instruction& instruction);
+
 /// The number of entries of all fields.
 [[nodiscard]] std::size_t entry_count(const Function& function);
 /// The index of the instruction of each entry, field by field.
@@ -161,7 +164,7 @@ struct Program {
 [[nodiscard]] std::vector<std::size_t> expanded_sizes(const Function& function, std::size_t most);
 
 /// The operations that one call executes. `add` includes subtractions; `sincos` counts the distinct
-/// angles of sines and cosines; negations are not counted.
+/// angles of sines and cosines. Negations and calls of numbers are not counted.
 struct OperationCounts {
   std::size_t add = 0;
   std::size_t mul = 0;

@@ -34,6 +34,17 @@ std::size_t first_repeated_instruction(const Function& function) {
   return function.instructions.size() - std::size_t{repeated.length} * repeated.count;
 }
 
+bool is_call_of_numbers(const Function& function, const Instruction& instruction) {
+  const auto is_number = [&](std::uint32_t at) {
+    const Instruction& i = function.instructions[at];
+    return (i.opcode == Opcode::negate ? function.instructions[i.a] : i).opcode == Opcode::constant;
+  };
+  const bool is_call =
+      instruction.opcode == Opcode::call || instruction.opcode == Opcode::square_root;
+  return is_call && is_number(instruction.a) &&
+         (operand_count(instruction) == 1 || is_number(instruction.b));
+}
+
 std::size_t entry_count(const Function& function) {
   std::size_t count = 0;
   for (const Field& field : function.fields) count += field.entries.size();
@@ -122,6 +133,7 @@ OperationCounts count_operations(const Function& function) {
   OperationCounts counts;
   std::set<std::uint32_t> angles;
   for (const Instruction& instruction : function.instructions) {
+    if (is_call_of_numbers(function, instruction)) continue;
     const FunctionId called = instruction.function;
     switch (instruction.opcode) {
       case Opcode::add:

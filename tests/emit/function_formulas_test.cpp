@@ -25,6 +25,9 @@ class Plain final : public Vocabulary {
   FormulaText call(FunctionId function, const std::vector<FormulaText>& arguments) const override {
     return named_call_text(function_row(function).name, arguments);
   }
+  FormulaText at_run_time(const FormulaText& number) const override {
+    return named_call_text("late", {number});
+  }
 
  private:
   const LeafNames& leaves_;
@@ -90,4 +93,14 @@ TEST_CASE("calls take their arguments without brackets") {
   CHECK(formula_text("  3 = add 0 1\n  4 = atan2 3 2\n", 4) == "atan2(a + b, c)");
   CHECK(formula_text("  3 = add 0 1\n  4 = square_root 3\n  5 = divide 2 4\n", 5) ==
         "c / sqrt(a + b)");
+}
+
+TEST_CASE("functions of numbers are computed at run time") {
+  CHECK(formula_text("  3 = constant 7/10\n  4 = cos 3\n  5 = multiply 0 4\n", 5) ==
+        "a * cos(late(7/10))");
+  CHECK(formula_text("  3 = constant 7/10\n  4 = negate 3\n  5 = exp 4\n", 5) ==
+        "exp(late(-7/10))");
+  CHECK(formula_text("  3 = constant 7/10\n  4 = square_root 3\n", 4) == "sqrt(late(7/10))");
+  CHECK(formula_text("  3 = constant 7/10\n  4 = atan2 3 0\n", 4) == "atan2(7/10, a)");
+  CHECK(formula_text("  3 = constant 7/10\n  4 = add 3 0\n  5 = cos 4\n", 5) == "cos(7/10 + a)");
 }

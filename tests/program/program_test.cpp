@@ -44,6 +44,22 @@ TEST_CASE("operations are counted as the emitted function executes them") {
   CHECK(cost(counts) == 2 + 1 + 4 + 8 + 2 * 20 + 2 * 16);
 }
 
+TEST_CASE("roots and functions of numbers are not counted") {
+  const Program program = read_program(
+      "parameters m\n"
+      "function bias\n"
+      "  0 = parameter m\n"
+      "  1 = constant 7/10\n"
+      "  2 = cos 1\n"
+      "  3 = negate 1\n"
+      "  4 = exp 3\n"
+      "  5 = square_root 1\n"
+      "  6 = atan2 1 3\n"
+      "  7 = atan2 1 0\n"
+      "  result 1 5 = 2 4 5 6 7\n");
+  CHECK(count_operations(program.functions[0]) == OperationCounts{.other = 1});
+}
+
 TEST_CASE("operand counts follow the opcode and the function's arity") {
   CHECK(operand_count({.opcode = Opcode::time}) == 0);
   CHECK(operand_count({.opcode = Opcode::negate}) == 1);

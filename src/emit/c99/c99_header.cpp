@@ -65,10 +65,11 @@ Texts default_parameters_macro(const EmissionInput& input) {
   return macro_lines(std::move(lines));
 }
 
-constexpr std::array<std::string_view, 15> names_in_header{
+constexpr std::array<std::string_view, 16> names_in_header{
     "parameters", "is_regular",   "sign_of",       "smaller",     "larger",
     "stumpff",    "sine_of",      "cosine_of",     "sine_cosine", "sine_cosine_beyond",
-    "columns",    "load_columns", "store_columns", "interval",    "digits_left"};
+    "columns",    "load_columns", "store_columns", "interval",    "digits_left",
+    "at_run_time"};
 
 /// True if `name` is the result struct, the workspace or a part of the function.
 bool is_helper_name(const std::string& name, const Function& function) {

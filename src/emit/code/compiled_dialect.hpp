@@ -32,6 +32,9 @@ class CompiledDialect : public Dialect {
                   std::string_view access);
 
   [[nodiscard]] std::string leaf(Opcode kind, std::uint32_t number) const override;
+  [[nodiscard]] FormulaText at_run_time(const FormulaText& number) const override {
+    return named_call_text(helper_function_name("at_run_time"), {number});
+  }
   [[nodiscard]] const CompiledDialect* inner_vocabulary() const override { return nullptr; }
   [[nodiscard]] FunctionDefinition function_definition(const Function& function,
                                                        Storage storage) const override;

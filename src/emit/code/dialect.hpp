@@ -84,6 +84,8 @@ class Dialect : public Vocabulary {
   /// True if a field is a number and not an array.
   [[nodiscard]] bool is_scalar_field(const Function& function, const Field& field) const;
   [[nodiscard]] std::vector<std::string_view> argument_names_of(const Function& function) const;
+  /// The name of a function that the emitted code defines itself.
+  [[nodiscard]] virtual std::string helper_function_name(std::string_view name) const = 0;
 
  private:
   /// True if the emitted code itself uses `name`; arguments and functions are checked separately.
@@ -91,8 +93,6 @@ class Dialect : public Vocabulary {
   /// The name with which the language calls a function of the standard library. `name` is the C
   /// name for double.
   [[nodiscard]] virtual std::string library_function_name(std::string_view name) const = 0;
-  /// The name of a function that the emitted code defines itself.
-  [[nodiscard]] virtual std::string helper_function_name(std::string_view name) const = 0;
 
   const Model& model_;
   const Program& program_;

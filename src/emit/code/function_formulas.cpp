@@ -66,11 +66,14 @@ FormulaText FunctionFormulas::name_or_formula(std::uint32_t at) const {
 FormulaText FunctionFormulas::operand_formula(std::uint32_t user, std::uint32_t at) const {
   const Vocabulary& words = vocabulary_of(user);
   const Instruction& i = function_.instructions[at];
+  FormulaText text = name_or_formula(at);
   if (i.opcode == Opcode::constant && names_[at].empty()) {
-    return words.constant(program_.constants[i.a]);
+    text = words.constant(program_.constants[i.a]);
+  } else if (&words != &vocabulary_of(at)) {
+    text = words.convert_scalar(text);
   }
-  return &words == &vocabulary_of(at) ? name_or_formula(at)
-                                      : words.convert_scalar(name_or_formula(at));
+  const bool is_argument = is_call_of_numbers(function_, function_.instructions[user]);
+  return is_argument ? words.at_run_time(text) : text;
 }
 
 const Vocabulary& FunctionFormulas::vocabulary_of(std::uint32_t at) const {

@@ -147,6 +147,13 @@ TemplateData header_data(const EmissionInput& input, const Dialect& dialect) {
   const bool has_kinks = has(FunctionId::sign) || has(FunctionId::min) || has(FunctionId::max);
   data.set("kinks", optional_section(has_kinks));
   data.set("compares", optional_section(compares_numbers(input.program)));
+  const auto calls_numbers = [](const Function& function) {
+    return std::ranges::any_of(function.instructions, [&function](const Instruction& i) {
+      return is_call_of_numbers(function, i);
+    });
+  };
+  data.set("run_time",
+           optional_section(std::ranges::any_of(input.program.functions, calls_numbers)));
   data.set("columns", optional_section(has_column_loops(input.program)));
   data.set("stumpff", optional_section(has(FunctionId::stumpff)));
   data.set("hyperbolic", optional_section(has_negative_stumpff_order(input.program)));
