@@ -1,5 +1,6 @@
 // The digits that emitted code keeps, however the energies are written.
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -71,6 +72,54 @@ std::string one_coordinate(const std::string& potential) {
          "l = { value = 0.75, assume = \"positive\" }\n"
          "[energy]\nT = \"1/2*m*dot(x)^2\"\nV = \"" +
          potential + "\"\n";
+}
+
+std::string two_coordinates(const std::string& potential) {
+  return "format = 1\n[model]\nname = \"rest\"\n[[coordinate]]\nname = \"x\"\nrange = [-1, 1]\n"
+         "[[coordinate]]\nname = \"y\"\nrange = [-1, 1]\n"
+         "[parameters]\nk = { value = 3.7, assume = \"positive\" }\na = 0.7\n"
+         "[energy]\nT = \"1/2*dot(x)^2 + 1/2*dot(y)^2\"\nV = \"" +
+         potential + "\"\n";
+}
+
+/// The arguments of a model of two_coordinates(); all parameters are 3.7.
+template <class Scalar>
+Arguments<Scalar> at_positions(const Generated& g, Scalar x, Scalar y) {
+  Arguments<Scalar> at = make_leaf_values<Scalar>(
+      g.model(), [](Opcode, const auto&) { return Scalar(3.7); }, [](Opcode) { return Scalar(0); });
+  at.q = {x, y};
+  return at;
+}
+
+/// The force of V = 1/2*k*(cos(y - 0.7)*cos(x) - cos(0.7))^2 as a user types it.
+template <class Scalar>
+std::array<Scalar, 2> typed_force(Scalar x, Scalar y) {
+  const auto k = Scalar(3.7);
+  const auto angle = Scalar(0.7);
+  const Scalar sum = std::cos(y - angle) * std::cos(x) - std::cos(angle);
+  return {-k * sum * std::cos(y - angle) * std::sin(x),
+          -k * sum * std::cos(x) * std::sin(y - angle)};
+}
+
+/// The force of the emitted code: 0 at rest, and beside it at most twice the error of the typed
+/// force.
+template <class Scalar>
+void check_force(const Generated& g) {
+  const Function& gravity = g.function(OutputKind::gravity);
+  for (const Scalar force :
+       evaluate(g.program(), gravity, at_positions<Scalar>(g, Scalar(0), Scalar(0)))) {
+    CHECK(force == Scalar(0));
+  }
+  const auto exact = [](Scalar x) { return Real(exact_value(static_cast<double>(x))); };
+  const Arguments<Scalar> at = at_positions<Scalar>(g, Scalar(1e-8), Scalar(6e-9));
+  const std::vector<Scalar> force = evaluate(g.program(), gravity, at);
+  const std::vector<Real> truth = evaluate(g.program(), gravity, map_leaves(exact, at));
+  const std::array<Scalar, 2> typed = typed_force(at.q[0], at.q[1]);
+  for (std::size_t i = 0; i < typed.size(); ++i) {
+    INFO(i);
+    const Real twice = abs(exact(typed[i]) - truth[i]) * Real(2);
+    CHECK(to_double(abs(exact(force[i]) - truth[i]).value()) <= to_double(twice.value()));
+  }
 }
 
 Arguments<double> at_position(const Generated& g, double x) {
@@ -148,6 +197,29 @@ TEST_CASE("balance keeps digits that speed loses at extreme states") {
   CHECK(loss_of(generated_for_speed(cosine), OutputKind::potential_energy) > 1e6);
   CHECK(loss_of(generated(double_pendulum), OutputKind::forward_dynamics) <= 64);
   CHECK(loss_of(generated_for_speed(double_pendulum), OutputKind::forward_dynamics) > 64);
+}
+
+TEST_CASE("cos(y - 0.7)*cos(x) - cos(0.7) is 0 at rest, in every scalar") {
+  const Generated typed = generated(two_coordinates("1/2*k*(cos(y - 0.7)*cos(x) - cos(0.7))^2"));
+  const Generated fixed = generated(two_coordinates("1/2*k*(cos(y - a)*cos(x) - cos(a))^2"),
+                                    "[parameters]\nfixed = { a = 0.7 }\n");
+  for (const Generated* g : {&typed, &fixed}) {
+    check_force<double>(*g);
+    check_force<float>(*g);
+  }
+}
+
+TEST_CASE("other functions of a number vanish at rest, too") {
+  for (const char* difference :
+       {"exp(x + 0.3)*cos(y) - exp(0.3)", "log(x + 2.3)*cos(y) - log(2.3)"}) {
+    INFO(difference);
+    const Generated g = generated(two_coordinates("1/2*k*(" + std::string(difference) + ")^2"));
+    const Function& gravity = g.function(OutputKind::gravity);
+    for (const double force : evaluate(g.program(), gravity, at_positions(g, 0.0, 0.0)))
+      CHECK(force == 0);
+    for (const float force : evaluate(g.program(), gravity, at_positions(g, 0.F, 0.F)))
+      CHECK(force == 0.F);
+  }
 }
 
 TEST_CASE("sqrt(x^2 + l^2) - x has no accurate form for both signs of x, and a loss is reported") {

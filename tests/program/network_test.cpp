@@ -2,6 +2,7 @@
 // cheapest form.
 #include "program/network/network.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "elgen/evaluate.hpp"
@@ -42,6 +43,48 @@ TEST_CASE("the constants of a sum or product are folded into one number") {
   CHECK(texts_of(network) == Texts{"2*pi*cos(1)*a", "a - (-2 + pi)", "-1 + exp(2)"});
   // A constant without a value remains an operation.
   CHECK(texts_of(network_of({"2*log(-1)*a"})) == Texts{"2*log(-1)*a"});
+}
+
+TEST_CASE("a function of a number stays a call beside the same function of a sum with it") {
+  struct LiteralRow {
+    const char* what;
+    Texts texts;
+    bool stays;
+  };
+  const LiteralRow row = GENERATE(values<LiteralRow>({
+      {"a difference", {"cos(a - 7/10)*cos(b) - cos(7/10)"}, true},
+      {"factors of the call", {"3*exp(a + 3/10)*b - 3*exp(3/10)"}, true},
+      {"the sign of the number, without parity", {"exp(-3/10) - exp(a - 3/10)"}, true},
+      {"a root", {"sqrt(a + 3/10)*b - sqrt(3/10)"}, true},
+      {"two arguments", {"atan2(a + 3/10, b + 1/2) - atan2(3/10, 1/2)"}, true},
+      {"one argument is the number", {"atan2(a + 3/10, 1/2) - atan2(3/10, 1/2)"}, true},
+      {"a multiple of pi", {"log(a + b + pi/7) - log(pi/7)"}, true},
+      {"a number of two terms", {"log(a + pi + 1/7) - log(pi + 1/7)"}, true},
+      {"calls in functions", {"sqrt(2 - 2*cos(a - 7/10)) - sqrt(2 - 2*cos(7/10))"}, true},
+      {"calls in brackets", {"(cos(a - 7/10) + b)*c - cos(7/10)"}, true},
+      {"another function", {"sin(a - 7/10)*cos(b) - cos(7/10)"}, false},
+      {"another number", {"cos(a - 3/10)*cos(b) - cos(7/10)"}, false},
+      {"another sign", {"exp(a + 3/10) - exp(-3/10)"}, false},
+      {"a further number", {"exp(a + 3/10 + pi) - exp(3/10)"}, false},
+      {"another sum", {"cos(a - 7/10)*cos(b)", "cos(7/10)*c + d"}, false},
+      {"the same term", {"cos(a - 7/10)*cos(7/10) + c"}, false},
+  }));
+  INFO(row.what);
+  const auto has_function = [](const Constant& constant) {
+    return text_of(constant.form).find('(') != std::string::npos;
+  };
+  const Expressions expressions = expressions_of(row.texts);
+  for (const NumberJoining numbers : {NumberJoining::unjoined, NumberJoining::joined}) {
+    const Network network = make_network(expressions, numbers);
+    CHECK(std::ranges::none_of(network.constants, has_function) == row.stays);
+    CHECK(find_invariant_violation(program_of(network)) == "");
+  }
+}
+
+TEST_CASE("a call of a number is written and counted as the number") {
+  const Network network = network_of({"exp(3/10) - exp(a + 3/10)"});
+  CHECK(texts_of(network) == Texts{"exp(3/10) - exp(3/10 + a)"});
+  CHECK(counts_of(network) == OperationCounts{.add = 2, .other = 1});
 }
 
 TEST_CASE("a constant has one form, even if its parts are shared") {

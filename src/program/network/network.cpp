@@ -173,6 +173,7 @@ class NetworkConverter {
   NetworkConverter(const Expressions& expressions, NumberJoining numbers)
       : graph_(expressions.graph),
         converted_(graph_.size()),
+        stays_call_(mark_literal_calls(expressions)),
         divisions_(division_counts(graph_, expressions.values)) {
     if (numbers == NumberJoining::joined) uses_ = use_counts(graph_, expressions.values);
   }
@@ -200,6 +201,9 @@ class NetworkConverter {
     return negate_if(result, value.is_negative && !graph_.is_zero(value.node));
   }
 
+  /// True for constants that code has as numbers.
+  bool is_number(NodeId id) const { return graph_.has_constant_form(id) && !stays_call_[id]; }
+
   /// Operands with all constants folded into one: 1/2*pi*x multiplies x by one number. Memoised.
   const FoldedOperands& operands_of(NodeId id) {
     const auto [at, is_new] = operands_.try_emplace(id);
@@ -209,7 +213,7 @@ class NetworkConverter {
     const Node& node = graph_.node(id);
     form.kind = node.kind == NodeKind::sum ? ConstantKind::sum : ConstantKind::product;
     for (const Operand& operand : node.operands) {
-      if (graph_.has_constant_form(operand.node)) {
+      if (is_number(operand.node)) {
         form.operands.push_back({graph_.constant_form(operand.node), operand.weight});
       } else {
         result.rest.push_back(operand);
@@ -228,7 +232,7 @@ class NetworkConverter {
   /// Operands that must be converted before the node.
   std::vector<Operand> needed_operands(NodeId id) {
     const NodeKind kind = graph_.node(id).kind;
-    if (graph_.has_constant_form(id) && fold_constant(id)) return {};
+    if (is_number(id) && fold_constant(id)) return {};
     const bool is_n_ary = kind == NodeKind::sum || kind == NodeKind::product;
     return is_n_ary ? operands_of(id).rest : graph_.node(id).operands;
   }
@@ -311,6 +315,7 @@ class NetworkConverter {
 
   const Graph& graph_;
   std::vector<std::optional<SignedNode>> converted_;
+  std::vector<bool> stays_call_;               ///< by mark_literal_calls()
   std::vector<std::uint32_t> uses_;            ///< empty unless numbers are joined
   std::vector<std::uint32_t> divisions_;       ///< number of products that divide by each node
   std::map<NodeId, FoldedOperands> operands_;  ///< of sums and products

@@ -5,9 +5,9 @@
 //     Network:  quotient(product(m, m, x), product(y, z))
 //
 // A power is a repeated factor. A divisor of two or more products becomes a reciprocal, computed
-// once. The constants of a sum or product are folded into one number, which keeps its form. The ids
-// of operations are dense and follow the canonical order of the graph, so that later passes may
-// decide ties by ids.
+// once. The constants of a sum or product are folded into one number, which keeps its form (but see
+// mark_literal_calls). The ids of operations are dense and follow the canonical order of the graph,
+// so that later passes may decide ties by ids.
 #pragma once
 
 #include "program/graph/rebuild.hpp"
@@ -38,6 +38,14 @@ struct Network {
   std::vector<Operation> operations = {};
   std::vector<SignedNode> values = {};
 };
+
+/// For each node: true if it contains a function of a number that code must call, because one term
+/// of a sum contains this function, and another term the same function of an argument with this
+/// number as a summand. Both then have the same rounding error of the number.
+///
+///     cos(7/10) - cos(x)*cos(y - 7/10)     calls cos(0.7): 0 at x = y = 0
+///     cos(7/10)*x + cos(y - 3/10)          has the number 0.764842187284488
+[[nodiscard]] std::vector<bool> mark_literal_calls(const Expressions& expressions);
 
 /// Numbers keep their place in the graph, or are multiplied into the sums that they scale.
 ///
