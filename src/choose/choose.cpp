@@ -25,9 +25,8 @@ constexpr std::size_t always_lowered_length = 400;
 /// a form may cost a quarter more than the cheapest form.
 constexpr double tolerated_loss_in_double = 8192;
 
-/// The largest cost of a form that keeps digits, in quarters of the cost of the cheapest form: 1.25
-/// times, and 4 times for V, which costs little compared with the functions that contain it.
-constexpr std::size_t quarters_for_balance = 5;
+/// The largest cost of a form of V that keeps digits, in quarters of the cost of the cheapest form:
+/// V costs little compared with the functions that contain it.
 constexpr std::size_t quarters_for_digits = 16;
 
 bool is_float_only(const Scene& scene) {
@@ -240,11 +239,19 @@ class FormChooser {
     return closed;
   }
 
+  /// Small solutions must lose no digits: light links cost double only a fifth of its digits, but
+  /// float loses half of its digits in the same code.
+  [[nodiscard]] LoweringRequirements aim_of(const Function& function) const {
+    LoweringRequirements aim = aim_;
+    if (is_small_solution(recursive_, function)) aim.max_loss = tolerated_loss;
+    return aim;
+  }
+
   /// The entries, lowered as one function. Sets `costs.chosen_form` to closed if all entries are
   /// accurate and this function is not dearer than `recursive`, else to recursive.
   Function lower_closed_form(std::size_t index, const Function& recursive,
                              const ReadableEntries& entries, FormCosts& costs) {
-    LoweringRequirements aim = aim_;
+    LoweringRequirements aim = aim_of(recursive);
     aim.splits = allowed_splits(scene_, recursive);
     aim.text = recursive_forms_.errors_of(index);
     LoweredEntries closed = lower_jointly(entries, recursive, result_.program, aim);
@@ -260,15 +267,16 @@ class FormChooser {
                    FormCosts& costs) {
     const Function& recursive = recursive_forms_.form(index);
     const FormErrors& text = *recursive_forms_.errors_of(index);
+    const LoweringRequirements aim = aim_of(recursive);
     costs.closed_loss = text.worst_loss(result_.program, closed);
-    for (const double limit : {aim_.max_loss, tolerated_loss}) {
+    for (const double limit : {aim.max_loss, tolerated_loss}) {
       std::optional<ReadableEntries> others = replace_lossy_entries(entries, limit);
       if (!others) continue;
       FormCosts rewriting_costs = costs;
       Function rewriting = lower_closed_form(index, recursive, *others, rewriting_costs);
       if (rewriting_costs.inaccurate_entry) continue;
       rewriting_costs.closed_loss = text.worst_loss(result_.program, rewriting);
-      if (!is_worthwhile(aim_, recursive, {closed, costs}, {rewriting, rewriting_costs})) continue;
+      if (!is_worthwhile(aim, recursive, {closed, costs}, {rewriting, rewriting_costs})) continue;
       entries = std::move(*others);
       closed = std::move(rewriting);
       costs = rewriting_costs;
@@ -279,16 +287,17 @@ class FormChooser {
   void choose_by_losses(std::size_t index, const Function& closed, const Function& recursive,
                         FormCosts& costs) {
     const bool is_closed = costs.chosen_form == Form::closed;
-    if (costs.inaccurate_entry || (is_closed && *costs.closed_loss <= aim_.max_loss)) return;
+    const LoweringRequirements aim = aim_of(recursive);
+    if (costs.inaccurate_entry || (is_closed && *costs.closed_loss <= aim.max_loss)) return;
     costs.recursive_loss =
         recursive_forms_.errors_of(index)->worst_loss(result_.program, recursive);
     const double own = is_closed ? *costs.closed_loss : *costs.recursive_loss;
     const double other = is_closed ? *costs.recursive_loss : *costs.closed_loss;
     const Function& dearer = is_closed ? recursive : closed;
     const Function& cheaper = is_closed ? closed : recursive;
-    if (!loses_more(own, other, aim_.max_loss)) return;
+    if (!loses_more(own, other, aim.max_loss)) return;
     if (!is_affordable(cost_without_guards(dearer), cost_without_guards(cheaper),
-                       aim_.most_quarters))
+                       aim.most_quarters))
       return;
     costs.chosen_form = is_closed ? Form::recursive : Form::closed;
   }

@@ -10,6 +10,9 @@
 
 namespace elgen {
 
+/// The largest cost of a form that keeps digits, in quarters of the cost of the cheapest form.
+inline constexpr std::size_t quarters_for_balance = 5;
+
 /// True if cost <= quarters/4 * other + the cost of one division.
 [[nodiscard]] bool is_affordable(std::size_t cost, std::size_t other, std::size_t quarters);
 

@@ -15,7 +15,10 @@ constexpr std::size_t points_per_kind = 4;
 
 /// Further places at which terms cancel are not visited, because each costs four points.
 constexpr std::size_t max_places = 10;
-constexpr int widest_factor = 3;  ///< parameters are scaled by at most 2^3
+constexpr int widest_factor = 3;  ///< parameters without positive bounds are scaled by at most 2^3
+
+/// With more velocities, the minors of M are too long to replace its pivots.
+constexpr std::size_t most_solved_velocities = 3;
 
 /// Relative distances (absolute at 0) near 1e-1, 1e-2, 1e-4 and 1e-8, as multiples of 2^-30.
 constexpr double unit_of_distance = 0x1p-30;
@@ -85,6 +88,7 @@ class PointMaker {
       for (const std::vector<double>& zero : zeros) add_points_near_zero(zero);
     }
     add_remote_points();
+    if (is_small_solution(program_, text_)) add_scaled_copies();
     return std::move(points_);
   }
 
@@ -104,16 +108,40 @@ class PointMaker {
     return point;
   }
 
+  /// `point` with other parameters. Equal parameters with the same unit stay equal if the declared
+  /// bounds allow this, since they may cancel.
   Arguments<double> with_scaled_parameters(Arguments<double> point) {
     const std::vector<double> old = point.parameters;
     for (std::uint32_t i = 0; i < old.size(); ++i) {
-      const double factor = std::abs(sampler_.log_uniform(-widest_factor, widest_factor - 1));
-      point.parameters[i] = clamp_to_range(Opcode::parameter, i, old[i] * factor);
+      point.parameters[i] = draw_parameter(i, old[i]);
       for (std::size_t k = 0; k < i; ++k) {
-        if (old[k] == old[i] && has_same_unit(i, k)) point.parameters[i] = point.parameters[k];
+        const double equal = point.parameters[k];
+        const bool is_in_range = clamp_to_range(Opcode::parameter, i, equal) == equal;
+        if (old[k] == old[i] && has_same_unit(i, k) && is_in_range) point.parameters[i] = equal;
       }
     }
     return point;
+  }
+
+  /// A value of a parameter: log-uniform over its declared bounds if both are positive, otherwise
+  /// `value` scaled by at most 2^3. ilogb is exact, so all machines draw the same values.
+  [[nodiscard]] double draw_parameter(std::uint32_t number, double value) {
+    const Range& bounds = leaf_of(domain_.ranges, Opcode::parameter, number);
+    const bool is_bounded =
+        declared_range(domain_.model, Opcode::parameter, number) && bounds.low > 0;
+    const int low = is_bounded ? std::ilogb(bounds.low) : -widest_factor;
+    const int high = is_bounded ? std::ilogb(bounds.high) : widest_factor - 1;
+    const double drawn = std::abs(sampler_.log_uniform(low, high));
+    return clamp_to_range(Opcode::parameter, number, is_bounded ? drawn : value * drawn);
+  }
+
+  /// Adds a copy of each point near a place, with other parameters: accelerations lose most digits
+  /// if links are nearly aligned and the ratio of their masses is large.
+  void add_scaled_copies() {
+    const std::size_t count = points_.size();
+    for (std::size_t i = 2 * points_per_kind; i < count; ++i) {
+      points_.push_back(with_scaled_parameters(points_[i]));
+    }
   }
 
   /// True if the parameters `i` and `k` have the same unit; false if a unit is unknown.
@@ -217,6 +245,13 @@ class PointMaker {
 
 bool depends_on_motion(const Function& function) {
   return std::ranges::any_of(function.instructions, is_moving_leaf, &Instruction::opcode);
+}
+
+bool is_small_solution(const Program& program, const Function& function) {
+  const std::size_t velocities = program.leaves.v.size();
+  const bool is_constrained = first_entry_of(function, "multipliers") != entry_count(function);
+  return output_row(function.kind).gives_pivots && !is_constrained && velocities > 1 &&
+         velocities <= most_solved_velocities;
 }
 
 Points comparison_points(const Program& program, const Function& text, const Domain& domain,

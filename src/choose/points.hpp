@@ -1,14 +1,15 @@
 // points: the states, at most 118, at which all forms of a function are compared.
 //
-// Some states are inside the ranges with nominal parameters. Others have scaled parameters; equal
-// parameters with the same unit get the same factor, since they may cancel. Others are near zeros
-// of sums in the recursive form, the `text`:
+// Some states are inside the ranges with nominal parameters. Others have parameters from their
+// declared bounds, or scaled parameters. Others are near zeros of sums in the recursive form, the
+// `text`:
 //
 //     before    F*sqrt((x - a)^2 + y^2)
 //     after     x near a and -a, x near 0, y near 0; both near 0; x near a and y near 0
 //
 // At states of rest, no rate, acceleration or input hides losses of a force. At remote states,
-// exponentials and logarithms of unbounded coordinates vanish or grow.
+// exponentials and logarithms of unbounded coordinates vanish or grow. Small solutions
+// (is_small_solution) have states near zeros a second time, with other parameters.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +26,9 @@ namespace elgen {
 
 /// True if a function depends on rates, momenta, reference velocities, accelerations or inputs.
 [[nodiscard]] bool depends_on_motion(const Function& function);
+
+/// True for forward dynamics of two or three velocities without constraints.
+[[nodiscard]] bool is_small_solution(const Program& program, const Function& function);
 
 /// The points at which all forms of a function are compared. `text` is the recursive form. Unless
 /// depends_on_motion(text), points near `zeros` are added. Coordinates are computed without libm,
