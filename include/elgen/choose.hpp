@@ -13,8 +13,9 @@
 //
 // If sums in the chosen form cancel many digits (for float only: any digits), its entries are
 // rewritten, and the other form is reconsidered: it is chosen if it loses fewer digits and costs
-// little more (choose/text_errors.hpp). The last pass adds guards against states that algebra
-// ignores, and sets the order of evaluation (choose/finish.hpp).
+// little more (choose/text_errors.hpp). Forward dynamics of two or three velocities must lose no
+// digits of float; it may be solved by determinants of M (choose/solution.cpp). The last pass adds
+// guards against states that algebra ignores, and sets the order of evaluation (choose/finish.hpp).
 #pragma once
 
 #include <optional>
@@ -66,6 +67,18 @@ using SumZeros = std::vector<std::vector<double>>;
 [[nodiscard]] Result<FormChoice> choose(const Program& recursive, const ClosedForms& forms,
                                         const Domain& domain, const Scene& scene,
                                         const SumZeros* zeros = nullptr);
+
+/// True if solve_by_minors() may give function `index` a form that keeps more digits: it is forward
+/// dynamics of two or three velocities, and its chosen form loses digits or has an unknown loss.
+[[nodiscard]] bool may_solve_by_minors(const Scene& scene, const FormChoice& choice,
+                                       std::size_t index);
+
+/// Replaces forward dynamics, function `index`, by a solution with closed determinants of M
+/// (choose/solution.cpp) if this keeps far more digits and costs at most a quarter more than the
+/// cheapest form. `parts` has the mass matrix, the bias and, if there are inputs, the input matrix;
+/// `recursive` is the program from which the forms of `choice` were chosen.
+void solve_by_minors(const Program& parts, const Program& recursive, const Domain& domain,
+                     std::size_t index, FormChoice& choice);
 
 /// The reader for whom a closed form is written.
 enum class Audience : std::uint8_t {

@@ -67,6 +67,20 @@ Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, FormCh
   return {};
 }
 
+/// Solves for accelerations by determinants of M if the chosen forms lose digits. M and the forces
+/// are derived apart, because forward dynamics has no entries for them.
+void add_solutions(const ChoiceInput& input, const Program& recursive, const Domain& domain,
+                   FormChoice& choice) {
+  for (std::size_t i = 0; i < recursive.functions.size(); ++i) {
+    if (!may_solve_by_minors(input.scene, choice, i)) continue;
+    const std::vector<OutputRequest> requests = available_requests(
+        input.model, {OutputKind::mass_matrix, OutputKind::bias, OutputKind::input_matrix});
+    const Result<Program> parts =
+        derive_recursive_program(input.lagrangian, requests, input.limits);
+    if (parts) solve_by_minors(*parts, recursive, domain, i, choice);
+  }
+}
+
 /// Chooses the forms of a program's functions.
 Result<FormChoice> choose_program_forms(const ChoiceInput& input, const Program& recursive,
                                         const ClosedForms& forms) {
@@ -75,6 +89,7 @@ Result<FormChoice> choose_program_forms(const ChoiceInput& input, const Program&
   if (!choice) return choice;
   Diagnostics errors = add_potential(input, domain, *choice);
   if (!errors.empty()) return errors;
+  add_solutions(input, recursive, domain, *choice);
   return choice;
 }
 

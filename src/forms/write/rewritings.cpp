@@ -212,6 +212,24 @@ const CollectedForm& shortest_precise_form(std::vector<const CollectedForm*> rew
   });
 }
 
+bool is_nonnegative(const Algebra& algebra, const AtomPower& power, const LeafNames& leaves) {
+  if (power.exponent % 2 == 0) return true;
+  const Atom& atom = algebra.atoms[power.atom];
+  if (atom.kind == AtomKind::leaf && atom.leaf == Opcode::parameter)
+    return assumption_of(leaves, atom.index) != Assumption::none;
+  return atom.kind == AtomKind::root || atom.kind == AtomKind::pi;
+}
+
+bool is_nonnegative(const Algebra& algebra, const RealTerm& term, const LeafNames& leaves) {
+  const auto is_even = [](const CircularPower& power) {
+    return power.cosine % 2 == 0 && power.sine % 2 == 0;
+  };
+  return cln::plusp(term.coefficient) && std::ranges::all_of(term.circular, is_even) &&
+         std::ranges::all_of(term.powers, [&](const AtomPower& power) {
+           return is_nonnegative(algebra, power, leaves);
+         });
+}
+
 void append_entry(Function& to, Field& field, const Function& one) {
   const auto offset = static_cast<std::uint32_t>(to.instructions.size());
   for (Instruction i : one.instructions) {
@@ -258,6 +276,20 @@ std::vector<CollectedForm> precise_rewritings(const Algebra& algebra, const Frac
     if (grouped) rewritings.push_back(collect_factors(grouped->expressions, SIZE_MAX, grouping));
   }
   return rewritings;
+}
+
+std::optional<Expressions> shortest_precise_rewriting(const Algebra& algebra,
+                                                      const Fraction& form) {
+  std::vector<CollectedForm> all = precise_rewritings(algebra, form);
+  if (all.empty()) return std::nullopt;
+  return std::move(std::ranges::min_element(all, {}, &CollectedForm::length)->expressions);
+}
+
+bool has_nonnegative_terms(const Algebra& algebra, const Fraction& form, const LeafNames& leaves) {
+  const auto terms = homogeneous_terms(algebra, form.numerator, most_terms);
+  return terms && !terms->empty() && std::ranges::all_of(*terms, [&](const RealTerm& term) {
+           return is_nonnegative(algebra, term, leaves);
+         });
 }
 
 bool is_as_precise(const Expressions& rewriting, const Expressions& reference, const Points& points,

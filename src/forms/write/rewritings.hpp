@@ -53,6 +53,16 @@ struct Rewritings {
 [[nodiscard]] std::vector<CollectedForm> precise_rewritings(const Algebra& algebra,
                                                             const Fraction& form);
 
+/// The shortest of precise_rewritings(); none if there is none.
+[[nodiscard]] std::optional<Expressions> shortest_precise_rewriting(const Algebra& algebra,
+                                                                    const Fraction& form);
+
+/// True if the homogeneous numerator of `form` has terms and none can be negative, so that nothing
+/// cancels. Each coefficient must be positive, and each power even, except powers of roots and of
+/// parameters that are assumed to be positive or nonnegative.
+[[nodiscard]] bool has_nonnegative_terms(const Algebra& algebra, const Fraction& form,
+                                         const LeafNames& leaves);
+
 /// True if the error of `rewriting` is at most max(3 E, 8 |x|) at every point at which `reference`
 /// has a value x with error E. False if `reference` has no value at any point, or if `leaves` are
 /// exact and only `rewriting` has a sine of a rounded sum. Errors are first-order running errors,
