@@ -113,6 +113,13 @@ struct Numerics {
   std::optional<double> max_error = {};
   /// The ranges in which max_error must hold. They replace the ranges of the model, name by name.
   std::vector<NamedRange> ranges = {};
+
+  /// `scalars`, and float if accelerations are in float.
+  [[nodiscard]] std::vector<ScalarKind> computed_scalars() const {
+    std::vector<ScalarKind> all = scalars;
+    if (inner == InnerScalar::single_precision) all.push_back(ScalarKind::single_precision);
+    return all;
+  }
 };
 
 /// The largest absolute error of sines and cosines in batches: the error that `numerics` states;

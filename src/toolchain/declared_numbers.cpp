@@ -60,7 +60,8 @@ class DeclarationText {
     add_arrays();
     const bool has_batch = input_.scene.emission.has_batch_header;
     if (has_batch) {
-      for (const ScalarKind scalar : input_.scene.numerics.scalars) add_trigonometry(scalar);
+      for (const ScalarKind scalar : input_.scene.numerics.computed_scalars())
+        add_trigonometry(scalar);
     }
     const ArtifactId header = has_batch ? ArtifactId::batch : row_.header;
     std::string text =

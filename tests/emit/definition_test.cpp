@@ -53,9 +53,26 @@ TEST_CASE("a long function calls its parts in order") {
         "  return result;\n");
   CHECK(mentions(function.whole.signature, "Parameters<Scalar>& p"));
   CHECK(function.workspace.members.size() == 4);  // two values at each of two cuts
-  const std::string shared = "w." + function.workspace.members.front();
+  const std::string& member = function.workspace.members.front();
+  REQUIRE(member.starts_with("Scalar "));
+  const std::string shared = "w." + member.substr(std::string("Scalar ").size());
   CHECK(mentions(function.parts[0].body, "\n  " + shared + " = "));
   CHECK(mentions(function.parts[1].body, shared));
+}
+
+TEST_CASE("parts share values of both scalars of a step") {
+  Subject subject = long_function(max_body_statements);
+  std::vector<Instruction>& all = subject.program.functions.front().instructions;
+  for (std::size_t i = 3; i < all.size() / 2; ++i) all[i].is_inner = true;
+  const auto dialect = mixed_dialect(subject.model, subject.program, "cart_pole");
+  const FunctionDefinition function =
+      dialect->function_definition(subject.program.functions.front(), Storage::row_major);
+  REQUIRE(function.parts.size() == 3);
+  CHECK(function.workspace.members.front().starts_with("Inner "));
+  CHECK(function.workspace.members.back().starts_with("Scalar "));
+  CHECK(mentions(function.whole.body, "  detail::GravityWorkspace<Scalar, Inner> w;\n"));
+  CHECK(mentions(function.whole.signature, "const Parameters<double>& p"));
+  CHECK(mentions(function.parts[0].signature, "GravityWorkspace<Scalar, Inner>& w"));
 }
 
 TEST_CASE("one call computes the sine and the cosine of an angle") {
@@ -136,8 +153,8 @@ TEST_CASE("parts share the arrays of a loop") {
   const FunctionDefinition function = function_of(repeating_function(max_body_statements));
   REQUIRE(function.parts.size() == 3);
   const std::vector<std::string>& shared = function.workspace.members;
-  CHECK(shared[shared.size() - 2] == "given[2]");
-  CHECK(shared.back() == "solved[2]");
+  CHECK(shared[shared.size() - 2] == "Scalar given[2]");
+  CHECK(shared.back() == "Scalar solved[2]");
   const std::string& last = function.parts.back().body;
   CHECK(mentions(function.parts.front().body, "  w.given[1] = q[1];\n"));
   CHECK(mentions(last,

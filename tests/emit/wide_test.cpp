@@ -1,5 +1,6 @@
-// Compiles functions in a wider scalar. Double-double is compared with 64 digits, for both
-// compilers and several optimisation levels, with and without contraction of products and sums.
+// Compiles functions in a wider scalar, and steps with accelerations in float. Double-double is
+// compared with 64 digits, for both compilers and several optimisation levels, with and without
+// contraction of products and sums.
 // Flags that would break double-double are refused.
 #include <array>
 #include <catch2/catch.hpp>
@@ -250,7 +251,9 @@ inner = "float"
   workspace.prepare("elgen generate -q -o . mixed.scene.toml");
   const std::string header =
       workspace.read("kepler_cartesian_mixed/kepler_cartesian_mixed_wide.hpp");
-  CHECK(mentions(header, "using Inner = float;\n"));
+  CHECK(mentions(header,
+                 "template <class Scalar = double, class Inner = float>\n"
+                 "[[nodiscard]] ELGEN_FUNCTION Step<Scalar> step(const Parameters<double>& p,"));
   CHECK(mentions(header, "static_cast<Inner>(q[0])"));
   CHECK(mentions(header, "static_cast<Scalar>("));
   workspace.write("main.cpp", R"(#include <algorithm>
@@ -301,6 +304,78 @@ int main() {
   CHECK(workspace.run("elgen verify --samples 64 mixed.scene.toml").status == 0);
   // simulate derives the outputs of a run instead of the outputs of the scene.
   CHECK(workspace.run("elgen simulate -q --time 1 mixed.scene.toml").status == 0);
+}
+
+TEST_CASE("a step in packs computes accelerations in float and keeps the state in double") {
+  const Workspace workspace;
+  workspace.write("mixed.scene.toml", "format = 1\nmodel = \"" + std::string(ELGEN_SOURCE_DIR) +
+                                          "/models/double_pendulum.toml\"\nname = \"mixed\"\n" +
+                                          R"toml([outputs]
+step = { method = "rk4" }
+[numeric]
+inner = "float"
+[emit]
+batch = true
+)toml");
+  workspace.prepare("elgen generate -q -o . mixed.scene.toml");
+  workspace.write("main.cpp", R"(#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+#include "double_pendulum_mixed/double_pendulum_mixed_batch.hpp"
+namespace pendulum = double_pendulum_mixed;
+constexpr std::size_t count = 37;  // no multiple of a pack
+int main() {
+  const pendulum::Parameters<double> p{};
+  std::vector<double> state(4 * count), moved(4 * count);
+  for (std::size_t k = 0; k < state.size(); ++k) {
+    state[k] = 2 * std::sin(static_cast<double>(k + 1));
+  }
+  const double* const q = state.data();
+  const double* const v = q + 2 * count;
+  double farthest = 0;
+  for (const double length : {0.0, 0.01}) {
+    const std::vector<double> h(count, length);
+    pendulum::batch::wide::step(p, count, q, v, q, h.data(), moved.data());
+    if (!(length > 0) && moved != state) return 1;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto one = pendulum::wide::step(p, pendulum::Coordinates<double>{q[i], q[count + i]},
+                                            pendulum::Velocities<double>{v[i], v[count + i]}, {},
+                                            length);
+      for (std::size_t k = 0; k < 2; ++k) {
+        farthest = std::max(farthest, std::abs(one.coordinates[k] - moved[k * count + i]));
+        farthest = std::max(farthest, std::abs(one.rates[k] - moved[(2 + k) * count + i]));
+      }
+    }
+  }
+  std::printf("%g\n", farthest);
+  return farthest < 1e-5 ? 0 : 2;  // h times the error of accelerations of up to 100 in float
+}
+)");
+  const std::string machine = GENERATE("", "-march=native ", "-march=x86-64-v3 ");
+  for (const char* const compiler : {"g++", "clang++"}) {
+    REQUIRE(failure_of(workspace.run(
+                std::string(compiler) + " -std=c++17 -O2 " + machine +
+                "-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow "
+                "-Wfloat-equal -Wdouble-promotion -Werror -I. main.cpp -o program")) == "");
+    CHECK(failure_of(workspace.run("./program")) == "");
+  }
+}
+
+TEST_CASE("verify compares steps in packs with accelerations in float") {
+  const Workspace workspace;
+  workspace.write("mixed.scene.toml", "format = 1\nmodel = \"" + std::string(ELGEN_SOURCE_DIR) +
+                                          "/models/simple_pendulum.toml\"\nname = \"mixed\"\n" +
+                                          R"toml([outputs]
+step = "verlet"
+[numeric]
+inner = "float"
+[emit]
+batch = true
+)toml");
+  const Outcome run = workspace.run("elgen verify --samples 32 mixed.scene.toml");
+  CHECK(failure_of(run) == "");
+  CHECK(run.status == 0);
 }
 
 TEST_CASE("names of the header in a wider scalar are E701") {

@@ -126,7 +126,8 @@ class BatchReader {
   void read_accuracy(const KeySyntax& key) {
     const auto wanted = ValueReader(context_).read_constant(key.value);
     if (!wanted) return;
-    const bool has_float = has_scalar(scene_, ScalarKind::single_precision);
+    const std::vector<ScalarKind> scalars = scene_.numerics.computed_scalars();
+    const bool has_float = std::ranges::count(scalars, ScalarKind::single_precision) > 0;
     const ScalarKind coarsest =
         has_float ? ScalarKind::single_precision : ScalarKind::double_precision;
     const bool is_within = is_rational(*wanted) && *wanted < 1 &&
@@ -225,9 +226,10 @@ void read_inner_scalar(Context& context, const FileSyntax* syntax, const SceneOp
   });
   if (is_for_step && other != scene.outputs.end())
     refuse(other->span, inner_scalar_obstacle(*other));
-  for (const char* const header : {"eigen", "batch"}) {
+  for (const std::string_view header : {"eigen", "batch"}) {
     const KeySyntax* const key = find_key(syntax, "emit", header);
-    if (is_flag_set(key))
+    const bool is_supported = is_for_step && header == "batch";
+    if (is_flag_set(key) && !is_supported)
       refuse(key->key_span, quote_text(header) + " computes in its own scalars");
   }
 }

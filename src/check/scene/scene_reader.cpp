@@ -59,8 +59,8 @@ class SceneReader {
     read_outputs();
     read_numerics();
     scene_.emission = read_emission(context_, syntax_, options_, scene_);
-    read_batch(context_, syntax_, scene_);
     read_inner_scalar(context_, syntax_, options_, scene_);
+    read_batch(context_, syntax_, scene_);
     read_error_bound(context_, syntax_, options_, scene_.numerics);
     scene_.has_options = options_.changes_files();
     scene_.canonical_text = canonical_scene_text(syntax_, options_);

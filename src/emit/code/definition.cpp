@@ -22,12 +22,6 @@
 namespace elgen {
 namespace {
 
-/// True if a body of `statements` statements is cut into parts. A body with inner instructions is
-/// never cut, because the body has values of two types, and a workspace has only one type.
-bool needs_parts(const CompiledDialect& dialect, std::size_t statements) {
-  return statements > max_body_statements && dialect.inner_vocabulary() == nullptr;
-}
-
 void add_used_names(const Instruction& instruction, UsedNames& used) {
   if (is_leaf(instruction.opcode)) used.variables.insert(leaf_row(instruction.opcode).symbol);
   if (instruction.opcode == Opcode::square_root) used.functions.insert("sqrt");
@@ -92,7 +86,7 @@ class DefinitionWriter {
     const SineCosinePairing pairing =
         dialect_.has_sine_cosine_calls() ? SineCosinePairing::joint : SineCosinePairing::separate;
     const std::vector<Statement> all = make_statements(ordered_, names_, pairing, loop_);
-    if (!needs_parts(dialect_, all.size())) return {single_body_text(all)};
+    if (all.size() <= max_body_statements) return {single_body_text(all)};
     BodyParts cut = cut_into_parts(all, statements_per_part);
     if (loop_.count > 0) cut.crosses_parts[loop_.first] = true;
     FunctionDefinition result;
@@ -110,9 +104,7 @@ class DefinitionWriter {
  private:
   [[nodiscard]] DefinitionText single_body_text(const std::vector<Statement>& all) const {
     std::string lines;
-    for (const std::string& array : array_declarators()) {
-      lines += fmt::format("  {} {};\n", dialect_.scalar_type(), array);
-    }
+    for (const std::string& array : array_declarations()) lines += fmt::format("  {};\n", array);
     FieldTexts entries(ordered_.fields.size());
     for (const Statement& statement : all) {
       if (const EntryStatement* const entry = std::get_if<EntryStatement>(&statement)) {
@@ -177,32 +169,33 @@ class DefinitionWriter {
     return is_inner ? *dialect_.inner_vocabulary() : dialect_;
   }
 
-  /// Returns the members of the workspace: values that cross into other parts, and the arrays of
-  /// the loop. Changes `names_` to the names in the workspace. All values of the loop count as
-  /// crossing.
+  /// Returns the members of the workspace with their types: values that cross into other parts, and
+  /// the arrays of the loop. Changes `names_` to the names in the workspace. All values of the loop
+  /// count as crossing.
   std::vector<std::string> move_to_workspace(const std::vector<bool>& crosses) {
     std::vector<std::string> shared;
     for (std::size_t at = 0; at < std::min<std::size_t>(crosses.size(), loop_.first); ++at) {
       if (!crosses[at]) continue;
-      shared.push_back(names_[at]);
+      shared.push_back(fmt::format("{} {}", dialect_of(at).scalar_type(), names_[at]));
       names_[at] = loop_names_.values[at] = dialect_.workspace_member(names_[at]);
     }
     for (std::size_t at = loop_.first; at < names_.size(); ++at) {
       if (!names_[at].empty()) names_[at] = dialect_.workspace_member(names_[at]);
     }
-    const std::vector<std::string> of_loop = array_declarators();
+    const std::vector<std::string> of_loop = array_declarations();
     shared.insert(shared.end(), of_loop.begin(), of_loop.end());
     loop_names_.given = dialect_.workspace_member(loop_names_.given);
     loop_names_.solved = dialect_.workspace_member(loop_names_.solved);
     return shared;
   }
 
-  /// "given[60]", "solved[60]": declarators for the arrays of the loop; empty without a loop.
-  [[nodiscard]] std::vector<std::string> array_declarators() const {
+  /// "Scalar given[60]", "Scalar solved[60]": the arrays of the loop; empty without a loop.
+  [[nodiscard]] std::vector<std::string> array_declarations() const {
     if (loop_.count == 0) return {};
-    return {
-        fmt::format("{}[{}]", loop_names_.given, loop_.varying_operands.size()),
-        fmt::format("{}[{}]", loop_names_.solved, loop_.stored_instructions.size() * loop_.count)};
+    const std::string_view type = dialect_.scalar_type();
+    return {fmt::format("{} {}[{}]", type, loop_names_.given, loop_.varying_operands.size()),
+            fmt::format("{} {}[{}]", type, loop_names_.solved,
+                        loop_.stored_instructions.size() * loop_.count)};
   }
 
   const CompiledDialect& dialect_;

@@ -37,7 +37,7 @@ struct DefinitionText {
 /// The struct of values that several parts of a function use.
 struct WorkspaceText {
   std::string name = {};
-  std::vector<std::string> members = {};  ///< "sin_x", "given[60]"
+  std::vector<std::string> members = {};  ///< "Scalar sin_x", "Scalar given[60]"
 };
 
 struct FunctionDefinition {

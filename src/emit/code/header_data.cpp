@@ -28,16 +28,6 @@ TemplateData struct_data(const FunctionDocsInput& text, const Dialect& dialect) 
       {"members", lines_section(member_doc_lines(members, dialect.body_rules().comments))}};
 }
 
-TemplateData parts_data(const Function& function, const FunctionDefinition& definition) {
-  const TemplateData parts = repeated_section(definition.parts, [](const DefinitionText& part) {
-    return TemplateRow{{"signature", part.signature}, {"body", part.body}};
-  });
-  return TemplateRow{{"function", function.name},
-                     {"workspace", definition.workspace.name},
-                     {"values", lines_section(definition.workspace.members)},
-                     {"part", parts}};
-}
-
 TemplateData function_data(const EmissionInput& input, const Dialect& dialect, std::size_t index) {
   const Function& function = input.program.functions[index];
   const FunctionDocsInput text{input.model,
@@ -49,13 +39,11 @@ TemplateData function_data(const EmissionInput& input, const Dialect& dialect, s
   const bool has_struct = returns_struct(function);
   const FunctionDefinition written =
       dialect.function_definition(function, input.scene.emission.storage);
-  const bool has_parts = !written.parts.empty();
   return TemplateRow{{"struct", optional_section(has_struct, has_struct ? struct_data(text, dialect)
                                                                         : TemplateData())},
                      {"summary", function_heading(text)},
                      {"documentation", lines_section(dialect.escape_docs(function_docs(text)))},
-                     {"parts", optional_section(has_parts, has_parts ? parts_data(function, written)
-                                                                     : TemplateData())},
+                     {"parts", parts_section(function, written)},
                      {"signature", written.whole.signature},
                      {"body", written.whole.body}};
 }
@@ -117,6 +105,19 @@ TemplateData stamp_data(const EmissionInput& input) {
                      {"body_hash", std::string(blank_hash())},
                      {"namespace", name_space(input.scene)},
                      {"storage", std::string(name_of(input.scene.emission.storage))}};
+}
+
+TemplateData parts_section(const Function& function, const FunctionDefinition& definition,
+                           const std::string& types) {
+  const TemplateData parts = repeated_section(definition.parts, [](const DefinitionText& part) {
+    return TemplateRow{{"signature", part.signature}, {"body", part.body}};
+  });
+  return optional_section(!definition.parts.empty(),
+                          TemplateRow{{"function", function.name},
+                                      {"workspace", definition.workspace.name},
+                                      {"values", lines_section(definition.workspace.members)},
+                                      {"types", types},
+                                      {"part", parts}});
 }
 
 void set_pivot_data(TemplateData& data, const EmissionInput& input) {

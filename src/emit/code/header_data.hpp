@@ -19,6 +19,12 @@ namespace elgen {
 /// Sets the number of pivots, and the section `regular` if some function returns pivots.
 void set_pivot_data(TemplateData& data, const EmissionInput& input);
 
+/// The section `parts` of a function; absent if the function is short. `types`: the template
+/// parameters of the parts in C++.
+[[nodiscard]] TemplateData parts_section(const Function& function,
+                                         const FunctionDefinition& definition,
+                                         const std::string& types = "class Scalar");
+
 /// True if a function has a loop over columns.
 [[nodiscard]] bool has_column_loops(const Program& program);
 

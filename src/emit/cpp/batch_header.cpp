@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "elgen/artifacts.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/code/sine_data.hpp"
@@ -23,9 +24,18 @@ using Texts = std::vector<std::string>;
 
 constexpr std::array<std::string_view, 3> names_in_batch_header{"Pack", "batch", "kernel"};
 
+/// True if `batch::wide` has steps whose accelerations are in float.
+bool is_mixed(const Scene& scene) { return scene.numerics.inner == InnerScalar::single_precision; }
+
+/// The name of the header that the batch header includes.
+std::string included_name(const Scene& scene) {
+  const ArtifactId id = is_mixed(scene) ? ArtifactId::wide : ArtifactId::cpp;
+  return fmt::format("{}{}", scene.base_name, artifact_table[id].path_suffix);
+}
+
 Texts note_lines(const EmissionInput& input) {
   Texts lines;
-  for (const ScalarKind scalar : input.scene.numerics.scalars) {
+  for (const ScalarKind scalar : input.scene.numerics.computed_scalars()) {
     const double error =
         cln::double_approx(sine_error(input.scene.numerics, SineArithmetic::packs, scalar));
     lines.push_back(
@@ -35,6 +45,12 @@ Texts note_lines(const EmissionInput& input) {
   }
   for (const Function& function : input.program.functions) {
     if (!is_returned_by_value(function)) lines.push_back(omission_note(function));
+  }
+  if (is_mixed(input.scene)) {
+    lines.push_back(fmt::format(
+        " batch::wide and kernel::wide have the functions of {}, which compute accelerations in "
+        "float.",
+        included_name(input.scene)));
   }
   return wrap_notes(lines);
 }
@@ -87,29 +103,56 @@ std::string store_statements(const Function& function) {
 }
 
 /// The statements that call the function for the pack of states at `at` and store the values.
-std::string kernel_statements(const EmissionInput& input, const Function& function) {
+/// `callee`: "step<Scalar>", a function of the namespace of the main header.
+std::string kernel_statements(const EmissionInput& input, const Function& function,
+                              const std::string& callee) {
   Texts arguments;
   for (const Opcode argument : arguments_of(input.model, function)) {
     arguments.push_back(load_expression(argument));
   }
-  return fmt::format("    const auto values = ::{}::{}<Scalar>(\n        {});\n{}",
-                     name_space(input.scene), function.name, fmt::join(arguments, ",\n        "),
-                     store_statements(function));
+  return fmt::format("    const auto values = ::{}::{}(\n        {});\n{}", name_space(input.scene),
+                     callee, fmt::join(arguments, ",\n        "), store_statements(function));
 }
 
-TemplateData functions_data(const EmissionInput& input) {
+/// The parts of a row that depend on the types of numbers.
+TemplateRow types_data(const EmissionInput& input, const Function& function) {
+  return {{"number_types", "  using Scalar = T;\n"},
+          {"pack_types",
+           "  using Scalar = Pack<T>;\n"
+           "  const auto constants = detail::repeated<Scalar>(p);\n"},
+          {"statements", kernel_statements(input, function, function.name + "<Scalar>")}};
+}
+
+/// As types_data(), for a step whose accelerations are in float. A pack of the state has as many
+/// elements as a pack of float.
+TemplateRow mixed_types_data(const EmissionInput& input, const Function& function) {
+  constexpr std::string_view check =
+      "  static_assert(std::is_same_v<T, double>, \"the state is in double\");\n";
+  const std::string numbers = "  using Scalar = T;\n  using Inner = float;\n";
+  const std::string packs =
+      "  using Inner = Pack<float>;\n"
+      "  using Scalar = Pack<T, detail::Width<Inner>::value>;\n";
+  return {{"number_types", fmt::format("{}{}", check, numbers)},
+          {"pack_types", fmt::format("{}{}  const auto& constants = p;\n", check, packs)},
+          {"statements", kernel_statements(input, function,
+                                           fmt::format("wide::{}<Scalar, Inner>", function.name))}};
+}
+
+TemplateData functions_data(const EmissionInput& input,
+                            TemplateRow (*types_data_of)(const EmissionInput& input,
+                                                         const Function& function)) {
   TemplateData list(TemplateData::type::list);
   for (std::size_t i = 0; i < input.program.functions.size(); ++i) {
     const Function& function = input.program.functions[i];
     if (!is_returned_by_value(function)) continue;
     const FunctionDocsInput text{input.model, input.program,       function, input.equations[i],
                                  {},          input.scene.emission};
-    list << TemplateRow{
-        {"summary", function_heading(text)},
-        {"signature", batch_signature("void", "const Parameters<T>& p", input.model, function)},
-        {"kernel",
-         batch_signature("__global__ void", "Parameters<T> constants", input.model, function)},
-        {"statements", kernel_statements(input, function)}};
+    TemplateRow row = types_data_of(input, function);
+    row["summary"] = function_heading(text);
+    row["signature"] = batch_signature("void", "const Parameters<T>& p", input.model, function);
+    row["kernel"] =
+        batch_signature("__global__ void", "Parameters<T> constants", input.model, function);
+    list << row;
   }
   return list;
 }
@@ -125,20 +168,24 @@ TemplateData library_calls_data(const Program& program, std::size_t arity) {
 std::string batch_header(const EmissionInput& input) {
   TemplateData data = stamp_data(input);
   data.set("header", input.scene.base_name + ".hpp");
+  data.set("included", included_name(input.scene));
   data.set("notes", lines_section(note_lines(input)));
   data.set("compares", optional_section(compares_numbers(input.program)));
   const Numerics& numerics = input.scene.numerics;
   const bool has_tables = has_batch_sine_tables(input.scene, input.program);
   const std::vector<ScalarKind> none;
   data.set("tables", trigonometry_tables(numerics, SineArithmetic::packs,
-                                         has_tables ? numerics.scalars : none));
+                                         has_tables ? numerics.computed_scalars() : none));
   data.set("trigonometry",
            has_tables ? "Trigonometry" : "::" + name_space(input.scene) + "::detail::Trigonometry");
   data.set("calls", library_calls_data(input.program, 1));
   data.set("calls_of_two", library_calls_data(input.program, 2));
   data.set("sine_cosine", optional_section(calls_sines(input.program)));
   data.set("parameters", lines_section(parameter_conversions(input)));
-  data.set("functions", functions_data(input));
+  data.set("functions", functions_data(input, types_data));
+  data.set("mixed",
+           optional_section(is_mixed(input.scene),
+                            TemplateRow{{"functions", functions_data(input, mixed_types_data)}}));
   return fill_header_template("cpp/batch.hpp.mustache", data);
 }
 

@@ -162,7 +162,8 @@ class CppDialect : public CompiledDialect {
   std::string part_signature(const Function& function, std::size_t part,
                              const UsedNames& used) const override {
     Texts arguments = {result_type(function) + "&" + name_if_used(used, " result"),
-                       workspace_name(function) + "<Scalar>&" + name_if_used(used, " w")};
+                       fmt::format("{}<{}>&{}", workspace_name(function), workspace_types(),
+                                   name_if_used(used, " w"))};
     const Texts own = argument_declarations(function, used);
     arguments.insert(arguments.end(), own.begin(), own.end());
     const std::string start = fmt::format("{}void {}", function_macro(), part_name(function, part));
@@ -173,7 +174,7 @@ class CppDialect : public CompiledDialect {
     std::string body;
     if (is_returned_by_value(function))
       body += fmt::format("  {} result;\n", result_type(function));
-    body += fmt::format("  detail::{}<Scalar> w;\n", workspace_name(function));
+    body += fmt::format("  detail::{}<{}> w;\n", workspace_name(function), workspace_types());
     for (std::size_t part = 0; part < parts; ++part) {
       body += fmt::format("  detail::{}(result, w, {});\n", part_name(function, part),
                           fmt::join(argument_names_of(function), ", "));
@@ -203,6 +204,9 @@ class CppDialect : public CompiledDialect {
 
   /// "::cart_pole::": the qualifier of `detail::` outside the namespace of the header; "" inside.
   virtual std::string_view namespace_prefix() const { return ""; }
+
+  /// The template arguments of a workspace.
+  virtual std::string_view workspace_types() const { return "Scalar"; }
 
   /// Macro before the return type of a function, with a trailing blank.
   virtual std::string_view function_macro() const { return "ELGEN_FUNCTION "; }
@@ -293,11 +297,11 @@ class WideDialect : public CppDialect {
 };
 
 /// Functions for the type `scalar`. Their bodies use `name_space`::detail of the main header.
-class TypedDialect : public WideDialect {
+class TypedDialect : public CppDialect {
  public:
   TypedDialect(const Model& model, const Program& program, std::string_view scalar,
                const std::string& name_space)
-      : WideDialect(model, program), scalar_(scalar), scope_("::" + name_space + "::") {}
+      : CppDialect(model, program), scalar_(scalar), scope_("::" + name_space + "::") {}
 
   FormulaText convert_scalar(const FormulaText& value) const override {
     return {fmt::format("static_cast<{}>({})", scalar_, value.text)};
@@ -311,6 +315,7 @@ class TypedDialect : public WideDialect {
   std::string scope_;
 };
 
+/// Steps whose states are packs or numbers of type Scalar, and accelerations of type Inner.
 class MixedDialect final : public TypedDialect {
  public:
   MixedDialect(const Model& model, const Program& program, const std::string& name_space)
@@ -320,6 +325,14 @@ class MixedDialect final : public TypedDialect {
   const CompiledDialect* inner_vocabulary() const override { return &inner_; }
 
  private:
+  std::string_view workspace_types() const override { return "Scalar, Inner"; }
+
+  /// Parameters are the same for all states of a pack.
+  std::string type_of_argument(Opcode argument) const override {
+    if (argument == Opcode::parameter) return "const Parameters<double>&";
+    return TypedDialect::type_of_argument(argument);
+  }
+
   TypedDialect inner_;
 };
 

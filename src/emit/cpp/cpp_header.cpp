@@ -106,11 +106,7 @@ TemplateData long_constants_data(const Program& program) {
 /// A row with glibc's sincos, sincosf or sincosl for each scalar of the scene, and for float if the
 /// accelerations are in float. sincosl is no device function: no GPU has long double.
 TemplateData sine_cosine_calls_data(const Numerics& numerics) {
-  std::vector<ScalarKind> named = numerics.scalars;
-  if (numerics.inner == InnerScalar::single_precision) {
-    named.push_back(ScalarKind::single_precision);
-  }
-  return repeated_section(named, [](ScalarKind scalar) {
+  return repeated_section(numerics.computed_scalars(), [](ScalarKind scalar) {
     const bool is_long = scalar == ScalarKind::long_double;
     const std::string ending = is_long ? "l" : (scalar == ScalarKind::single_precision ? "f" : "");
     return TemplateRow{{"scalar", std::string(name_of(scalar))},
@@ -137,8 +133,9 @@ TemplateData inline_sines_data(const EmissionInput& input) {
       scene.emission.has_batch_header && !has_batch_sine_tables(input.scene, input.program);
   const auto in_line =
       scalars_if([&](ScalarKind scalar) { return has_inline_sines(scene, scalar); });
+  const std::vector<ScalarKind> computed = scene.numerics.computed_scalars();
   const auto in_tables = scalars_if([&](ScalarKind scalar) {
-    const bool is_named = std::ranges::count(scene.numerics.scalars, scalar) > 0;
+    const bool is_named = std::ranges::count(computed, scalar) > 0;
     return has_inline_sines(scene, scalar) || (has_packs && is_named);
   });
   const TemplateData names = repeated_section(in_line, [](ScalarKind scalar) {

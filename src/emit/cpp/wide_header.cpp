@@ -1,12 +1,12 @@
 // wide_header: the functions of the main header in a wider scalar, from the template
 // cpp/wide.hpp.mustache. Each function widens its arguments, calls its namesake in the main header,
-// and rounds the results. A step whose accelerations are in float is written out instead.
+// and rounds the results. A step whose accelerations are in float is written out instead, as a
+// template for numbers and packs.
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 
-#include "emit/code/definition.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
 #include "emit/cpp/cpp_dialect.hpp"
@@ -60,9 +60,16 @@ std::string wide_body(const EmissionInput& input, const Function& function) {
 /// The template row of a step that computes only its accelerations in `Inner`.
 TemplateRow mixed_step_data(const EmissionInput& input, const Function& function) {
   const auto dialect = mixed_dialect(input.model, input.program, name_space(input.scene));
-  const DefinitionText step =
-      function_definition(*dialect, input.program, function, input.scene.emission.storage).whole;
-  return {{"signature", step.signature}, {"body", step.body}};
+  const FunctionDefinition step =
+      dialect->function_definition(function, input.scene.emission.storage);
+  return {
+      {"parts", parts_section(function, step, "class Scalar, class Inner")},
+      {"head",
+       "/// Scalar: double or a pack of double, the type of the state. Inner: float or a pack of\n"
+       "/// float, the type of the accelerations.\n"
+       "template <class Scalar = double, class Inner = float>\n"},
+      {"signature", step.whole.signature},
+      {"body", step.whole.body}};
 }
 
 TemplateData wide_functions_data(const EmissionInput& input) {
@@ -79,7 +86,9 @@ TemplateData wide_functions_data(const EmissionInput& input) {
                                  {},          input.scene.emission};
     const bool is_mixed = input.scene.numerics.inner == InnerScalar::single_precision;
     TemplateRow row = is_mixed ? mixed_step_data(input, function)
-                               : TemplateRow{{"signature", dialect->signature(function, all)},
+                               : TemplateRow{{"parts", optional_section(false)},
+                                             {"head", std::string()},
+                                             {"signature", dialect->signature(function, all)},
                                              {"body", wide_body(input, function)}};
     row["summary"] = function_heading(text);
     list << row;
@@ -102,6 +111,7 @@ std::string wide_header(const EmissionInput& input) {
   TemplateData data = stamp_data(input);
   data.set("header", input.scene.base_name + ".hpp");
   const bool is_mixed = inner.kind == InnerScalar::single_precision;
+  data.set("mixed", optional_section(is_mixed));
   data.set("inner", is_mixed ? "double, the accelerations in float" : std::string(inner.name));
   data.set("type", std::string(inner.type));
   data.set("notes", lines_section(wide_notes(input)));

@@ -21,7 +21,7 @@ struct CheckedNumber {
 
 void check_number_range(const CheckedNumber& candidate, const Scene& scene,
                         Diagnostics& diagnostics) {
-  for (const ScalarKind scalar : scene.numerics.scalars) {
+  for (const ScalarKind scalar : scene.numerics.computed_scalars()) {
     const ScalarFit result = scalar_fit(candidate.value, scalar);
     if (result == ScalarFit::fits) continue;
     const char* const fault = result == ScalarFit::too_large ? "overflows" : "vanishes";
