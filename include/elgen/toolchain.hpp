@@ -106,7 +106,7 @@ inline constexpr std::string_view sine_and_cosine = "sine and cosine";
 /// One emitted header in one build: the header in the types of the language, or a further header
 /// for Eigen types, arrays of states or a wider scalar.
 struct CompiledHeader {
-  std::string types = {};  ///< "Eigen", "batch", "wide"; "" for the types of the language
+  std::string types = {};  ///< "Eigen", "batch", "wide", "wide, batch"; "" for the language's types
   /// True for a batch header: sines and cosines are polynomials, and a call computes one state of a
   /// pack.
   bool is_in_packs = false;

@@ -2,7 +2,8 @@
 // batch of two and a half packs, with the state at each place in turn, so that the state is
 // computed in full packs and in the remainder. The other states of the batch have other numbers, so
 // that a wrong stride reads or writes a wrong number. If an entry's bits at some place differ from
-// its bits at the first place, the entry is NaN.
+// its bits at the first place, the entry is NaN. The functions of batch::wide have such a driver,
+// too.
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
@@ -20,14 +21,14 @@ constexpr std::string_view batch_prologue = R"(#include "{header}"
 #include <limits>
 #include <vector>
 
-namespace driver_of_batch {{
+namespace driver_of_{name} {{
 
 namespace {{
 
 namespace emitted = ::{name_space};
 
 template <class Scalar>
-constexpr std::size_t states = 5 * sizeof(emitted::batch::Pack<Scalar>) / sizeof(Scalar) / 2;
+constexpr std::size_t states = 5 * sizeof(emitted::batch::Pack<{element}>) / sizeof({element}) / 2;
 
 {shared}
 template <class Scalar>
@@ -73,7 +74,7 @@ extern "C" void {symbol}({leaves}{scalar}* to) {{
   using Scalar = {scalar};
   const auto p = parameters_from<Scalar>(parameters);
   const auto values = at_every_place<Scalar, {entries}>([&]([[maybe_unused]] std::size_t place, Scalar* result) {{
-    emitted::batch::{function}<Scalar>(p, states<Scalar>{arguments}, result);
+    emitted::{functions}::{function}<Scalar>(p, states<Scalar>{arguments}, result);
   }});
 {appends}}}
 )";
@@ -121,20 +122,26 @@ std::string batch_append_statements(const Function& function) {
   return text;
 }
 
-}  // namespace
+/// The names in which the drivers of both namespaces of packs differ.
+struct PackNames {
+  std::string_view driver;
+  std::string_view functions;  ///< namespace of the emitted functions
+  std::string_view element;    ///< element of the pack that holds a state in each lane
+};
 
-std::string batch_driver(const DriverInput& input) {
+std::string pack_driver(const DriverInput& input, const PackNames& names) {
   const auto& [model, scene, program] = input;
-  std::string text = fmt::format(
-      batch_prologue, fmt::arg("header", artifact_path(scene, ArtifactId::batch)),
-      fmt::arg("name_space", name_space(scene)), fmt::arg("shared", cpp_helpers(input)));
+  std::string text =
+      fmt::format(batch_prologue, fmt::arg("header", artifact_path(scene, ArtifactId::batch)),
+                  fmt::arg("name_space", name_space(scene)), fmt::arg("name", names.driver),
+                  fmt::arg("element", names.element), fmt::arg("shared", cpp_helpers(input)));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
     if (!is_returned_by_value(function)) continue;
     for (const ScalarKind kind : scene.numerics.scalars) {
       const std::string scalar(name_of(kind));
-      text += fmt::format(batch_wrapper, fmt::arg("symbol", driver_symbol("batch", scalar, i)),
-                          fmt::arg("scalar", scalar),
+      text += fmt::format(batch_wrapper, fmt::arg("symbol", driver_symbol(names.driver, scalar, i)),
+                          fmt::arg("functions", names.functions), fmt::arg("scalar", scalar),
                           fmt::arg("leaves", leaf_parameter_list(scalar, "[[maybe_unused]] ")),
                           fmt::arg("entries", entry_count(function)),
                           fmt::arg("function", function.name),
@@ -142,7 +149,17 @@ std::string batch_driver(const DriverInput& input) {
                           fmt::arg("appends", batch_append_statements(function)));
     }
   }
-  return text + "\n}  // namespace driver_of_batch\n" + sine_driver(input);
+  return text + fmt::format("\n}}  // namespace driver_of_{}\n", names.driver);
+}
+
+}  // namespace
+
+std::string batch_driver(const DriverInput& input) {
+  return pack_driver(input, {"batch", "batch", "Scalar"}) + sine_driver(input);
+}
+
+std::string wide_batch_driver(const DriverInput& input) {
+  return pack_driver(input, {"wide_batch", "batch::wide", "float"});
 }
 
 std::string sine_driver(const DriverInput& input) {

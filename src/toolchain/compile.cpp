@@ -77,7 +77,8 @@ std::vector<LoadedFunction> functions_of(const Driver& driver, const SharedLibra
     const Function& function = program.functions[i];
     if (is_wrapped(driver, function)) add(function.name, i, entry_count(function));
   }
-  if (driver.uses_packs) add(std::string(sine_and_cosine), program.functions.size(), 2);
+  if (driver.uses_packs && !driver.is_wide)
+    add(std::string(sine_and_cosine), program.functions.size(), 2);
   return functions;
 }
 

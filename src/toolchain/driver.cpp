@@ -68,6 +68,10 @@ constexpr ArtifactTable<DriverRow> driver_table{
     .sidecar = no_code,
     .page = no_code};
 
+/// Steps of the batch header whose accelerations are in float.
+constexpr DriverRow wide_batch_row{"wide, batch",      "wide_batch", "",  &wide_batch_driver,
+                                   &wide_batch_driver, true,         true};
+
 }  // namespace
 
 std::string leaf_parameter_list(std::string_view scalar, std::string_view attribute) {
@@ -110,9 +114,14 @@ std::string append_statements(const DriverInput& input, const Function& function
 }
 
 std::vector<Driver> make_drivers(const DriverInput& input, BuildFlags build) {
-  std::vector<Driver> result;
+  std::vector<DriverRow> rows;
   for (const Artifact& artifact : requested_artifacts(input.scene)) {
-    const DriverRow& row = driver_table[artifact.id];
+    rows.push_back(driver_table[artifact.id]);
+    const bool is_wide = artifact.id == ArtifactId::wide;
+    if (is_wide && input.scene.emission.has_batch_header) rows.push_back(wide_batch_row);
+  }
+  std::vector<Driver> result;
+  for (const DriverRow& row : rows) {
     const DriverWriter text = build == BuildFlags::user_flags ? row.user_build_text : row.text;
     if (text == nullptr) continue;
     result.push_back({row.types, row.name, text(input), row.needs, row.uses_packs, row.is_wide,

@@ -37,13 +37,16 @@ struct Driver {
   std::string types = {};  ///< "Eigen", "batch", "wide"; "" for the language's own types
   std::string name = {};   ///< part of the symbols: "eigen"
   std::string text = {};
-  std::string needs = {};     ///< header without which `text` is skipped: "Eigen/Core"; or ""
-  bool uses_packs = false;    ///< sines and cosines are polynomials (SineArithmetic::packs)
+  std::string needs = {};  ///< header without which `text` is skipped: "Eigen/Core"; or ""
+  /// Sines and cosines are polynomials (SineArithmetic::packs). Unless `is_wide`, the driver wraps
+  /// them, too.
+  bool uses_packs = false;
   bool is_wide = false;       ///< computes in the scalar Numerics::inner
   bool has_functions = true;  ///< false: wraps only the sine and cosine of packs
 };
 
-/// One driver for each emitted header that the build compiles.
+/// One driver for each emitted header that the build compiles, and one for steps in packs whose
+/// accelerations are in float.
 [[nodiscard]] std::vector<Driver> make_drivers(const DriverInput& input, BuildFlags build);
 
 /// Drivers that are compiled as one translation unit.
@@ -118,6 +121,7 @@ inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 [[nodiscard]] std::string eigen_driver(const DriverInput& input);
 [[nodiscard]] std::string batch_driver(const DriverInput& input);
 [[nodiscard]] std::string wide_driver(const DriverInput& input);
+[[nodiscard]] std::string wide_batch_driver(const DriverInput& input);
 [[nodiscard]] std::string sine_driver(const DriverInput& input);
 [[nodiscard]] std::string c99_driver(const DriverInput& input);
 

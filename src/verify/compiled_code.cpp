@@ -244,7 +244,7 @@ CertificateRow helper_row(const FunctionRow& helper, Scalar order) {
 std::vector<CertificateRow> check_pack_sines(const SystemUnderTest& subject,
                                              const CompiledHeader& compiled) {
   std::vector<CertificateRow> rows;
-  if (!compiled.is_in_packs) return rows;
+  if (!compiled.is_in_packs || compiled.is_wide) return rows;
   if (compiled.functions->has(scalar_kind<double>)) {
     rows.push_back(sine_row<double>(subject, compiled));
   }

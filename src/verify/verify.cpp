@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "elgen/certificate.hpp"
@@ -66,6 +67,15 @@ std::vector<SampledState<Scalar>> verification_states(const SystemUnderTest& sub
     some.push_back(states[i * golden_step(states.size()) % states.size()]);
   }
   return some;
+}
+
+/// Gives a third of the states steps of length 2^-20, and a third steps of length 0. A step that
+/// rounds its state to float shows there, because the accelerations change the state less.
+void shorten_steps(std::vector<SampledState<double>>& states) {
+  constexpr std::array lengths{0x1p-20, 0.0};
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (i % 3 < lengths.size()) states[i].values.h = lengths[i % 3];
+  }
 }
 
 /// Each kink has two sides. Draws more states, and adds each state that is the first on some side.
@@ -161,12 +171,12 @@ std::vector<CertificateRow> sampled_zero_rows(const Program& program) {
   return rows;
 }
 
-/// The functions for single states, compiled as users compile them; in the wider scalar if
-/// `is_wide`. Null if there is no such code, or if the code lacks `scalar`.
-const CompiledModel* find_user_code(const CompiledHeaders& compiled, bool is_wide,
+/// The functions compiled as users compile them, for single states or in packs; in Numerics::inner
+/// if `is_wide`. Null if there is no such code, or if the code lacks `scalar`.
+const CompiledModel* find_user_code(const CompiledHeaders& compiled, bool is_wide, bool in_packs,
                                     ScalarKind scalar) {
   for (const CompiledHeader& header : compiled) {
-    const bool is_sought = !header.is_in_packs && header.is_wide == is_wide;
+    const bool is_sought = header.is_in_packs == in_packs && header.is_wide == is_wide;
     if (header.build != BuildFlags::user_flags || !is_sought || header.functions == nullptr)
       continue;
     return header.functions->has(scalar) ? header.functions.get() : nullptr;
@@ -221,6 +231,7 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   result.diagnostics = std::move(expected.diagnostics);
   if (options.only_expectations) return result;
   auto doubles = verification_states<double>(subject, options);
+  if (scene.numerics.inner == InnerScalar::single_precision) shorten_steps(doubles);
   auto floats = verification_states<float>(subject, options);
   const std::string one_sided_kinks = add_states_at_kinks(subject, options, doubles);
   (void)add_states_at_kinks(subject, options, floats);
@@ -228,8 +239,9 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
     StateCheckOptions visit{comparison_for(model, options)};
     visit.loss_states =
         options.checks_extremes ? LossStates::everywhere : LossStates::inside_ranges;
-    visit.user_code = find_user_code(compiled, false, scalar);
-    visit.wide_code = find_user_code(compiled, true, scalar);
+    visit.user_code = find_user_code(compiled, false, false, scalar);
+    visit.wide_code = find_user_code(compiled, true, false, scalar);
+    visit.wide_pack_code = find_user_code(compiled, true, true, scalar);
     return AccuracyOptions{visit, options.on_step, options.jobs};
   };
 

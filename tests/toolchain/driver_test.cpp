@@ -104,7 +104,11 @@ TEST_CASE("every emitted header has a driver in its language") {
   CHECK(names(BuildFlags::as_written) == "cpp[] eigen[Eigen] batch[batch] ");
   CHECK(names(BuildFlags::native) == names(BuildFlags::as_written));
   CHECK(names(BuildFlags::user_flags) == "cpp[] batch[batch] ");
+  scene.emission.has_eigen_header = false;
+  scene.numerics.inner = elgen::InnerScalar::single_precision;
+  CHECK(names(BuildFlags::user_flags) == "cpp[] batch[batch] wide[wide] wide_batch[wide, batch] ");
   scene.emission = {};
+  scene.numerics.inner = elgen::InnerScalar::same;
   scene.emission.language = elgen::LanguageId::c99;
   scene.numerics.scalars = {elgen::ScalarKind::double_precision};
   CHECK(names(BuildFlags::as_written) == "c99[] ");
@@ -244,6 +248,17 @@ TEST_CASE("a batch gives the results of single states, at every position") {
 
 TEST_CASE("a stride that is not the number of states gives a different result") {
   CHECK(forward_dynamics("(count - 1)") != std::vector<double>{32, 2});
+}
+
+TEST_CASE("packs with accelerations in float have a batch of as many states, in double alone") {
+  elgen::Scene scene = batch_scene();
+  scene.numerics.scalars = {elgen::ScalarKind::double_precision};
+  const std::string text = elgen::wide_batch_driver({sample::model(), scene, sample::program()});
+  CHECK_THAT(text,
+             Contains("states = 5 * sizeof(emitted::batch::Pack<float>) / sizeof(float) / 2;"));
+  CHECK_THAT(text, Contains("emitted::batch::wide::forward_dynamics<Scalar>(p, states<Scalar>"));
+  CHECK_THAT(text, Contains("elgen_driver_wide_batch_double_0"));
+  CHECK_THAT(text, !Contains("elgen_driver_wide_batch_double_2"));
 }
 
 TEST_CASE("functions without a batch have no driver") {

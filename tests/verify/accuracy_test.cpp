@@ -110,6 +110,67 @@ class InLongDouble final : public CompiledModel {
   std::function<double(double)> change_;
 };
 
+/// Verlet's method for x'' = -x^3, with accelerations in float.
+System mixed_step() {
+  ModelBuilder builder;
+  builder.coordinate("x").T("x_d^2/2").V("x^4/4");
+  System system = system_of(
+      builder.model,
+      "coordinates x\nstep\nfunction step = step 1\n  0 = coordinate x\n  1 = velocity x\n"
+      "  2 = step\n  3 = constant 1/2\n  4 = multiply 3 2\n  5 = multiply 0 0\n"
+      "  6 = multiply 5 0\n  7 = negate 6\n  8 = multiply 4 7\n  9 = add 1 8\n"
+      "  10 = multiply 2 9\n  11 = add 0 10\n  12 = multiply 11 11\n  13 = multiply 12 11\n"
+      "  14 = negate 13\n  15 = multiply 4 14\n  16 = add 9 15\n"
+      "  result coordinates 1 1 = 11\n  result rates 1 1 = 16\n");
+  for (const std::size_t inner : {5U, 6U, 7U, 12U, 13U, 14U}) {
+    system.program.functions.front().instructions[inner].is_inner = true;
+  }
+  system.scene.numerics.inner = InnerScalar::single_precision;
+  return system;
+}
+
+/// The step of mixed_step() with its state in Number, and accelerations in float.
+template <class Number>
+class StepWithState final : public CompiledModel {
+ public:
+  [[nodiscard]] DriverFunction<double> find(std::string_view) const override { return nullptr; }
+  [[nodiscard]] std::vector<double> call(std::string_view,
+                                         const Arguments<double>& arguments) const override {
+    const auto acceleration = [](Number x) {
+      const auto y = static_cast<float>(x);
+      return static_cast<Number>(-(y * y * y));
+    };
+    const auto h = static_cast<Number>(arguments.h);
+    auto x = static_cast<Number>(arguments.q[0]);
+    auto v = static_cast<Number>(arguments.v[0]);
+    v += h / 2 * acceleration(x);
+    x += h * v;
+    v += h / 2 * acceleration(x);
+    return {x, v};
+  }
+  [[nodiscard]] std::vector<float> call(std::string_view, const Arguments<float>&) const override {
+    return {};
+  }
+  [[nodiscard]] bool has(ScalarKind scalar) const override {
+    return scalar == ScalarKind::double_precision;
+  }
+};
+
+/// The row of code in Numerics::inner, at steps of length h.
+CertificateRow mixed_row(const CompiledModel& code, const CompiledModel& packs, double h) {
+  const System system = mixed_step();
+  AccuracyOptions options;
+  options.check_options.wide_code = &code;
+  options.check_options.wide_pack_code = &packs;
+  auto states = sample_states<double>(system.subject(), {8, 1, false});
+  for (auto& state : states) state.values.h = h;
+  for (CertificateRow& row : check_accuracy(system.subject(), states, options)) {
+    if (row.check == "in float") return std::move(row);
+  }
+  FAIL("no such row");
+  return {};
+}
+
 CertificateRow wide_row(const std::function<double(double)>& change, bool extremes) {
   System system = cart_pole_system();
   system.scene.numerics.inner = InnerScalar::long_double;
@@ -261,6 +322,22 @@ TEST_CASE("code in a wider scalar may differ by one rounding from the exact valu
   CHECK(wrong.verdict == Verdict::fails);
   CHECK(wrong.worst_value.find("bias (double): entry 1 is ") == 0);
   CHECK(mentions(wrong.worst_value, " of the tolerance"));
+}
+
+TEST_CASE("a step may compute its accelerations in float, but not its state") {
+  const StepWithState<double> mixed;
+  const StepWithState<float> in_float;
+  for (const double h : {0.0, 0x1p-20, 0.05}) {
+    const CertificateRow row = mixed_row(mixed, mixed, h);
+    INFO(row.worst_value << " at " << row.worst_state);
+    CHECK(row.verdict == Verdict::holds);
+    CHECK(row.samples >= 4);
+    if (h == 0) CHECK(mentions(row.worst_value, "2 outputs within 0 of the tolerance"));
+  }
+  for (const double h : {0.0, 0x1p-20}) {
+    CHECK(mixed_row(in_float, mixed, h).verdict == Verdict::fails);
+    CHECK(mixed_row(mixed, in_float, h).verdict == Verdict::fails);
+  }
 }
 
 TEST_CASE("the square of a difference of 0 may round to the square of its error") {

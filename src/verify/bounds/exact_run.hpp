@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "accuracy/running_errors.hpp"
+#include "elgen/scene.hpp"
 #include "program/evaluate/subject.hpp"
 
 namespace elgen {
@@ -29,6 +30,13 @@ struct ExactRun {
 
 [[nodiscard]] ExactRun run_exactly(const Program& program, const Function& function,
                                    const State& state, const RoundingConstants<Real>& rounding);
+
+/// An exact run of a step whose accelerations are in float (Instruction::is_inner). Values of both
+/// scalars have their own roundings. E of the entries is in u of double, so a rounding in float
+/// counts as 2^29. The sum x + 0 counts as exact: a step of length 0 has E = 0. If `packs` is not
+/// null, sines and cosines have the errors and the domain of packs.
+[[nodiscard]] ExactRun run_mixed_exactly(const Program& program, const Function& function,
+                                         const State& state, const Numerics* packs);
 
 /// max(0, |x - exact| - operations eta), eta the smallest denormal: each operation that underflows
 /// may have an error of eta. Undefined if x is not finite.

@@ -95,10 +95,8 @@ void StateCheck<Scalar>::run_function(const ComparedField& place) {
   function_ = place.function;
   exact_ = &exact_run_of(*function_);
   values_ = evaluate_as_emitted(subject_.program, *function_, sample_.values, sines_);
-  wide_values_.clear();
-  if (options_.wide_code != nullptr && fits_inner_scalar()) {
-    wide_values_ = options_.wide_code->call(function_->name, sample_.values);
-  }
+  wide_runs_ = {{run_wide_code(options_.wide_code, nullptr),
+                 run_wide_code(options_.wide_pack_code, &subject_.scene.numerics)}};
   if (options_.user_code == nullptr) return;
   user_code_values_ = options_.user_code->call(function_->name, sample_.values);
   user_code_values_.resize(values_.size(), std::numeric_limits<Scalar>::quiet_NaN());
@@ -221,30 +219,40 @@ CodeFinding StateCheck<Scalar>::compare_user_code(const ComparedField& place) co
 }
 
 template <class Scalar>
-CodeFinding StateCheck<Scalar>::compare_wide_code(const ComparedField& place) const {
-  if (wide_values_.empty()) return {};
+CodeFinding StateCheck<Scalar>::compare_wide_code(const ComparedField& place,
+                                                  const WideRun<Scalar>& run) const {
+  if (run.values.empty()) return {};
+  const Real factor(exact_value(max_user_code_error));
+  if (!run.mixed_entries.empty()) {
+    return compare_code(place, run.values, max_wide_code_error, [&](std::size_t i) {
+      const auto& [value, error, is_lost, underflows] = run.mixed_entries[place.first_entry + i];
+      const Real rest = max(error - abs(value), Real());
+      return std::pair(value, is_zero(error) ? Real() : abs(value) + factor * rest);
+    });
+  }
   const double ratio = inner_scalar_row(subject_.scene.numerics.inner).roundoff /
                        to_double(rounding_constants<Scalar>().roundoff.value());
-  const Real share(exact_value(max_user_code_error * ratio));
-  return compare_code(place, wide_values_, max_wide_code_error, [&](std::size_t i) {
+  const Real share = factor * Real(exact_value(ratio));
+  return compare_code(place, run.values, max_wide_code_error, [&](std::size_t i) {
     const RunningValue<Real>& truth = exact_entry(place, i);
-    const Real& error =
-        float_entries_.empty() ? truth.error : float_entries_[place.first_entry + i].error;
-    return std::pair(truth.value, abs(truth.value) + share * error);
+    return std::pair(truth.value, abs(truth.value) + share * truth.error);
   });
 }
 
-/// False if the inner scalar is float, and some value in float is undefined, too large, too small
-/// or ill-conditioned.
 template <class Scalar>
-bool StateCheck<Scalar>::fits_inner_scalar() {
-  float_entries_.clear();
-  if (subject_.scene.numerics.inner != InnerScalar::single_precision) return true;
-  const ExactRun run =
-      run_exactly(subject_.program, *function_, state(), rounding_constants<float>());
-  float_entries_ = run.entries;
-  return run.regime == Regime::regular &&
-         std::ranges::none_of(run.entries, &RunningValue<Real>::underflows);
+WideRun<Scalar> StateCheck<Scalar>::run_wide_code(const CompiledModel* code,
+                                                  const Numerics* packs) const {
+  WideRun<Scalar> run;
+  if (code == nullptr) return run;
+  if (subject_.scene.numerics.inner == InnerScalar::single_precision) {
+    ExactRun exact = run_mixed_exactly(subject_.program, *function_, state(), packs);
+    const bool is_bounded = exact.regime == Regime::regular &&
+                            std::ranges::none_of(exact.entries, &RunningValue<Real>::underflows);
+    if (!is_bounded) return run;
+    run.mixed_entries = std::move(exact.entries);
+  }
+  run.values = code->call(function_->name, sample_.values);
+  return run;
 }
 
 /// Values and errors below 1e-45 E count as 0, because exact values are rounded. Errors after an
@@ -325,7 +333,11 @@ auto StateCheck<Scalar>::compare_field(const ComparedField& place, Sampler& draw
   measure_errors(place, finding);
   if (!finding.mistake.empty()) return look;
   finding.user_code = compare_user_code(place);
-  finding.wide_code = compare_wide_code(place);
+  for (const WideRun<Scalar>& run : wide_runs_) {
+    CodeFinding found = compare_wide_code(place, run);
+    const bool is_worse = found.error.value_or(-1) > finding.wide_code.error.value_or(-1);
+    if (is_worse) finding.wide_code = std::move(found);
+  }
   return look;
 }
 

@@ -4,6 +4,7 @@
 // the running error E of the program.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -33,7 +34,13 @@ inline constexpr double max_user_code_error = 16;
 ///
 ///     |x_wide - x*| <= u |x*| + 16 u' E + N eta
 ///
-/// The figure is the left side, less N eta, divided by u |x*| + 16 u' E.
+/// The figure is the left side, less N eta, divided by u |x*| + 16 u' E. For a step of length h
+/// whose accelerations are in float, the bound is
+///
+///     |x_wide - x*| <= u |x*| + 16 u (E - |x*|) + N eta,     u E = u |x*| + h u' E_a + ...
+///
+/// E is the error of run_mixed_exactly(), E_a the running error of the accelerations; u |x*| is the
+/// rounding of the last sum. If E is 0, as for h = 0, x_wide must be x*.
 inline constexpr double max_wide_code_error = 1;
 
 /// How exact values are compared with the oracle's.
@@ -67,8 +74,17 @@ struct StateCheckOptions {
   ComparisonMode comparison = ComparisonMode::entries;
   LossStates loss_states = LossStates::nowhere;  ///< states at which losses are measured
   double min_loss = 0;  ///< losses below this are not computed, because R is costly
-  const CompiledModel* user_code = nullptr;  ///< code as users compile it; may be null
-  const CompiledModel* wide_code = nullptr;  ///< code in a wider scalar; may be null
+  const CompiledModel* user_code = nullptr;       ///< code as users compile it; may be null
+  const CompiledModel* wide_code = nullptr;       ///< code in Numerics::inner; may be null
+  const CompiledModel* wide_pack_code = nullptr;  ///< the same in packs; may be null
+};
+
+/// The entries of code in Numerics::inner. They are empty if there is no such code, or if the inner
+/// scalar is float and some value is undefined, too large, too small or ill-conditioned.
+template <class Scalar>
+struct WideRun {
+  std::vector<Scalar> values = {};
+  std::vector<RunningValue<Real>> mixed_entries = {};  ///< if the inner scalar is float
 };
 
 /// Compares the fields of a program at one state. Scalar: double or float.
@@ -112,10 +128,10 @@ class StateCheck {
                                          const std::vector<Scalar>& values, double max_error,
                                          const Reference& reference_of) const;
   [[nodiscard]] CodeFinding compare_user_code(const ComparedField& place) const;
-  [[nodiscard]] CodeFinding compare_wide_code(const ComparedField& place) const;
-  /// True if the inner scalar can hold all intermediate values. If the inner scalar is float, fills
-  /// `float_entries_`.
-  bool fits_inner_scalar();
+  [[nodiscard]] WideRun<Scalar> run_wide_code(const CompiledModel* code,
+                                              const Numerics* packs) const;
+  [[nodiscard]] CodeFinding compare_wide_code(const ComparedField& place,
+                                              const WideRun<Scalar>& run) const;
   /// The loss of a field; none if an entry has no exact value.
   [[nodiscard]] std::optional<Loss> measure_loss(const ComparedField& place);
   [[nodiscard]] bool should_measure_loss(const ComparedField& place) const;
@@ -136,10 +152,8 @@ class StateCheck {
   const Function* function_ = nullptr;  ///< of the latest run
   const ExactRun* exact_ = nullptr;
   std::vector<Scalar> values_ = {};
-  std::vector<Scalar> user_code_values_ = {};  ///< of the code as users compile it
-  std::vector<Scalar> wide_values_ = {};  ///< of code in a wider scalar; empty if there is none
-  /// Entries in float, if it is the inner scalar.
-  std::vector<RunningValue<Real>> float_entries_ = {};
+  std::vector<Scalar> user_code_values_ = {};      ///< of the code as users compile it
+  std::array<WideRun<Scalar>, 2> wide_runs_ = {};  ///< of single states and of packs
 };
 
 /// The cost of a state, in instructions: the instructions of the program, plus the oracle's exact
