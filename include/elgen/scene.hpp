@@ -279,6 +279,7 @@ struct SceneOptions {
   SourcePaths paths = {};                   ///< empty: bare file names
   std::vector<SourcePointer> outputs = {};  ///< "mass_matrix,bias"
   std::optional<StepSpec> step = {};        ///< adds the output `step` by this method
+  InnerScalar inner = InnerScalar::same;    ///< unless `same`: replaces the scene's inner scalar
   std::optional<LanguageId> language = {};  ///< replaces the language of the scene
   std::vector<SourcePointer> fixed = {};    ///< "NAME", "NAME=VALUE" or "all"
   std::vector<SourcePointer> sizes = {};    ///< "n=20"

@@ -46,7 +46,8 @@ struct Design {
   /// The max_error of the sine polynomials, or library_sines; "": the accuracy of the scalar.
   std::string trigonometry = {};
   bool is_fixed = false;  ///< true: all parameters are numbers in the code
-  /// The scalar inside the functions; `same` if `in_packs` is true or `scalar` is float.
+  /// The scalar inside the functions. A wider scalar has neither packs nor `scalar` float; float is
+  /// only for `step`.
   InnerScalar inner = InnerScalar::same;
   std::string order = {};             ///< order of an expansion, or "exact": no expansion
   std::optional<StepSpec> step = {};  ///< step emitted instead of the output; none: the output
@@ -213,12 +214,13 @@ void measure_costs(const std::vector<TimedWork>& works, double seconds = 1.5);
 
 /// A run of `steps` equal steps, each a call of the emitted output `step`.
 struct PlannedRun {
-  std::vector<std::string> values = {};  ///< method, order, step length and batch, as texts
+  std::vector<std::string> values = {};  ///< method, order, step length, batch, inner, as texts
   Design design = {};
   std::size_t steps = 0;
 };
 
-/// The runs to measure: all methods and orders, each for one state and in packs. A step length is
+/// The runs to measure: all methods and orders, each for one state and in packs; explicit methods
+/// also with accelerations in float. A step length is
 /// `time` / n, n an integer: n is `time` / length, rounded, for each length in `lengths`. If
 /// `lengths` is empty, n has a few default values.
 [[nodiscard]] std::vector<PlannedRun> plan_runs(double time,

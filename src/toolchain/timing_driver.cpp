@@ -10,7 +10,8 @@
 //       }
 //     }
 //
-// In a header in a wider scalar, the function is emitted::wide::inverse_dynamics.
+// In a header in a wider scalar, the function is emitted::wide::inverse_dynamics. Steps whose
+// accelerations are in float are emitted::wide::step and, in packs, emitted::batch::wide::step.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -170,6 +171,11 @@ std::string prologue_of(const Scene& scene) {
                      fmt::arg("name_space", name_space(scene)));
 }
 
+/// The name of a function behind the namespace `emitted` or `emitted::batch`: "wide::step".
+std::string name_in_namespace(const Scene& scene, const Function& function) {
+  return (scene.numerics.inner != InnerScalar::same ? "wide::" : "") + function.name;
+}
+
 std::string gather_expression(Opcode argument) {
   const LeafRow& leaf = leaf_row(argument);
   if (argument == Opcode::parameter) return "p";
@@ -194,8 +200,7 @@ std::string state_loop_text(const DriverInput& input, const Function& function) 
     arguments.push_back(gather_expression(argument));
   }
   const bool is_wide = input.scene.numerics.inner != InnerScalar::same;
-  const std::string callee =
-      is_wide ? "wide::" + function.name : fmt::format("{}<Scalar>", function.name);
+  const std::string callee = name_in_namespace(input.scene, function) + (is_wide ? "" : "<Scalar>");
   return fmt::format(
       state_loop_template, fmt::arg("leaves", timed_parameter_list("Scalar", "[[maybe_unused]] ")),
       fmt::arg("function", callee), fmt::arg("arguments", fmt::join(arguments, ",\n        ")),
@@ -291,7 +296,8 @@ SourceFile step_driver(const DriverInput& input) {
   }
   const std::string loops = fmt::format(
       step_loops_template, fmt::arg("one", single_step_loop_symbol),
-      fmt::arg("in_packs", pack_step_loop_symbol), fmt::arg("function", step.name),
+      fmt::arg("in_packs", pack_step_loop_symbol),
+      fmt::arg("function", name_in_namespace(scene, step)),
       fmt::arg("arguments", loop_arguments(model, step, "p", {"q", "v", "t"})),
       fmt::arg("batch_arguments", loop_arguments(model, step, in_packs, {"q", "v", "t"})),
       fmt::arg("clock", clock("i")), fmt::arg("next", next), fmt::arg("projection", projection));

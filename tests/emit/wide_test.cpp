@@ -9,6 +9,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elgen/evaluate.hpp"
@@ -363,17 +364,15 @@ int main() {
 }
 
 TEST_CASE("verify compares steps in packs with accelerations in float") {
+  const auto [model, outputs] =
+      GENERATE(std::pair{"simple_pendulum", "step = \"verlet\"\n"},
+               std::pair{"four_bar", "step = \"rk4\"\nprojected = true\n"});
   const Workspace workspace;
   workspace.write("mixed.scene.toml", "format = 1\nmodel = \"" + std::string(ELGEN_SOURCE_DIR) +
-                                          "/models/simple_pendulum.toml\"\nname = \"mixed\"\n" +
-                                          R"toml([outputs]
-step = "verlet"
-[numeric]
-inner = "float"
-[emit]
-batch = true
-)toml");
-  const Outcome run = workspace.run("elgen verify --samples 32 mixed.scene.toml");
+                                          "/models/" + model +
+                                          ".toml\"\nname = \"mixed\"\n[outputs]\n" + outputs +
+                                          "[numeric]\ninner = \"float\"\n[emit]\nbatch = true\n");
+  const Outcome run = workspace.run("elgen verify --samples 8 mixed.scene.toml");
   CHECK(failure_of(run) == "");
   CHECK(run.status == 0);
 }

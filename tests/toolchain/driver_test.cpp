@@ -307,6 +307,12 @@ TEST_CASE("a step is called in loops, with the time if the model depends on it")
   const std::string timed = step_driver({model, batch_scene(), program}).text;
   CHECK_THAT(timed, Contains("emitted::advance<double>(p, q, v, u, t, h);"));
   CHECK_THAT(timed, Contains("for (double& time : times) time = start"));
+  Scene mixed = batch_scene();
+  mixed.numerics.inner = InnerScalar::single_precision;
+  const std::string in_float = step_driver({model, mixed, program}).text;
+  CHECK_THAT(in_float, Contains("emitted::wide::advance<double>(p, q, v, u, t, h);"));
+  CHECK_THAT(in_float,
+             Contains("emitted::batch::wide::advance<double>(model_parameters<double>()"));
 }
 
 TEST_CASE("in a call for each state its numbers are adjacent") {

@@ -325,8 +325,8 @@ TEST_CASE("code in a wider scalar may differ by one rounding from the exact valu
 }
 
 TEST_CASE("a step may compute its accelerations in float, but not its state") {
-  const StepWithState<double> mixed;
-  const StepWithState<float> in_float;
+  const StepWithState<double> mixed{};
+  const StepWithState<float> in_float{};
   for (const double h : {0.0, 0x1p-20, 0.05}) {
     const CertificateRow row = mixed_row(mixed, mixed, h);
     INFO(row.worst_value << " at " << row.worst_state);

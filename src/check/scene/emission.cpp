@@ -191,6 +191,7 @@ namespace {
 /// Why an output does not support accelerations in float; "" if it does.
 std::string inner_scalar_obstacle(const OutputRequest& output) {
   const OutputRow& row = output_row(output.kind);
+  if (output.kind == OutputKind::projected) return "";
   if (!row.is_step || row.differentiates) return quote_text(output.name) + " is no `step`";
   const bool asks = !output.step || output.step->method != StepMethod::midpoint;
   return asks ? ""

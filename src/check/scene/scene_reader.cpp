@@ -61,6 +61,7 @@ class SceneReader {
     scene_.emission = read_emission(context_, syntax_, options_, scene_);
     read_inner_scalar(context_, syntax_, options_, scene_);
     read_batch(context_, syntax_, scene_);
+    if (options_.inner != InnerScalar::same) scene_.numerics.inner = options_.inner;
     read_error_bound(context_, syntax_, options_, scene_.numerics);
     scene_.has_options = options_.changes_files();
     scene_.canonical_text = canonical_scene_text(syntax_, options_);

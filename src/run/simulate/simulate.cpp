@@ -349,7 +349,7 @@ Products derive_for_run(const PipelineSources& inputs, PipelineOptions options,
                     .name_space = scene.emission.name_space,
                     .has_batch_header = step && !is_page,
                     .has_page = false};
-  scene.numerics = {};
+  scene.numerics = {.inner = options.scene.inner};
   return products;
 }
 

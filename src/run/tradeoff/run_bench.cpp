@@ -18,9 +18,16 @@ namespace {
 /// In instructions. Compilers take minutes for longer functions.
 constexpr std::size_t max_compiled_instructions = 20'000;
 
-/// The step in words: "`midpoint` of order 8".
-std::string name_of_step(const StepSpec& step) {
-  return fmt::format("`{}` of order {}", step_method_row(step.method).name, step_order(step));
+/// Runs with the same step and scalar of accelerations share compiled code.
+using StepKey = std::pair<StepSpec, InnerScalar>;
+
+StepKey step_key(const Design& design) { return {*design.step, design.inner}; }
+
+/// The step in words: "`rk4` of order 4 with accelerations in float".
+std::string name_of_step(const StepKey& key) {
+  const auto& [step, inner] = key;
+  return fmt::format("`{}` of order {}{}", step_method_row(step.method).name, step_order(step),
+                     inner == InnerScalar::same ? "" : " with accelerations in float");
 }
 
 /// A compiled step, or why it is not compiled.
@@ -34,16 +41,16 @@ struct StepCode {
 
 /// The sentences below the table. `distance`: between both reference runs. `uncertainty`: of the
 /// reference.
-std::vector<std::string> table_sentences(const std::map<StepSpec, StepCode>& codes,
-                                         double tolerance, double distance, double uncertainty) {
+std::vector<std::string> table_sentences(const std::map<StepKey, StepCode>& codes, double tolerance,
+                                         double distance, double uncertainty) {
   std::vector<std::string> all{fmt::format(
       "reference: Fehlberg's method of order 8 in long double, with tolerance {:g}; a run with "
       "{:g} differs by {:.1e}, so errors below {:.1e} are not measured",
       tolerance, 10 * tolerance, distance, uncertainty)};
-  for (const auto& [step, code] : codes) {
+  for (const auto& [key, code] : codes) {
     if (code.loops.one_state_loop == nullptr) continue;
     all.push_back(fmt::format("one step by {} takes {:.4g} ns, in packs {:.4g} ns",
-                              name_of_step(step), code.single_cost.least, code.pack_cost.least));
+                              name_of_step(key), code.single_cost.least, code.pack_cost.least));
   }
   return all;
 }
@@ -84,10 +91,10 @@ class RunBench {
               .subject = fmt::format("run of {:g} s", time_),
               .cost = "ns per run",
               .error = "errors at the end relative to the largest value of the run",
-              .dimensions = {"method", "order", "step", "batch"},
+              .dimensions = {"method", "order", "step", "batch", "inner"},
               .machine = *machine};
     const std::vector<PlannedRun> plan = plan_runs(time_, request_.step_lengths);
-    for (const PlannedRun& planned : plan) prepare_step(*planned.design.step);
+    for (const PlannedRun& planned : plan) prepare_step(step_key(planned.design));
     process_.on_stage("run");
     process_.renew_time_limit();
     for (const PlannedRun& planned : plan) add_row(planned);
@@ -103,11 +110,12 @@ class RunBench {
   }
 
  private:
-  Products derive_run(const std::optional<StepSpec>& step) {
+  Products derive_run(const std::optional<StepSpec>& step, InnerScalar inner = InnerScalar::same) {
     process_.renew_time_limit();
     PipelineOptions options{
         .limits = process_.limits, .goals = {Goal::choose}, .on_stage = process_.on_stage};
     options.scene.purpose = purpose::time_run;
+    options.scene.inner = inner;
     return derive_for_run(request_.inputs, options, step);
   }
 
@@ -125,15 +133,16 @@ class RunBench {
   }
 
   /// Derives and compiles the step, unless this was done before.
-  void prepare_step(const StepSpec& step) {
-    const auto [at, is_new] = codes_.try_emplace(step);
-    if (is_new) at->second = compile_step(step);
+  void prepare_step(const StepKey& key) {
+    const auto [at, is_new] = codes_.try_emplace(key);
+    if (is_new) at->second = compile_step(key);
   }
 
   /// The compiled step. If the method does not suit the system, or if the function is too long, the
   /// result has `is_measured` false, and `refusals_` gets a sentence.
-  StepCode compile_step(const StepSpec& step) {
-    Products products = derive_run(step);
+  StepCode compile_step(const StepKey& key) {
+    const auto& [step, inner] = key;
+    Products products = derive_run(step, inner);
     if (!products.program) {
       const Diagnostic& error = *find_error(products.diagnostics);
       const bool is_for_others = error.code == Code::E622 || error.code == Code::E539;
@@ -144,12 +153,17 @@ class RunBench {
                  products);
     const Function& function =
         *std::ranges::find(products.program->functions, OutputKind::step, &Function::kind);
+    const bool fits =
+        literals_fit(products.checked->model, *products.program, ScalarKind::single_precision);
+    if (inner != InnerScalar::same && !fits) {
+      return refuse_step("a number of the system does not fit float, so none is tried in float");
+    }
     const std::size_t length = function.instructions.size();
     if (length > max_compiled_instructions || !is_returned_by_value(function)) {
       return refuse_step(
-          fmt::format("{} has {} instructions and is not compiled", name_of_step(step), length));
+          fmt::format("{} has {} instructions and is not compiled", name_of_step(key), length));
     }
-    process_.on_stage(fmt::format("compile {}", name_of_step(step)));
+    process_.on_stage(fmt::format("compile {}", name_of_step(key)));
     Result<StepLoops> loops = compile_step_loops(products, process_.limits);
     if (!loops) return {.failure = find_error(loops.diagnostics)->message};
     return {.loops = std::move(*loops)};
@@ -161,7 +175,7 @@ class RunBench {
   }
 
   void add_row(const PlannedRun& planned) {
-    const StepCode& code = codes_.at(*planned.design.step);
+    const StepCode& code = codes_.at(step_key(planned.design));
     if (!code.is_measured) return;
     TradeoffRow row{.values = planned.values, .design = planned.design};
     row.failure = code.failure.substr(0, code.failure.find('\n'));
@@ -198,7 +212,7 @@ class RunBench {
     measure_costs(works);
     for (std::size_t i = 0; i < table_.rows.size(); ++i) {
       const Design& design = table_.rows[i].design;
-      const StepCode& code = codes_.at(*design.step);
+      const StepCode& code = codes_.at(step_key(design));
       table_.rows[i].cost = design.in_packs ? code.pack_cost : code.single_cost;
       table_.rows[i].cost.least *= static_cast<double>(steps_[i]);
     }
@@ -211,7 +225,7 @@ class RunBench {
   ReferenceRun reference_ = {};
   double distance_ = 0;     ///< between both reference runs, relative
   double uncertainty_ = 0;  ///< relative error of the reference; at least u = 2^-53
-  std::map<StepSpec, StepCode> codes_ = {};
+  std::map<StepKey, StepCode> codes_ = {};
   TradeoffTable table_ = {};
   std::vector<std::size_t> steps_ = {};     ///< number of steps of a run, by row
   std::vector<std::string> refusals_ = {};  ///< "`verlet` is not for this system: ..."

@@ -1,5 +1,5 @@
-// Treats runs in time as designs: combines all methods, orders, step lengths and batches, and makes
-// the steps. The table of these designs is a work-precision diagram.
+// Treats runs in time as designs: combines all methods, orders, step lengths, batches and scalars
+// of accelerations, and makes the steps. The table of these designs is a work-precision diagram.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,13 +34,22 @@ Numbers repeat(const Numbers& numbers, std::size_t count) {
   return all;
 }
 
-/// A run with steps of `h` seconds, for one state at a time; `steps` of the result is still 0.
-PlannedRun plan_run(const StepMethodRow& method, std::uint32_t order, double h) {
+/// A run with steps of `h` seconds; `steps` of the result is still 0.
+PlannedRun plan_run(const StepMethodRow& method, std::uint32_t order, double h, InnerScalar inner,
+                    bool in_packs) {
   const std::string length = fmt::format("{:g} s", h);
   const StepSpec step = default_step(method.id, order == method.order ? 0 : order);
-  return {{std::string(method.name), std::to_string(order), length, "one"},
-          {.step = step, .doc = "For steps of " + length + "."},
-          0};
+  return {
+      {std::string(method.name), std::to_string(order), length, in_packs ? "packs" : "one",
+       std::string(inner_scalar_row(inner).name)},
+      {.in_packs = in_packs, .inner = inner, .step = step, .doc = "For steps of " + length + "."},
+      0};
+}
+
+/// The scalars of accelerations: double, and float if the method calls accelerations.
+std::vector<InnerScalar> inner_scalars(const StepMethodRow& method) {
+  if (method.id == StepMethod::midpoint) return {InnerScalar::same};
+  return {InnerScalar::same, InnerScalar::single_precision};
 }
 
 }  // namespace
@@ -53,12 +62,12 @@ std::vector<PlannedRun> plan_runs(double time, const std::vector<double>& length
   for (const StepMethodRow& method : step_methods) {
     for (const std::uint32_t order : step_orders(method.order)) {
       for (const double steps : counts) {
-        PlannedRun run = plan_run(method, order, time / steps);
-        run.steps = static_cast<std::size_t>(steps);
-        runs.push_back(run);
-        run.values.back() = "packs";
-        run.design.in_packs = true;
-        runs.push_back(std::move(run));
+        for (const InnerScalar inner : inner_scalars(method)) {
+          for (const bool in_packs : {false, true}) {
+            runs.push_back(plan_run(method, order, time / steps, inner, in_packs));
+            runs.back().steps = static_cast<std::size_t>(steps);
+          }
+        }
       }
     }
   }

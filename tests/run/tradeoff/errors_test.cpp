@@ -65,30 +65,35 @@ TEST_CASE(
   CHECK(errors.median == 2e-8);
 }
 
-TEST_CASE("every method and order is planned with steps of three sizes, singly and in packs") {
+TEST_CASE("methods, orders and scalars are planned with three step sizes, singly and in packs") {
   const std::vector<PlannedRun> runs = plan_runs(10);
-  CHECK(runs.size() == (1 + 3 + 3) * 3 * 2);
+  CHECK(runs.size() == (2 * (1 + 3) + 3) * 3 * 2);
   const auto named = [&](const std::vector<std::string>& values) {
     const auto found = std::ranges::find(runs, values, &PlannedRun::values);
     REQUIRE(found != runs.end());
     return *found;
   };
-  const PlannedRun rk4 = named({"rk4", "4", "0.01 s", "one"});
+  const PlannedRun rk4 = named({"rk4", "4", "0.01 s", "one", "double"});
   CHECK(rk4.steps == 1000);
   CHECK(rk4.design == Design{.step = default_step(StepMethod::rk4), .doc = "For steps of 0.01 s."});
-  const PlannedRun verlet = named({"verlet", "8", "0.1 s", "packs"});
+  const PlannedRun verlet = named({"verlet", "8", "0.1 s", "packs", "float"});
   CHECK(verlet.steps == 100);
   CHECK(verlet.design.in_packs);
+  CHECK(verlet.design.inner == InnerScalar::single_precision);
   CHECK(verlet.design.step == default_step(StepMethod::verlet, 8));
 }
 
 TEST_CASE("runs are planned with the requested step sizes") {
   const std::vector<PlannedRun> runs = plan_runs(0.3, {0.1, 1e-3});
-  CHECK(runs.size() == (1 + 3 + 3) * 2 * 2);
-  CHECK(runs[0].values == std::vector<std::string>{"rk4", "4", "0.1 s", "one"});
+  CHECK(runs.size() == (2 * (1 + 3) + 3) * 2 * 2);
+  CHECK(runs[0].values == std::vector<std::string>{"rk4", "4", "0.1 s", "one", "double"});
   CHECK(runs[0].steps == 3);
-  CHECK(runs[2].values == std::vector<std::string>{"rk4", "4", "0.001 s", "one"});
-  CHECK(runs[2].steps == 300);
+  CHECK(runs[4].values == std::vector<std::string>{"rk4", "4", "0.001 s", "one", "double"});
+  CHECK(runs[4].steps == 300);
+  const auto is_mixed_midpoint = [](const PlannedRun& run) {
+    return run.values.front() == "midpoint" && run.design.inner != InnerScalar::same;
+  };
+  CHECK(std::ranges::none_of(runs, is_mixed_midpoint));
 }
 
 TEST_CASE("final errors are relative to the largest magnitude of each number during the run") {
