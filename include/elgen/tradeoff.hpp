@@ -46,6 +46,7 @@ struct Design {
   /// The max_error of the sine polynomials, or library_sines; "": the accuracy of the scalar.
   std::string trigonometry = {};
   bool is_fixed = false;  ///< true: all parameters are numbers in the code
+  bool is_typed = false;  ///< true: the recursive form of the text as typed; no sum is rewritten
   /// The scalar inside the functions. A wider scalar has neither packs nor `scalar` float; float is
   /// only for `step`.
   InnerScalar inner = InnerScalar::same;
@@ -95,7 +96,8 @@ struct TradeoffPlan {
 };
 
 /// All possible combinations of scalar, batch and parameters, and of the dimensions in
-/// choices.more, for the first function of `program`. choices.pinned restricts the combinations.
+/// choices.more, for the first function of `program`. choices.pinned restricts the combinations. If
+/// neither contains `form`, only the first combination is also planned as typed.
 /// E631: choices.more contains an unknown dimension. E645: no combination remains.
 [[nodiscard]] Result<TradeoffPlan> plan_designs(const CheckedModel& checked, const Program& program,
                                                 const DesignChoices& choices);
@@ -104,8 +106,8 @@ struct TradeoffPlan {
 [[nodiscard]] std::string scene_text(const DesignSource& base, const Design& design,
                                      const std::string& model_path);
 
-/// `design` with all members except `is_fixed` and `order` set to their defaults. Designs with
-/// equal keys have the same derivation.
+/// `design` with all members except `is_fixed`, `is_typed` and `order` set to their defaults.
+/// Designs with equal keys have the same derivation.
 [[nodiscard]] Design derivation_key(const Design& design);
 
 /// The number high + low, to 32 digits.

@@ -60,7 +60,7 @@ TEST_CASE("a wider inner scalar has all digits, whatever the condition of M") {
                       "/two_link_arm.toml\"\nname = \"far\"\n[outputs]\nforward_dynamics = true\n"
                       "[parameters]\nfixed = { c2 = 3.5e5 }\n");
   const nlohmann::json table = table_in(workspace.run(
-      "elgen tradeoff --as json --scalar double --batch one --parameters arguments "
+      "elgen tradeoff --as json --scalar double --batch one --parameters arguments --form chosen "
       "--dimensions inner --max-error 1e-15 --write-scene wide.scene.toml far.scene.toml"));
   REQUIRE(table["designs"].size() == 3);
   for (const auto& design : table["designs"]) {
@@ -72,7 +72,7 @@ TEST_CASE("a wider inner scalar has all digits, whatever the condition of M") {
   CHECK(workspace.run("elgen verify --build written --samples 8 wide.scene.toml").status == 0);
 }
 
-TEST_CASE("a model has eight designs, and verify confirms the error of the chosen scene") {
+TEST_CASE("a model has nine designs, and verify confirms the error of the chosen scene") {
   const Workspace workspace;
   const Outcome outcome = workspace.run(
       "elgen tradeoff --as json --max-error 1e-6 --write-scene "
@@ -80,7 +80,7 @@ TEST_CASE("a model has eight designs, and verify confirms the error of the chose
       models + "/cart_pole.toml");
   const nlohmann::json table = table_in(outcome);
   CHECK(table["subject"] == "inverse_dynamics");
-  REQUIRE(table["designs"].size() == 8);
+  REQUIRE(table["designs"].size() == 9);
   for (const auto& design : table["designs"]) {
     const bool is_double = design["design"]["scalar"] == "double";
     CHECK(design["error"]["worst"] < (is_double ? 1e-15 : 1e-6));
@@ -177,20 +177,20 @@ TEST_CASE("a design has a cost per state and a cost per call, and only packs dif
   const nlohmann::json one = table_in(workspace.run(command + " --as json --batch one"));
   CHECK(one["cost"] == "ns per call");
   CHECK_FALSE(one.contains("call_cost"));
-  REQUIRE(one["designs"].size() == 4);
+  REQUIRE(one["designs"].size() == 5);
   for (const auto& design : one["designs"]) CHECK(design["design"]["batch"] == "one");
 }
 
 TEST_CASE("the chosen row is printed, also with -q, and its scene has the pinned values") {
   const Workspace workspace;
   const Outcome outcome = workspace.run(
-      "elgen tradeoff -q --scalar float --batch one --parameters arguments --max-error 1e-3 "
-      "--write-scene x.scene.toml --of gravity " +
+      "elgen tradeoff -q --scalar float --batch one --parameters arguments --form chosen "
+      "--max-error 1e-3 --write-scene x.scene.toml --of gravity " +
       models + "/simple_pendulum.toml");
   INFO(outcome.errors);
   CHECK(outcome.status == 0);
   CHECK(outcome.errors.empty());
-  CHECK(mentions(outcome.output, "\ncheapest within 0.001: float, one, arguments; "));
+  CHECK(mentions(outcome.output, "\ncheapest within 0.001: float, one, arguments, chosen; "));
   const std::string scene = workspace.read("x.scene.toml");
   CHECK(mentions(scene, "scalar = [\"float\"]"));
   CHECK_FALSE(mentions(scene, "batch"));
@@ -310,7 +310,7 @@ TEST_CASE("options for outputs are refused for runs") {
   }
 }
 
-TEST_CASE("eight designs are compiled as two libraries") {
+TEST_CASE("nine designs are compiled as three libraries") {
   const Workspace workspace;
   write_compiler(workspace, "no such word");
   const Outcome outcome =
@@ -318,8 +318,8 @@ TEST_CASE("eight designs are compiled as two libraries") {
                     "/simple_pendulum.toml");
   INFO(outcome.errors);
   REQUIRE(outcome.status == 0);
-  CHECK(nlohmann::json::parse(outcome.output)["designs"].size() == 8);
-  CHECK(workspace.read("made") == "made\nmade\n");
+  CHECK(nlohmann::json::parse(outcome.output)["designs"].size() == 9);
+  CHECK(workspace.read("made") == "made\nmade\nmade\n");
 }
 
 TEST_CASE(
@@ -337,7 +337,7 @@ TEST_CASE(
           return design.contains("failure") && design["design"]["parameters"] == "fixed";
         }) == 4);
   CHECK(std::count_if(designs.begin(), designs.end(),
-                      [](const auto& design) { return design.contains("cost"); }) == 4);
+                      [](const auto& design) { return design.contains("cost"); }) == 5);
 }
 
 TEST_CASE_METHOD(
@@ -382,6 +382,9 @@ TEST_CASE_METHOD(RotorWorkspace,
       {expanded, "--order 3", true},
       {expanded, "--order exact", true},
       {expanded, "--order 1", false},
+      {"[numeric]\nform = \"closed\"\n", "--form typed", true},
+      {"[numeric]\nform = \"closed\"\n", "--form chosen", false},
+      {"[numeric]\nform = \"recursive\"\n", "--form typed", false},
   };
   for (const PinRow& row : rows) {
     INFO(row.keys + row.option);

@@ -2,14 +2,16 @@
 // a function of parameters and sines, in double and float, if the command names `trigonometry`:
 //
 //     scalar double, float   batch one, packs   trigonometry full, 1e-7, library
-//     parameters arguments, fixed
-//     ->   14 designs: sines of 1e-7 only exist in packs of double, the library's for one state
+//     parameters arguments, fixed   form chosen, typed
+//     ->   15 designs: sines of 1e-7 only exist in packs of double, the library's for one state, and
+//          only the first of the other 14 designs is also tried as typed
 #include <cln/rational.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "elgen/emitted_files.hpp"
 #include "elgen/syntax.hpp"
@@ -29,6 +31,8 @@ struct DimensionRow {
   std::string_view doc;
 };
 
+constexpr std::string_view form_dimension = "form";
+
 constexpr std::array dimension_rows{
     DimensionRow{"scalar", "numeric", "scalar", false, "try only this scalar"},
     DimensionRow{"batch", "emit", "batch", false, "try only one state per call, or only packs"},
@@ -38,7 +42,9 @@ constexpr std::array dimension_rows{
                  "try parameters only as arguments, or only fixed"},
     DimensionRow{"inner", "numeric", "inner", true,
                  "try only this scalar between arguments and results in double"},
-    DimensionRow{"order", "approximate", "order", true, "try only this order of an expansion"}};
+    DimensionRow{"order", "approximate", "order", true, "try only this order of an expansion"},
+    DimensionRow{form_dimension, "numeric", "form", false,
+                 "try only the form that elgen chooses, or only the text as typed"}};
 
 /// A value of a dimension. `is_compatible`: true if the value does not contradict a scene that sets
 /// the key.
@@ -108,6 +114,12 @@ constexpr std::array value_rows{
                       [](const CheckedModel& base) { return has_order(base, 3); }},
     DimensionValueRow{"order", "1", [](Design& d) { d.order = "1"; },
                       [](const CheckedModel& base) { return has_order(base, 1); }},
+    DimensionValueRow{form_dimension, "chosen", [](Design& d) { d.is_typed = false; },
+                      [](const CheckedModel&) { return true; }},
+    DimensionValueRow{form_dimension, "typed", [](Design& d) { d.is_typed = true; },
+                      [](const CheckedModel& base) {
+                        return base.scene.outputs.front().form == Form::recursive;
+                      }},
 };
 
 /// E631 for each unknown name. A command may also name dimensions that are used by default.
@@ -205,6 +217,16 @@ std::vector<PlannedDesign> combine_designs(const std::vector<PlannedDesign>& des
   return result;
 }
 
+/// Removes all designs as typed except the first, unless the command names or pins `form`.
+void limit_typed_designs(std::vector<PlannedDesign>& designs, const DesignChoices& choices) {
+  const bool is_named = std::ranges::find(choices.more, form_dimension) != choices.more.end();
+  if (is_named || find_pin(choices.pinned, form_dimension) != nullptr) return;
+  bool has_typed = false;
+  std::erase_if(designs, [&has_typed](const PlannedDesign& planned) {
+    return planned.design.is_typed && std::exchange(has_typed, true);
+  });
+}
+
 /// Removes each dimension that is not pinned and in which all designs have the same value.
 void remove_constant_dimensions(TradeoffPlan& plan, const std::vector<PinnedDimension>& pinned) {
   for (std::size_t i = plan.dimensions.size(); i-- > 0;) {
@@ -267,12 +289,13 @@ Result<TradeoffPlan> plan_designs(const CheckedModel& checked, const Program& pr
     return !std::string_view(existing.missing_reason(planned.design)).empty();
   });
   if (plan.designs.empty()) return no_design_error(choices.pinned, why);
+  limit_typed_designs(plan.designs, choices);
   remove_constant_dimensions(plan, choices.pinned);
   return plan;
 }
 
 Design derivation_key(const Design& design) {
-  return {.is_fixed = design.is_fixed, .order = design.order};
+  return {.is_fixed = design.is_fixed, .is_typed = design.is_typed, .order = design.order};
 }
 
 }  // namespace elgen

@@ -137,6 +137,7 @@ class DesignSceneWriter {
     add(inner_name().empty() ? "" : "in_" + strip_to_word(inner_name()));
     add(strip_to_word(design_.trigonometry));
     add(design_.is_fixed ? "fixed" : "");
+    add(design_.is_typed ? "typed" : "");
     if (!design_.order.empty()) add("order_" + design_.order);
     if (design_.step) add(std::string(step_name()));
     if (design_.step && design_.step->composed_order > 0) {
@@ -176,7 +177,8 @@ class DesignSceneWriter {
     const KeySyntax* const key = find_key(base_.scene, "outputs", output_name());
     Lines entries;
     for (const char* const name : {"form", "pivots"}) {
-      const KeySyntax* const own = key == nullptr ? nullptr : key->value.find(name);
+      const bool is_replaced = design_.is_typed && std::string_view(name) == "form";
+      const KeySyntax* const own = key == nullptr || is_replaced ? nullptr : key->value.find(name);
       if (own != nullptr) entries.push_back(toml_assignment(name, toml_value(own->value)));
     }
     return entries.empty() ? "true" : toml_inline_table(entries);
@@ -219,8 +221,8 @@ class DesignSceneWriter {
   [[nodiscard]] Lines numeric_lines() const {
     return {toml_line("scalar", fmt::format("[\"{}\"]", name_of(design_.scalar))),
             toml_line("inner", inner_name().empty() ? "" : toml_string(inner_name())),
-            toml_line("form", scene_value("numeric", "form")),
-            toml_line("prefer", scene_value("numeric", "prefer")),
+            toml_line("form", design_.is_typed ? R"("recursive")" : scene_value("numeric", "form")),
+            toml_line("prefer", design_.is_typed ? R"("speed")" : scene_value("numeric", "prefer")),
             toml_line("trigonometry", trigonometry_value(design_, base_.checked.scene)),
             toml_line("max_error",
                       base_.max_error ? expression_text(fmt::format("{}", *base_.max_error)) : ""),

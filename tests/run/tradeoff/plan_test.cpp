@@ -19,7 +19,9 @@ TradeoffPlan planned(const std::string& text, const std::string& output,
   return *result;
 }
 
-bool has(const TradeoffPlan& plan, const Texts& values) {
+/// True if the plan has a design with these values, in the chosen form.
+bool has(const TradeoffPlan& plan, Texts values) {
+  values.emplace_back("chosen");
   return std::ranges::find(plan.designs, values, &PlannedDesign::values) != plan.designs.end();
 }
 
@@ -44,16 +46,16 @@ T = "m*dot(x)^2"
 
 TEST_CASE("designs differ in scalar, batch and parameters") {
   const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "inverse_dynamics");
-  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters"});
-  CHECK(plan.designs.size() == 8);
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "form"});
+  CHECK(plan.designs.size() == 8 + 1);
   CHECK(has(plan, {"float", "packs", "arguments"}));
 }
 
 TEST_CASE("polynomials of 1e-7 are planned on request, only for packs of double") {
   const TradeoffPlan plan =
       planned(read_model("pushed_pendulum"), "inverse_dynamics", {.more = {"trigonometry"}});
-  CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters"});
-  CHECK(plan.designs.size() == 8 + 2 + 4);
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters", "form"});
+  CHECK(plan.designs.size() == 8 + 2 + 4 + 1);
   CHECK(has(plan, {"double", "packs", "1e-7", "fixed"}));
   CHECK(has(plan, {"float", "packs", "full", "arguments"}));
   CHECK_FALSE(has(plan, {"float", "packs", "1e-7", "fixed"}));
@@ -62,21 +64,21 @@ TEST_CASE("polynomials of 1e-7 are planned on request, only for packs of double"
 
 TEST_CASE("dimensions without a choice are omitted") {
   const TradeoffPlan plan = planned(mass, "momentum");
-  CHECK(plan.dimensions == Texts{"batch", "parameters"});
-  CHECK(plan.designs.size() == 4);
+  CHECK(plan.dimensions == Texts{"batch", "parameters", "form"});
+  CHECK(plan.designs.size() == 5);
 }
 
 TEST_CASE("a requested dimension multiplies the designs") {
   const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "gravity", {.more = {"order"}});
-  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "order"});
-  CHECK(plan.designs.size() == 8 * 3);
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "order", "form"});
+  CHECK(plan.designs.size() == 8 * 3 + 1);
   CHECK(has(plan, {"float", "one", "fixed", "3"}));
 }
 
 TEST_CASE("wider scalars are planned on request, for single states in double") {
   const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "gravity", {.more = {"inner"}});
-  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "inner"});
-  CHECK(plan.designs.size() == 8 + 4);
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "inner", "form"});
+  CHECK(plan.designs.size() == 8 + 4 + 1);
   CHECK(has(plan, {"double", "one", "arguments", "double-double"}));
   CHECK(has(plan, {"double", "one", "fixed", "long double"}));
   CHECK_FALSE(has(plan, {"float", "one", "fixed", "double-double"}));
@@ -89,14 +91,14 @@ TEST_CASE("wider scalars are planned on request, for single states in double") {
 TEST_CASE("library calls are planned on request, for single states") {
   const TradeoffPlan plan =
       planned(read_model("pushed_pendulum"), "gravity", {.more = {"trigonometry"}});
-  CHECK(plan.designs.size() == 8 + 2 + 4);
+  CHECK(plan.designs.size() == 8 + 2 + 4 + 1);
   CHECK(has(plan, {"double", "one", "library", "arguments"}));
   CHECK(has(plan, {"float", "one", "library", "fixed"}));
   CHECK_FALSE(has(plan, {"double", "packs", "library", "fixed"}));
   const TradeoffPlan pinned =
       planned(read_model("pushed_pendulum"), "gravity", {.pinned = {{"trigonometry", "library"}}});
-  CHECK(pinned.dimensions == Texts{"scalar", "trigonometry", "parameters"});
-  CHECK(pinned.designs.size() == 4);
+  CHECK(pinned.dimensions == Texts{"scalar", "trigonometry", "parameters", "form"});
+  CHECK(pinned.designs.size() == 5);
   const TradeoffPlan wide =
       planned(read_model("pushed_pendulum"), "gravity", {.more = {"trigonometry", "inner"}});
   CHECK_FALSE(has(wide, {"double", "one", "library", "fixed", "long double"}));
@@ -107,9 +109,27 @@ TEST_CASE("library calls are planned on request, for single states") {
 TEST_CASE("a pinned dimension has one value, and keeps its column") {
   const TradeoffPlan plan = planned(read_model("pushed_pendulum"), "gravity",
                                     {.pinned = {{"batch", "one"}, {"order", "3"}}});
-  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "order"});
-  CHECK(plan.designs.size() == 4);
+  CHECK(plan.dimensions == Texts{"scalar", "batch", "parameters", "order", "form"});
+  CHECK(plan.designs.size() == 5);
   CHECK(has(plan, {"float", "one", "fixed", "3"}));
+}
+
+TEST_CASE("the first design is also planned as typed, every design if `form` is named") {
+  const std::string text = read_model("pushed_pendulum");
+  const auto typed_designs = [&text](const DesignChoices& choices) {
+    std::vector<Texts> typed;
+    for (const PlannedDesign& design : planned(text, "gravity", choices).designs) {
+      CHECK(design.design.is_typed == (design.values.back() == "typed"));
+      if (design.design.is_typed) typed.push_back(design.values);
+    }
+    return typed;
+  };
+  CHECK(typed_designs({}) == std::vector<Texts>{{"double", "one", "full", "arguments", "typed"}});
+  CHECK(typed_designs({.pinned = {{"scalar", "float"}, {"batch", "packs"}}}) ==
+        std::vector<Texts>{{"float", "packs", "arguments", "typed"}});
+  CHECK(typed_designs({.more = {"form"}}).size() == 10);
+  CHECK(typed_designs({.pinned = {{"form", "typed"}}}).size() == 10);
+  CHECK(typed_designs({.pinned = {{"form", "chosen"}}}).empty());
 }
 
 TEST_CASE("E645: no design has all pinned values") {
@@ -130,11 +150,13 @@ TEST_CASE("designs that differ only in scalar, packs or sines share a derivation
                       .in_packs = true,
                       .trigonometry = "1e-7",
                       .is_fixed = true,
+                      .is_typed = true,
                       .order = "3"};
   const Design derivation = derivation_key(design);
   CHECK(derivation.scalar == ScalarKind::double_precision);
   CHECK_FALSE(derivation.in_packs);
   CHECK(derivation.trigonometry.empty());
   CHECK(derivation.is_fixed);
+  CHECK(derivation.is_typed);
   CHECK(derivation.order == "3");
 }

@@ -76,6 +76,18 @@ TEST_CASE("other keys of a scene are kept, and its choices are replaced") {
   (void)run(text);
 }
 
+TEST_CASE("a design as typed demands the recursive form, and rewrites nothing") {
+  const std::string closed =
+      "[outputs]\ninverse_dynamics = { form = \"closed\" }\n[numeric]\nform = \"closed\"\n";
+  for (const std::string& scene : {std::string(), closed}) {
+    const std::string text = text_of({.is_typed = true}, scene);
+    CHECK(mentions(text, "_typed\"\n"));
+    CHECK(mentions(text, "inverse_dynamics = true\n"));
+    CHECK(mentions(text, "scalar = [\"double\"]\nform = \"recursive\"\nprefer = \"speed\"\n"));
+    CHECK(run(text).program->functions.front().form == Form::recursive);
+  }
+}
+
 TEST_CASE("a design with a wider scalar is a scene with `inner`") {
   const std::string text = text_of({.inner = InnerScalar::double_double}, {});
   CHECK(mentions(text, "_in_doubledouble\"\n"));
