@@ -33,24 +33,24 @@ struct SingleOutputModel {
   }
 };
 
-/// The model and scene of `inputs`, reduced to `output`. If `output` is empty, the result has
-/// inverse_dynamics, or the first output of a scene without inverse_dynamics; the diagnostics then
-/// contain the warnings and notes on the model. Errors: E601, E606, E630, E633, and the errors of
-/// check().
-[[nodiscard]] Result<SingleOutputModel> read_single_output_model(
-    const PipelineSources& inputs, const std::string& output,
-    const std::vector<SourcePointer>& ranges, const Limits& limits);
-
-/// Removes all outputs except `outputs` from the scene and the program of `products`, for example
-/// the output `reaction` that a lock added.
-void keep_outputs(const std::vector<std::string>& outputs, Products& products);
-
 struct DesignRequest {
   PipelineSources inputs = {};
   std::string output = {};  ///< the measured output; "": as in read_single_output_model()
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
+  std::vector<SourcePointer> over = {};  ///< SceneOptions::over
 };
+
+/// The model and scene of a request, reduced to its output. If the request names no output, the
+/// result has inverse_dynamics, or the first output of a scene without inverse_dynamics; the
+/// diagnostics then contain the warnings and notes on the model. Errors: E601, E606, E630, E633,
+/// and the errors of check().
+[[nodiscard]] Result<SingleOutputModel> read_single_output_model(const DesignRequest& request,
+                                                                 const Limits& limits);
+
+/// Removes all outputs except `outputs` from the scene and the program of `products`, for example
+/// the output `reaction` that a lock added.
+void keep_outputs(const std::vector<std::string>& outputs, Products& products);
 
 struct MeasuredTable {
   TradeoffTable table = {};          ///< without ranks and Pareto front, which rank_rows() adds

@@ -113,6 +113,8 @@ struct Numerics {
   std::optional<double> max_error = {};
   /// The ranges in which max_error must hold. They replace the ranges of the model, name by name.
   std::vector<NamedRange> ranges = {};
+  /// Index of a parameter -> the range over which `tradeoff` judges errors.
+  std::map<std::uint32_t, Interval> varied_parameters = {};
 
   /// `scalars`, and float if accelerations are in float.
   [[nodiscard]] std::vector<ScalarKind> computed_scalars() const {
@@ -287,6 +289,7 @@ struct SceneOptions {
   std::vector<SourcePointer> starts = {};   ///< "theta=1,dot(theta)=0,attitude=[1,0,0,0]"
   std::vector<SourcePointer> laws = {};     ///< "u=-3*theta"
   std::vector<SourcePointer> ranges = {};   ///< "theta=-0.1..0.1"
+  std::vector<SourcePointer> over = {};     ///< "m=0.1:10", for Numerics::varied_parameters
   Purpose purpose = purpose::generate;      ///< purpose of the command
 
   /// True if the options change the emitted files.

@@ -216,9 +216,9 @@ struct EntryRow {
 [[nodiscard]] std::vector<Span> option_words(const std::vector<SourcePointer>& options);
 
 /// The words of options as keys of a table: NAME=VALUE; for expression_or_list also NAME=[A, B];
-/// for range NAME=LOW..HIGH; for boolean_or_expression a bare NAME means true. Blanks around names
-/// are removed. Returns the keys that can be read, and errors for all other words: E606 (no value,
-/// no range, a duplicate name) and the errors of expressions.
+/// for range NAME=LOW..HIGH or NAME=LOW:HIGH; for boolean_or_expression a bare NAME means true.
+/// Blanks around names are removed. Returns the keys that can be read, and errors for all other
+/// words: E606 (no value, no range, a duplicate name) and the errors of expressions.
 [[nodiscard]] Result<std::vector<KeySyntax>> parse_options(
     const std::vector<SourcePointer>& options, KeyType type, const Limits& limits);
 

@@ -165,10 +165,11 @@ struct TimedVariant {
 class TimedFunction {
  public:
   virtual ~TimedFunction() = default;
-  /// Evaluates the function once at each state.
+  /// Evaluates the function once at each state, with the parameters of the model.
   virtual void run() = 0;
   /// The entries of all fields at the given states: entry k of state i at [k * states.size() + i].
-  /// `states` is not empty.
+  /// If the scene varies parameters, each state has its own parameters, otherwise those of the
+  /// model. `states` is not empty.
   [[nodiscard]] virtual std::vector<double> values_at(
       const std::vector<Arguments<double>>& states) const = 0;
 };

@@ -133,17 +133,22 @@ struct TradeoffSampling {
   std::uint64_t seed = 1;
 };
 
+/// The number of successive states with the same values of Numerics::varied_parameters: enough for
+/// the magnitude of a field, and few enough for many draws.
+inline constexpr std::size_t states_of_draw = 16;
+
 /// Draws states inside the ranges of the model; Numerics::ranges replace ranges of the same name.
-/// Evaluates the first function of `program` at these states, with 60 digits and exact parameters.
-/// E521: the function has no value at most states. Cost: one operation of Real per
-/// instruction and state.
+/// Draws Numerics::varied_parameters: a quarter of the values at each end of the range, the others
+/// between the ends, log-uniform if the range is positive, else uniform. Other parameters are
+/// exact. Evaluates the first function of `program` at these states, with 60 digits. E521: the
+/// function has no value at most states. Cost: one operation of Real per instruction and state.
 [[nodiscard]] Result<TradeoffStates> sample_tradeoff_states(const CheckedModel& exact,
                                                             const Program& program,
                                                             const TradeoffSampling& sampling);
 
 /// For each state the error: the largest |x - x*| of an entry x with exact value x*, divided by the
-/// largest |x*| of the entries of the same field at all states. Infinite if an x is NaN. `results`
-/// has entry k at state i in results[k * states.states.size() + i].
+/// largest |x*| of the entries of the same field at all states with the same parameters. Infinite
+/// if an x is NaN. `results` has entry k at state i in results[k * states.states.size() + i].
 [[nodiscard]] std::vector<double> state_errors(const std::vector<double>& results,
                                                const TradeoffStates& states);
 
@@ -162,8 +167,8 @@ struct FoundErrors {
 /// `states` has. Each argument of the function, except parameters, is moved up and down by a step,
 /// and all improvements are combined; the step doubles after a success and is halved otherwise. In
 /// the search, the program in long double gives the exact values x*; the errors at the final states
-/// are computed in 60 digits. Errors are relative to the largest |x*| of the field at `states` and
-/// at the evaluated state. The result is deterministic.
+/// are computed in 60 digits. Errors are relative to the largest |x*| of the field at `states` with
+/// the same parameters and at the evaluated state. The result is deterministic.
 [[nodiscard]] FoundErrors find_errors(const CheckedModel& exact, const Program& program,
                                       const TradeoffStates& states, const DesignEvaluator& design);
 

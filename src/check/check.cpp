@@ -202,7 +202,7 @@ Result<CheckedModel> check(const FileSyntax& model, const FileSyntax* scene,
   if (context.report.error_count() == 0) reduce_model(context);
   if (context.report.error_count() == 0) check_constraints(context);
   read_scene(context, scene, options, checked_scene);
-  read_parameter_values(context, checked_scene, options);
+  read_parameter_values(context, options, checked_scene);
   if (context.report.error_count() > 0) return context.report.sorted_diagnostics();
   return {CheckedModel{std::move(context.model), std::move(checked_scene)},
           context.report.sorted_diagnostics()};

@@ -35,6 +35,7 @@ struct TradeoffOptions {
   std::vector<double> lengths = {};  ///< lengths of the steps of these runs, in s
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
+  std::vector<SourcePointer> over = {};  ///< ranges of parameters
   TradeoffOutput output = {};
 };
 
@@ -71,7 +72,7 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
   if (output.scene_file.empty()) return ExitCode::success;
   const std::string subject = row->design.step ? "" : table.subject;
   const Result<SingleOutputModel> base =
-      read_single_output_model(inputs, subject, options.ranges, global.limits);
+      read_single_output_model({inputs, subject, {}, options.ranges}, global.limits);
   if (!base) return report(global, base.diagnostics);
   const std::string path = model_path(inputs, output.scene_file);
   DesignSource from = base->design_source();
@@ -122,8 +123,8 @@ Result<MeasuredTable> measure_with_progress(const GlobalOptions& global,
                              [&progress](const std::string& name) { progress.show_stage(name); },
                              [&global] { renew_time_limit(global.limits); }};
   if (options.time) return measure_runs({inputs, *options.time, options.lengths}, process);
-  return measure_designs({inputs, options.measured_output, options.choices, options.ranges},
-                         process);
+  return measure_designs(
+      {inputs, options.measured_output, options.choices, options.ranges, options.over}, process);
 }
 
 /// E913 if a scene should be written for a model on standard input: a scene names the file of its
@@ -196,7 +197,11 @@ void add_subject_options(CLI::App& command, TradeoffOptions& options) {
   add_dimension_options(command, options.choices);
   add_source_option(command, "--range", "NAME=LOW..HIGH", options.ranges,
                     "range in which errors are measured: theta=-0.1..0.1");
-  command.get_option("--range")->excludes(time);
+  add_source_option(command, "--over", "NAME=LOW:HIGH", options.over,
+                    "range of a parameter over which errors are measured: m=0.1:10");
+  for (const char* const option : {"--range", "--over"}) {
+    command.get_option(option)->excludes(time);
+  }
 }
 
 /// Adds the options for the table, and for the scene of the picked row.

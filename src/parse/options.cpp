@@ -1,7 +1,7 @@
 // Command-line options as keys of a table; every key and value has its span in the option:
 //
 //     "x=1, dot(x)=0, e=[1,0]"   ->   x = 1, "dot(x)" = 0, e = [1, 0]
-//     "x=-1..2"                  ->   x = [-1, 2]
+//     "x=-1..2", "x=-1:2"        ->   x = [-1, 2]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -85,13 +85,16 @@ class OptionReader {
 
   bool read_range(ValueSyntax& value) {
     const auto& [source, begin, end] = value.span;
-    const std::size_t dots = covered_text(value.span).find("..");
-    if (dots == std::string_view::npos) {
+    const std::string_view text = covered_text(value.span);
+    const bool has_dots = text.find("..") != std::string_view::npos;
+    const std::size_t separator = has_dots ? text.find("..") : text.find(':');
+    if (separator == std::string_view::npos) {
       report_error(value.span, in_backticks(value.span) + " is no range", "write NAME=LOW..HIGH");
       return false;
     }
-    const std::uint32_t middle = begin + static_cast<std::uint32_t>(dots);
-    return read_items(value, {{source, begin, middle}, {source, middle + 2, end}});
+    const std::uint32_t middle = begin + static_cast<std::uint32_t>(separator);
+    return read_items(value,
+                      {{source, begin, middle}, {source, middle + (has_dots ? 2U : 1U), end}});
   }
 
   bool read_items(ValueSyntax& value, const std::vector<Span>& items) {

@@ -38,27 +38,41 @@ class LoadedTimedFunction final : public TimedFunction {
  public:
   LoadedTimedFunction(std::shared_ptr<const SharedLibrary> library,
                       TimingDriverFunction<Scalar> function,
-                      const std::vector<Arguments<double>>& states, std::size_t entries)
+                      const std::vector<Arguments<double>>& states, std::size_t entries,
+                      bool varies)
       : library_(std::move(library)),
         function_(function),
         count_(states.size()),
         arrays_(arrays_of<Scalar>(states)),
-        results_(entries * states.size()) {}
+        results_(entries * states.size()),
+        varies_(varies) {
+    arrays_.parameters.clear();  // run() uses the parameters of the model
+  }
 
   void run() override { compute(count_, arrays_, results_); }
 
   [[nodiscard]] std::vector<double> values_at(
       const std::vector<Arguments<double>>& states) const override {
+    if (!varies_) return values_of(states);
+    std::vector<double> values(results_.size() / count_ * states.size());
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const std::vector<double> entries = values_of({states[i]});
+      for (std::size_t k = 0; k < entries.size(); ++k) values[k * states.size() + i] = entries[k];
+    }
+    return values;
+  }
+
+ private:
+  [[nodiscard]] std::vector<double> values_of(const std::vector<Arguments<double>>& states) const {
     std::vector<Scalar> results(results_.size() / count_ * states.size());
     compute(states.size(), arrays_of<Scalar>(states), results);
     return {results.begin(), results.end()};
   }
 
- private:
   void compute(std::size_t count, const StateArrays<Scalar>& arrays,
                std::vector<Scalar>& results) const {
     function_(count,
-#define ELGEN_LEAVES(kind, member, ...) arrays.member.data(),
+#define ELGEN_LEAVES(kind, member, ...) arrays.member.empty() ? nullptr : arrays.member.data(),
 #include "elgen/leaves.def"
 #undef ELGEN_LEAVES
               results.data());
@@ -69,16 +83,17 @@ class LoadedTimedFunction final : public TimedFunction {
   std::size_t count_;
   StateArrays<Scalar> arrays_;
   std::vector<Scalar> results_;
+  bool varies_;  ///< true: each state of values_at() has its own parameters
 };
 
 /// The timed function of this symbol; null if the library lacks the symbol.
 template <class Scalar>
 std::unique_ptr<TimedFunction> load_timed_function(
     const std::shared_ptr<const SharedLibrary>& library, const std::string& symbol,
-    const std::vector<Arguments<double>>& states, std::size_t entries) {
+    const std::vector<Arguments<double>>& states, std::size_t entries, bool varies) {
   const auto function = library->find<TimingDriverFunction<Scalar>>(symbol);
   if (function == nullptr) return nullptr;
-  return std::make_unique<LoadedTimedFunction<Scalar>>(library, function, states, entries);
+  return std::make_unique<LoadedTimedFunction<Scalar>>(library, function, states, entries, varies);
 }
 
 Result<std::shared_ptr<const SharedLibrary>> build_for_timing(const EmittedFiles& files,
@@ -102,11 +117,12 @@ Result<TimedFunctions> compile_timed_functions(const EmittedFiles& files, const 
       build_for_timing(files, source, options.limits);
   if (!library) return library.diagnostics;
   const std::size_t entries = entry_count(program.functions.front());
+  const bool varies = !scene.numerics.varied_parameters.empty();
   TimedFunctions functions;
   for (std::size_t i = 0; i < options.variants.size(); ++i) {
     const bool is_float = options.variants[i].scalar == ScalarKind::single_precision;
     const auto load = is_float ? &load_timed_function<float> : &load_timed_function<double>;
-    functions.push_back(load(*library, timed_symbol(i), options.states, entries));
+    functions.push_back(load(*library, timed_symbol(i), options.states, entries, varies));
     if (functions.back() == nullptr) return missing_function_error();
   }
   return Result<TimedFunctions>(std::move(functions));

@@ -128,7 +128,8 @@ inline constexpr const char* declarations_symbol = "elgen_declared_numbers";
 // Drivers for timing: loops that call an emitted function for arrays of states, one state at a time
 // or in packs; and loops that call an emitted step.
 
-/// In every array, number k of state i has the index k * count + i.
+/// In every array, number k of state i has the index k * count + i. If the scene varies parameters,
+/// `parameters` are those of the only state; null: the parameters of the model.
 template <class Scalar>
 using TimingDriverFunction = void (*)(std::size_t count,
 #define ELGEN_LEAVES(kind, member, ...) const Scalar *member,

@@ -37,7 +37,7 @@ namespace emitted = ::{name_space};
 
 /// The compiler must take them for arguments that it does not know.
 template <class Scalar>
-const emitted::Parameters<Scalar>& model_parameters() {{
+emitted::Parameters<Scalar>& model_parameters() {{
   static emitted::Parameters<Scalar> values{{}};
   asm volatile("" : : "r"(&values) : "memory");
   return values;
@@ -96,8 +96,12 @@ void one_per_call(std::size_t count, {leaves}Scalar* result) {{
 constexpr std::string_view entry_point_template = R"(
 extern "C" void {symbol}(std::size_t count, {leaves}{scalar}* result);
 extern "C" void {symbol}(std::size_t count, {leaves}{scalar}* result) {{
-  {call}<{scalar}>(count, {names}, result);
+{setter}  {call}<{scalar}>(count, {names}, result);
 }}
+)";
+
+constexpr std::string_view setter_template = R"(  model_parameters<{0}>() =
+      parameters == nullptr ? emitted::Parameters<{0}>{{}} : parameters_from(parameters);
 )";
 
 constexpr std::string_view step_loops_template = R"(}}  // namespace
@@ -250,13 +254,14 @@ const char* loop_template_name(const TimedVariant& variant) {
   return variant.is_one_per_call ? "one_per_call" : "in_packs";
 }
 
-std::string entry_point_text(const TimedVariant& variant, std::size_t number) {
+std::string entry_point_text(const TimedVariant& variant, std::size_t number, bool varies) {
   std::vector<std::string_view> names;
   for (const LeafRow& leaf : leaf_table()) names.push_back(leaf.member);
   const std::string scalar(name_of(variant.scalar));
   return fmt::format(entry_point_template, fmt::arg("symbol", timed_symbol(number)),
                      fmt::arg("scalar", scalar), fmt::arg("leaves", timed_parameter_list(scalar)),
                      fmt::arg("call", loop_template_name(variant)),
+                     fmt::arg("setter", varies ? fmt::format(setter_template, scalar) : ""),
                      fmt::arg("names", fmt::join(names, ", ")));
 }
 
@@ -265,12 +270,16 @@ std::string entry_point_text(const TimedVariant& variant, std::size_t number) {
 SourceFile timing_driver(const DriverInput& input, const std::vector<TimedVariant>& variants) {
   const Scene& scene = input.scene;
   const Function& function = input.program.functions.front();
+  const bool varies = !scene.numerics.varied_parameters.empty();
   std::string text = prologue_of(scene);
+  if (varies) text += cpp_helpers(input);
   text += state_loop_text(input, function);
   if (scene.emission.has_batch_header)
     text += pack_loop_text(input, function) + batch_call_loop_text(input, function);
   text += "}  // namespace\n";
-  for (std::size_t i = 0; i < variants.size(); ++i) text += entry_point_text(variants[i], i);
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    text += entry_point_text(variants[i], i, varies);
+  }
   return {"timing_driver.cpp", text};
 }
 

@@ -44,13 +44,15 @@ Result<CheckedModel> run_check(const std::string& model, const CheckOptions& wan
   options.fixed = as_options(wanted.fixed);
   options.sizes = as_options(wanted.sizes);
   options.ranges = as_options(wanted.ranges);
+  options.over = as_options(wanted.over);
   options.purpose = wanted.purpose;
   Result<CheckedModel> result = check(*syntax, scene ? &*scene : nullptr, options, wanted.limits);
   // Spans of errors point into the sources, so the sources must outlive this function.
   static std::vector<SourcePointer> alive;
   alive.push_back(syntax->source);
   if (scene) alive.push_back(scene->source);
-  for (const auto* list : {&options.outputs, &options.fixed, &options.sizes, &options.ranges}) {
+  for (const auto* list :
+       {&options.outputs, &options.fixed, &options.sizes, &options.ranges, &options.over}) {
     alive.insert(alive.end(), list->begin(), list->end());
   }
   return result;

@@ -18,6 +18,7 @@ struct CheckOptions {
   std::vector<std::string> fixed = {};
   std::vector<std::string> sizes = {};
   std::vector<std::string> ranges = {};
+  std::vector<std::string> over = {};
   Limits limits = {};
   Purpose purpose = purpose::generate;
 };

@@ -62,6 +62,34 @@ TEST_CASE("ranges of options follow the ranges of the scene and have the same sy
       "E630 1:1 `m` is no coordinate, rate, acceleration or input"));
 }
 
+TEST_CASE("parameters vary over the ranges of an option") {
+  const auto varied =
+      checked(block(), {.over = {"k=1/2..pi", "m=0.1:10"}}).scene.numerics.varied_parameters;
+  REQUIRE(varied.size() == 2);
+  CHECK(varied.at(0).high == 10);
+  CHECK(varied.at(1).low == cln::cl_RA(1) / 2);
+  CHECK(cln::double_approx(varied.at(1).high) == 3.141592653589793);
+  const auto over_messages = [](const std::string& over, const std::string& scene = {}) {
+    return messages(block(), {.scene = scene, .over = {over}});
+  };
+  CHECK(over_messages("m=10:0.1") == "E112 1:3 `10` is not below `0.1`\n");
+  CHECK(over_messages("m=a:1").starts_with("E201 1:3 "));
+  CHECK(over_messages("m=1 kg:2 kg").starts_with("E30"));
+  CHECK(over_messages("m=1") == "E606 1:3 `1` is no range | write NAME=LOW..HIGH\n");
+  CHECK(over_messages("m=1:2,m=2:3") == "E606 1:7 `m` is given twice\n");
+  CHECK(over_messages("x=0:1").starts_with("E602 1:1 unknown parameter `x`"));
+  CHECK_THAT(over_messages("m=1:2", scene_of_block("[parameters]\nfixed = { m = 2 }\n")),
+             Catch::Contains("E606 1:1 `m` is fixed, so it is no parameter\n"));
+}
+
+TEST_CASE("the ends of a parameter's range agree with its declaration") {
+  const std::string positive =
+      replaced(block(), "unit = \"kg\"", "unit = \"kg\", max = 5, assume = \"positive\"");
+  CHECK_THAT(messages(positive, {.over = {"m=0:1"}}), Catch::Contains("E112 1:3 "));
+  CHECK_THAT(messages(positive, {.over = {"m=1:6"}}),
+             Catch::Contains("E518 1:5 `6` is outside `min` or `max` of `m`"));
+}
+
 TEST_CASE("verification of an expansion uses the scene without the expansion") {
   const auto expanded = [](bool is_exact) {
     const auto model = parse_model(make_source("model.toml", block("V = \"1/2*k*x^2\"\n")), {});

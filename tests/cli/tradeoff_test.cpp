@@ -301,7 +301,7 @@ TEST_CASE("runs with requested steps, projected if the model has constraints") {
 TEST_CASE("options for outputs are refused for runs") {
   const Workspace workspace;
   for (const char* option :
-       {"--of gravity", "--dimensions order", "--batch one", "--range q1=0..1"}) {
+       {"--of gravity", "--dimensions order", "--batch one", "--range q1=0..1", "--over m1=1:2"}) {
     INFO(option);
     CHECK(workspace
               .run(std::string("elgen tradeoff --trajectory 2 ") + option + " " + models +

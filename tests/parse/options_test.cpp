@@ -55,6 +55,7 @@ TEST_CASE("words are parsed as keys with values, and blanks in names are removed
 TEST_CASE("a list is accepted if the key type permits lists") {
   CHECK(answer({"e=[1, 0],x=2"}, KeyType::expression_or_list) == "e 1: 1 0 as a list\nx 10: 2\n");
   CHECK(answer({"q=-1 .. pi/2"}, KeyType::range) == "q 1: -1 pi/2 as a list\n");
+  CHECK(answer({"q=-1:pi/2"}, KeyType::range) == "q 1: -1 pi/2 as a list\n");
   CHECK(answer({"e=[1,0]"}, KeyType::expression).starts_with("E30"));
 }
 

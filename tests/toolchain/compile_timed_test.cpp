@@ -92,6 +92,20 @@ TEST_CASE("one call per state gives the results of packs of all states") {
   }
 }
 
+TEST_CASE("if the scene varies parameters, each state has its own parameters") {
+  Scene scene = sample::scene();
+  scene.numerics.varied_parameters[0] = Interval{1, 2};
+  const TimingOptions options{
+      .variants = {TimedVariant{}}, .states = timed_states(), .limits = {.seconds = 600}};
+  const auto functions = compile_timed_functions(
+      sample::files(header_with_values()), sample::model(), scene, sample::program(), options);
+  INFO(format(functions.diagnostics));
+  REQUIRE(functions);
+  std::vector<elgen::Arguments<double>> states = timed_states();
+  states.back().parameters = {2, 1, 3};
+  CHECK(functions->front()->values_at(states) == std::vector<double>{31, 4});
+}
+
 TEST_CASE("code that the compiler refuses is an error with the compiler's message") {
   const auto functions = compiled("#error no\n", {ScalarKind::double_precision});
   REQUIRE_FALSE(functions);

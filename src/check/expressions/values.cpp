@@ -105,8 +105,10 @@ std::optional<FixedValue> ValueReader::read_exact_constant(const ValueSyntax& va
 
 std::optional<Interval> ValueReader::read_interval(const EntrySyntax& entry, std::string_view key) {
   const KeySyntax* given = entry.find(key);
-  if (given == nullptr) return std::nullopt;
-  const ValueSyntax& value = given->value;
+  return given == nullptr ? std::nullopt : read_interval(given->value);
+}
+
+std::optional<Interval> ValueReader::read_interval(const ValueSyntax& value) {
   const std::optional<cln::cl_R> low = read_constant(value.items[0]);
   const std::optional<cln::cl_R> high = read_constant(value.items[1]);
   if (!low || !high) return std::nullopt;

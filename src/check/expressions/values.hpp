@@ -55,7 +55,9 @@ class ValueReader {
   /// of the value is known.
   std::optional<FixedValue> read_exact_constant(const ValueSyntax& value, std::string hint = {});
 
-  /// [low, high] of a key; none if the entry does not have it. E112 unless low < high.
+  /// [low, high]. E112 unless low < high.
+  std::optional<Interval> read_interval(const ValueSyntax& value);
+  /// [low, high] of a key; none if the entry does not have it.
   std::optional<Interval> read_interval(const EntrySyntax& entry, std::string_view key);
 
   /// The index in the Model of the named entry. E201, E207, E208.

@@ -1,5 +1,5 @@
 // The start of a run, given by options such as "theta=1", "dot(theta)=0", "attitude=[1,0,0,0]",
-// "m=2". A state also has "dot(dot(theta))=3" and "t=1".
+// "m=2". A state also has "dot(dot(theta))=3" and "t=1". Ranges of parameters: "m=1:2".
 #include <algorithm>
 #include <utility>
 
@@ -166,6 +166,19 @@ void read_law(Context& context, const KeySyntax& key, Scene& scene) {
   scene.laws[input->name] = law;
 }
 
+/// The parameters that an option names; none after E602, or E606 if the scene fixes one.
+std::vector<std::uint32_t> find_free_parameters(Context& context, const Scene& scene,
+                                                const KeySyntax& key) {
+  std::vector<std::uint32_t> found = find_parameters(context, key.key, key.key_span);
+  for (const std::uint32_t target : found) {
+    if (scene.specialisation.fixed.count(target) == 0) continue;
+    context.report.add(Code::E606, key.key_span,
+                       quote_text(key.key) + " is fixed, so it is no parameter");
+    return {};
+  }
+  return found;
+}
+
 }  // namespace
 
 void read_starts(Context& context, const SceneOptions& options, Scene& scene) {
@@ -184,23 +197,28 @@ void read_laws(Context& context, const SceneOptions& options, Scene& scene) {
   }
 }
 
-void read_parameter_values(Context& context, const Scene& scene, const SceneOptions& options) {
+void read_parameter_values(Context& context, const SceneOptions& options, Scene& scene) {
   ValueReader values(context);
   for (const KeySyntax& key : parse_option_keys(context, options.values, KeyType::expression)) {
-    const auto targets = find_parameters(context, key.key, key.key_span);
+    const auto targets = find_free_parameters(context, scene, key);
     if (targets.empty()) continue;
     const std::optional<FixedValue> value = values.read_exact_constant(key.value);
     for (const std::uint32_t target : targets) {
-      if (scene.specialisation.fixed.count(target) > 0) {
-        context.report.add(Code::E606, key.key_span,
-                           quote_text(key.key) + " is fixed, so it is no parameter");
-        break;
-      }
       if (!value) break;
       check_parameter_value(context, target, value->number, key.value.span);
       context.model.parameters[target].value = value->number;
       context.model.parameters[target].exact_expression = value->exact_expression;
       set_cyclic_momentum(context.model, target, value->number);
+    }
+  }
+  for (const KeySyntax& key : parse_option_keys(context, options.over, KeyType::range)) {
+    const auto targets = find_free_parameters(context, scene, key);
+    const std::optional<Interval> ends = values.read_interval(key.value);
+    for (const std::uint32_t target : targets) {
+      if (!ends) break;
+      check_parameter_value(context, target, ends->low, key.value.items[0].span);
+      check_parameter_value(context, target, ends->high, key.value.items[1].span);
+      scene.numerics.varied_parameters[target] = *ends;
     }
   }
 }

@@ -69,8 +69,9 @@ void read_starts(Context& context, const SceneOptions& options, Scene& scene);
 /// --input: sets Scene::laws, which are checked with the expressions of the model. E201, E606.
 void read_laws(Context& context, const SceneOptions& options, Scene& scene);
 
-/// --set: sets Parameter::value if the scene does not fix it. E602, E606, E112, E518.
-void read_parameter_values(Context& context, const Scene& scene, const SceneOptions& options);
+/// --set: sets Parameter::value. --over: sets Numerics::varied_parameters. E602, E606 if the scene
+/// fixes the parameter, E112, E518.
+void read_parameter_values(Context& context, const SceneOptions& options, Scene& scene);
 
 /// Fills the lists of Model::reduction, and adds the momenta of cyclic coordinates to the
 /// parameters. E208, E612, and the errors of the values. E615: a lock's value does not fit, or no

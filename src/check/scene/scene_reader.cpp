@@ -71,7 +71,7 @@ class SceneReader {
   void keep_sources() {
     if (syntax_ != nullptr) scene_.source = syntax_->source;
     for (const auto* list : {&options_.outputs, &options_.fixed, &options_.sizes, &options_.values,
-                             &options_.starts, &options_.laws, &options_.ranges}) {
+                             &options_.starts, &options_.laws, &options_.ranges, &options_.over}) {
       scene_.option_sources.insert(scene_.option_sources.end(), list->begin(), list->end());
     }
   }

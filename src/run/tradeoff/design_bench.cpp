@@ -1,6 +1,6 @@
 // Measures designs. Designs with the same derivation share a run of the pipeline; if they also have
 // the same sines and inner scalar, they share a compiled library.
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -94,8 +94,9 @@ class DesignCompiler {
   Products run_design_pipeline(const Design& design, Goal goal) {
     process_.renew_time_limit();
     const SourcePointer scene = make_permanent_source("design.scene.toml", design_key(design));
-    Products products =
-        run_pipeline({request_.inputs.model, scene}, {.limits = process_.limits, .goals = {goal}});
+    Products products = run_pipeline(
+        {request_.inputs.model, scene},
+        {.scene = {.over = request_.over}, .limits = process_.limits, .goals = {goal}});
     if (products.checked) keep_outputs({base_.checked.scene.outputs.front().name}, products);
     return products;
   }
@@ -132,7 +133,7 @@ class DesignBench {
  public:
   DesignBench(const DesignRequest& request, const SingleOutputModel& base,
               const BenchOptions& process, const Machine& machine)
-      : choices_(request.choices),
+      : request_(request),
         process_(process),
         runs_(request, base, process),
         table_(make_design_table(base.checked.scene, machine)) {}
@@ -156,7 +157,7 @@ class DesignBench {
  private:
   /// Plans the designs, draws the states, and computes the exact values at the states.
   Diagnostics prepare_measurement(const Products& exact) {
-    Result<TradeoffPlan> planned = plan_designs(*exact.checked, *exact.program, choices_);
+    Result<TradeoffPlan> planned = plan_designs(*exact.checked, *exact.program, request_.choices);
     if (!planned) return planned.diagnostics;
     process_.on_stage("states");
     for (std::uint64_t seed = 1; seed <= sample_count; ++seed) {
@@ -167,6 +168,7 @@ class DesignBench {
       samples_.push_back(std::move(*sample));
     }
     table_.dimensions = planned->dimensions;
+    add_sentences();
     for (const PlannedDesign& each : planned->designs) {
       table_.rows.push_back({.values = each.values, .design = each.design});
     }
@@ -176,6 +178,15 @@ class DesignBench {
       table_.cost = std::exchange(table_.call_cost, {});
     }
     return {};
+  }
+
+  /// Says which parameters are not as in the file.
+  void add_sentences() {
+    if (request_.over.empty()) return;
+    table_.sentences.push_back(
+        fmt::format("parameters vary over {}: {} draws with {} states each",
+                    fmt::join(column_words(option_words(request_.over), &covered_text), ", "),
+                    states_.size() / states_of_draw, states_of_draw));
   }
 
   /// The designs, grouped by library. Libraries with the same derivation follow each other.
@@ -252,7 +263,7 @@ class DesignBench {
     }
   }
 
-  const DesignChoices& choices_;
+  const DesignRequest& request_;
   const BenchOptions& process_;
   DesignCompiler runs_;
   TradeoffTable table_;
@@ -275,13 +286,13 @@ void keep_outputs(const std::vector<std::string>& outputs, Products& products) {
   std::erase_if(program.readable, is_other);
 }
 
-Result<SingleOutputModel> read_single_output_model(const PipelineSources& inputs,
-                                                   const std::string& output,
-                                                   const std::vector<SourcePointer>& ranges,
+Result<SingleOutputModel> read_single_output_model(const DesignRequest& request,
                                                    const Limits& limits) {
+  const PipelineSources& inputs = request.inputs;
   PipelineOptions options{.limits = limits, .goals = {Goal::check}};
+  options.scene.over = request.over;
   Diagnostics found;
-  std::string name = output;
+  std::string name = request.output;
   if (name.empty()) {
     const Products whole = run_pipeline(inputs, options);
     if (!whole.checked) return whole.diagnostics;
@@ -289,7 +300,7 @@ Result<SingleOutputModel> read_single_output_model(const PipelineSources& inputs
     name = default_output(whole.checked->scene);
   }
   options.scene.outputs = {make_permanent_source("command line", name)};
-  options.scene.ranges = ranges;
+  options.scene.ranges = request.ranges;
   Products one = run_pipeline(inputs, options);
   if (!one.checked) return one.diagnostics;
   keep_outputs({name}, one);
@@ -303,7 +314,7 @@ Result<SingleOutputModel> read_single_output_model(const PipelineSources& inputs
         quote_text(functions.front().name) + " is left open, and designs need its values",
         "give it an expression in `[functions]` of a scene"};
   }
-  SingleOutputModel base{std::move(*one.checked), {}, ranges};
+  SingleOutputModel base{std::move(*one.checked), {}, request.ranges};
   if (inputs.scene != nullptr) base.scene = parse_scene(inputs.scene, limits).value;
   return {std::move(base), std::move(found)};
 }
@@ -311,8 +322,7 @@ Result<SingleOutputModel> read_single_output_model(const PipelineSources& inputs
 Result<MeasuredTable> measure_designs(const DesignRequest& request, const BenchOptions& process) {
   const Result<Machine> machine = this_machine(process.limits);
   if (!machine) return machine.diagnostics;
-  const Result<SingleOutputModel> base =
-      read_single_output_model(request.inputs, request.output, request.ranges, process.limits);
+  const Result<SingleOutputModel> base = read_single_output_model(request, process.limits);
   if (!base) return base.diagnostics;
   Diagnostics wrong = scene_conflicts(base->design_source(), request.choices.pinned);
   if (!wrong.empty()) return wrong;

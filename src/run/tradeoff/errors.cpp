@@ -8,15 +8,16 @@
 namespace elgen {
 
 FieldScales::FieldScales(const TradeoffStates& states) {
-  std::size_t first = 0;
-  for (const std::size_t entries : states.field_sizes) {
-    Scale& field = fields_.emplace_back(Scale{entries});
-    for (const std::vector<TwoDoubleNumber>& exact : states.exact) {
-      for (std::size_t k = first; k < first + entries; ++k) {
-        field.largest = std::max(field.largest, magnitude(exact[k]));
+  for (std::size_t i = 0; i < states.exact.size(); ++i) {
+    std::vector<Scale>& fields = fields_[states.states[i].parameters];
+    fields.resize(states.field_sizes.size());
+    std::size_t k = 0;
+    for (std::size_t f = 0; f < fields.size(); ++f) {
+      fields[f].entries = states.field_sizes[f];
+      for (const std::size_t end = k + fields[f].entries; k < end; ++k) {
+        fields[f].largest = std::max(fields[f].largest, magnitude(states.exact[i][k]));
       }
     }
-    first += entries;
   }
 }
 
@@ -25,7 +26,7 @@ std::vector<double> state_errors(const std::vector<double>& results, const Trade
   const std::size_t count = states.states.size();
   std::vector<double> errors;
   for (std::size_t i = 0; i < count; ++i) {
-    errors.push_back(scales.error(results.data() + i, count, states.exact[i]));
+    errors.push_back(scales.error(states.states[i], results.data() + i, count, states.exact[i]));
   }
   return errors;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -25,20 +26,22 @@ namespace elgen {
   return std::abs(static_cast<double>(exact));
 }
 
-/// The largest |x*| of each field at the states of a trade-off.
+/// The largest |x*| of each field at the states of a trade-off with the same parameters: systems
+/// with other parameters have other magnitudes.
 class FieldScales {
  public:
   explicit FieldScales(const TradeoffStates& states);
 
-  /// The error at one state: the maximum over fields of (largest |x - x*|) / (largest |x*|). The
-  /// largest |x*| of the field is over the trade-off's states and this state. Entry k is values[k *
-  /// stride]. Infinite if x is NaN, or if x* is always 0 but x is not.
+  /// The error at a state with the parameters of a state of the trade-off: the maximum over fields
+  /// of (largest |x - x*|) / (largest |x*|). The largest |x*| of the field is over the trade-off's
+  /// states with these parameters and this state. Entry k is values[k * stride]. Infinite if x is
+  /// NaN, or if x* is always 0 but x is not.
   template <class Exact>
-  [[nodiscard]] double error(const double* values, std::size_t stride,
-                             const std::vector<Exact>& exact) const {
+  [[nodiscard]] double error(const Arguments<double>& state, const double* values,
+                             std::size_t stride, const std::vector<Exact>& exact) const {
     double worst = 0;
     std::size_t k = 0;
-    for (const Scale& field : fields_) {
+    for (const Scale& field : fields_.at(state.parameters)) {
       double largest = field.largest;
       double farthest = 0;
       for (const std::size_t end = k + field.entries; k < end; ++k) {
@@ -57,11 +60,11 @@ class FieldScales {
     std::size_t entries = 0;
     double largest = 0;
   };
-  std::vector<Scale> fields_ = {};
+  std::map<std::vector<double>, std::vector<Scale>> fields_ = {};  ///< by parameters
 };
 
-/// The entries of the program's first function in 60 digits, with exact values of the parameters.
-/// None if an entry is undefined at the state.
+/// The entries of the program's first function in 60 digits. Parameters have their exact values,
+/// varied parameters the values in `state`. None if an entry is undefined at the state.
 [[nodiscard]] std::optional<std::vector<TwoDoubleNumber>> exact_entries(
     const CheckedModel& checked, const Program& program, const Arguments<double>& state);
 

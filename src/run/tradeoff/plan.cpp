@@ -143,7 +143,8 @@ class DesignFilter {
       : has_parameters_(emitted_parameter_count(checked.model, program) > 0),
         has_sines_(calls_function(program, FunctionId::sin) ||
                    calls_function(program, FunctionId::cos)),
-        fits_float_(literals_fit(checked.model, program, ScalarKind::single_precision)) {}
+        fits_float_(literals_fit(checked.model, program, ScalarKind::single_precision)),
+        varies_parameters_(!checked.scene.numerics.varied_parameters.empty()) {}
 
   /// Why the design does not exist; "" if it exists.
   [[nodiscard]] const char* missing_reason(const Design& design) const {
@@ -151,6 +152,7 @@ class DesignFilter {
     if (is_float && !fits_float_) return "a number of the output does not fit float";
     if (design.is_fixed && !has_parameters_)
       return "the output has no parameter that could be fixed";
+    if (design.is_fixed && varies_parameters_) return "`--over` varies parameters";
     if (design.inner != InnerScalar::same && (is_float || design.in_packs)) {
       return "a wider scalar needs functions of one state in double";
     }
@@ -168,6 +170,7 @@ class DesignFilter {
   bool has_parameters_;
   bool has_sines_;
   bool fits_float_;
+  bool varies_parameters_;
 };
 
 const PinnedDimension* find_pin(const std::vector<PinnedDimension>& pinned,

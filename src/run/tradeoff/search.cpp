@@ -104,7 +104,8 @@ class ErrorSearch {
     std::vector<double> found;
     for (std::size_t i = 0; i < states.size(); ++i) {
       const auto entries = exact(states[i]);
-      found.push_back(entries ? scales_.error(values.data() + i, states.size(), *entries) : 0);
+      found.push_back(entries ? scales_.error(states[i], values.data() + i, states.size(), *entries)
+                              : 0);
     }
     return found;
   }
@@ -116,6 +117,9 @@ class ErrorSearch {
     return errors(states, [this](const Arguments<double>& state) {
       auto arguments = map_leaves([](double x) { return static_cast<long double>(x); }, state);
       arguments.parameters = parameters_;
+      for (const auto& [i, range] : exact_.scene.numerics.varied_parameters) {
+        arguments.parameters[i] = static_cast<long double>(state.parameters[i]);
+      }
       std::optional entries = reference_.evaluate(program_.functions.front(), arguments);
       const bool is_defined =
           std::ranges::all_of(*entries, [](long double x) { return std::isfinite(x); });

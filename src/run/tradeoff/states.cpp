@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "elgen/leaf_names.hpp"
 #include "elgen/wording.hpp"
@@ -23,6 +25,19 @@ void narrow_range(const Model& model, const NamedRange& narrowed, LeafValues<Ran
   for_each_leaf(visit, ranges);
 }
 
+/// Draws the varied parameters. Each end of a range has a quarter of the draws, because extreme
+/// ratios of parameters lose most digits.
+void draw_parameters(const Numerics& numerics, Sampler& draw, std::vector<double>& parameters) {
+  for (const auto& [i, range] : numerics.varied_parameters) {
+    const double low = to_double(range.low);
+    const double high = to_double(range.high);
+    const double share = std::clamp(draw.uniform({-0.5, 1.5}), 0.0, 1.0);
+    const double value = low > 0 ? std::exp(std::lerp(std::log(low), std::log(high), share))
+                                 : std::lerp(low, high, share);
+    parameters[i] = std::clamp(value, low, high);
+  }
+}
+
 TwoDoubleNumber exact_number(const cln::cl_R& value) {
   const double high = to_double(value);
   return {high, to_double(value - exact_value(high))};
@@ -37,6 +52,9 @@ std::optional<std::vector<TwoDoubleNumber>> exact_entries(const CheckedModel& ch
   const State nominal = nominal_state(checked.model, checked.scene);
   for (std::size_t i = 0; i < arguments.parameters.size(); ++i) {
     arguments.parameters[i] = Real(nominal.parameters[i]);
+  }
+  for (const auto& [i, range] : checked.scene.numerics.varied_parameters) {
+    arguments.parameters[i] = Real(exact_value(state.parameters[i]));
   }
   std::vector<TwoDoubleNumber> entries;
   for (const Real& value : evaluate(program, program.functions.front(), arguments)) {
@@ -59,11 +77,17 @@ Result<TradeoffStates> sample_tradeoff_states(const CheckedModel& exact, const P
   result.low = map_leaves([](const Range& range) { return range.low; }, within);
   result.high = map_leaves([](const Range& range) { return range.high; }, within);
   const std::size_t count = sampling.count;
+  std::vector<double> parameters;
   for (std::size_t tried = 0; result.states.size() < count && tried < 2 * count; ++tried) {
-    const Arguments<double> state = draw_in_ranges(subject, within, draw);
+    Arguments<double> state = draw_in_ranges(subject, within, draw);
+    if (result.states.size() % states_of_draw == 0) {
+      parameters = state.parameters;
+      draw_parameters(exact.scene.numerics, draw, parameters);
+    }
+    state.parameters = parameters;
     auto entries = exact_entries(exact, program, state);
     if (!entries) continue;
-    result.states.push_back(state);
+    result.states.push_back(std::move(state));
     result.exact.push_back(std::move(*entries));
   }
   if (result.states.size() < count) {

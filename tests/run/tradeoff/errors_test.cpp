@@ -47,6 +47,16 @@ TEST_CASE("digits beyond double count") {
   CHECK(state_errors({1, 2, -4, 0, 0, 1, 10, 20, 30}, states)[0] == Approx(0.25e-22));
 }
 
+TEST_CASE("an error is relative to the states with the same parameters") {
+  TradeoffStates states = three_states();
+  for (Arguments<double>& state : states.states) state.parameters = {1};
+  states.states[2].parameters = {2};
+  const std::vector<double> errors = state_errors({1.2, 2, -4.4, 0, 0, 1, 10, 20, 33}, states);
+  CHECK(errors[0] == Approx(0.1));
+  CHECK(errors[1] == 0);
+  CHECK(errors[2] == Approx(0.1));
+}
+
 TEST_CASE("NaN, or a non-zero value instead of 0, has an infinite error") {
   TradeoffStates states = three_states();
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -118,7 +118,8 @@ TEST_CASE("the first design is also planned as typed, every design if `form` is 
   const std::string text = read_model("pushed_pendulum");
   const auto typed_designs = [&text](const DesignChoices& choices) {
     std::vector<Texts> typed;
-    for (const PlannedDesign& design : planned(text, "gravity", choices).designs) {
+    const TradeoffPlan plan = planned(text, "gravity", choices);
+    for (const PlannedDesign& design : plan.designs) {
       CHECK(design.design.is_typed == (design.values.back() == "typed"));
       if (design.design.is_typed) typed.push_back(design.values);
     }
@@ -138,6 +139,20 @@ TEST_CASE("E645: no design has all pinned values") {
   CHECK(refusal(mass, {.pinned = {{"batch", "packs"}, {"trigonometry", "1e-7"}}}) ==
         "no design fits `--batch packs`, `--trigonometry 1e-7`; the output has no sine and no "
         "cosine");
+}
+
+TEST_CASE("no parameter is fixed in designs whose parameters vary") {
+  const Products products = derived(read_model("pushed_pendulum"), "gravity", {}, {},
+                                    {make_source("command line", "m=1:2")});
+  const auto plan = plan_designs(*products.checked, *products.program, {});
+  REQUIRE(plan);
+  CHECK(plan->dimensions == Texts{"scalar", "batch", "trigonometry", "form"});
+  CHECK(plan->designs.size() == 6);
+  const auto refused =
+      plan_designs(*products.checked, *products.program, {.pinned = {{"parameters", "fixed"}}});
+  REQUIRE_FALSE(refused);
+  CHECK(refused.diagnostics.front().message == "no design fits `--parameters fixed`");
+  CHECK(refused.diagnostics.front().hint == "`--over` varies parameters");
 }
 
 TEST_CASE("E631: an unknown dimension") {

@@ -51,6 +51,45 @@ TEST_CASE("the scene's ranges narrow the model's, and given ranges narrow the sc
   CHECK(states->states[4].t == 2);
 }
 
+TEST_CASE("varied parameters are drawn for 16 states each, a quarter of them at each end") {
+  const Products products =
+      derived(read_model("pushed_pendulum"), "gravity", {}, {},
+              {make_source("command line", "m=0.01:100"), make_source("command line", "k=-1..1")});
+  const auto states =
+      sample_tradeoff_states(*products.checked, *products.program, {.count = 16 * 400});
+  REQUIRE(states);
+  const auto value = [&states](const std::string& name, std::size_t draw) {
+    const std::size_t parameter = name == "m" ? 0 : 3;
+    return states->states[states_of_draw * draw].parameters[parameter];
+  };
+  const auto share = [&value](const std::string& name, double low, double high) {
+    double count = 0;
+    for (std::size_t draw = 0; draw < 400; ++draw) {
+      const double x = value(name, draw);
+      if (low <= x && x <= high) ++count;
+    }
+    return count / 400;
+  };
+  // Four standard deviations of a share of 1/4 in 400 draws are 0.087.
+  CHECK(share("m", 0.01, 0.01 * (1 + 1e-12)) == Approx(0.25).margin(0.09));
+  CHECK(share("m", 100 * (1 - 1e-12), 100) == Approx(0.25).margin(0.09));
+  CHECK(share("m", 0.011, 1) == Approx(0.25).margin(0.09));
+  CHECK(share("k", -1, -1) == Approx(0.25).margin(0.09));
+  CHECK(share("k", -0.999, 0) == Approx(0.25).margin(0.09));
+  CHECK(share("m", 0.01, 100) == 1);
+  for (std::size_t i = 0; i < 160; ++i) {
+    const Arguments<double>& state = states->states[i];
+    CHECK(state.parameters == states->states[i - i % states_of_draw].parameters);
+    const double m = state.parameters[0];
+    // Parameters without a range are exact: l is sqrt(2) to more digits than double.
+    const long double expected = static_cast<long double>(m) * 9.81L * std::sqrt(2.0L) *
+                                 std::sin(static_cast<long double>(state.q[0]));
+    const auto& [high, low] = states->exact[i].front();
+    CHECK(std::abs(static_cast<long double>(high) + static_cast<long double>(low) - expected) <=
+          1e-17L * static_cast<long double>(m));
+  }
+}
+
 TEST_CASE("E521: an output without a value at most states") {
   const Products products = derived(model_text("root", R"toml([[coordinate]]
 name = "x"
