@@ -39,6 +39,7 @@ struct DesignRequest {
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
   std::vector<SourcePointer> over = {};  ///< SceneOptions::over
+  SourcePointer log = {};  ///< source of a StateLog with the states; null: states are drawn
 };
 
 /// The model and scene of a request, reduced to its output. If the request names no output, the
@@ -59,7 +60,7 @@ struct MeasuredTable {
 
 /// Costs and errors of the designs of one output. If the scene sets `trigonometry`, the designs
 /// vary in this dimension, too. If request.output is empty, warnings of the model are among the
-/// diagnostics. Errors: E601, E603, E630, E631, E633, E644, E645, E704, and the errors of the
+/// diagnostics. Errors: E601, E603, E630, E631, E633, E644, E645, E650, E704, and the errors of the
 /// pipeline.
 [[nodiscard]] Result<MeasuredTable> measure_designs(const DesignRequest& request,
                                                     const BenchOptions& process);

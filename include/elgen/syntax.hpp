@@ -211,8 +211,10 @@ struct EntryRow {
 [[nodiscard]] Result<ExpressionSyntax> parse_expression(const SourcePointer& source,
                                                         const Limits& limits);
 
-/// The spans of the words of all `options`. Words are separated by commas outside brackets; spaces
-/// around a word are excluded.
+/// The parts of `text` between commas outside brackets, without the spaces around each part.
+[[nodiscard]] std::vector<Span> split_at_commas(const Span& text);
+
+/// split_at_commas() of all `options`.
 [[nodiscard]] std::vector<Span> option_words(const std::vector<SourcePointer>& options);
 
 /// The words of options as keys of a table: NAME=VALUE; for expression_or_list also NAME=[A, B];

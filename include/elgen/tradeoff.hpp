@@ -15,6 +15,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "elgen/certificate.hpp"
@@ -127,10 +128,24 @@ struct TradeoffStates {
   std::uint64_t seed = 1;       ///< seed of the search for worse states
 };
 
-/// The number of states and their seed.
+/// The states in a log of a run: rows[i][k] is the value of leaves[k], a kind and a number.
+struct StateLog {
+  std::vector<std::pair<Opcode, std::uint32_t>> leaves = {};
+  std::vector<std::vector<double>> rows = {};
+};
+
+/// Reads a CSV table: a line of names, then lines of numbers. The names are leaves of a state as
+/// models write them, E, and multipliers; all coordinates and rates are required. E650: a wrong or
+/// missing name, a wrong number or count of numbers, or no row.
+[[nodiscard]] Result<StateLog> read_state_log(const SourceText& source, const Model& model);
+
+/// The number of states and their seed. The samples with the seeds 1 to `samples` together have the
+/// rows of `log`, spread evenly; without rows, all states are drawn.
 struct TradeoffSampling {
   std::size_t count = 1000;
   std::uint64_t seed = 1;
+  StateLog log = {};
+  std::size_t samples = 1;
 };
 
 /// The number of successive states with the same values of Numerics::varied_parameters: enough for
@@ -138,6 +153,7 @@ struct TradeoffSampling {
 inline constexpr std::size_t states_of_draw = 16;
 
 /// Draws states inside the ranges of the model; Numerics::ranges replace ranges of the same name.
+/// Leaves in the log have the values of its rows, and no range.
 /// Draws Numerics::varied_parameters: a quarter of the values at each end of the range, the others
 /// between the ends, log-uniform if the range is positive, else uniform. Other parameters are
 /// exact. Evaluates the first function of `program` at these states, with 60 digits. E521: the

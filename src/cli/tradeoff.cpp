@@ -36,6 +36,7 @@ struct TradeoffOptions {
   DesignChoices choices = {};
   std::vector<SourcePointer> ranges = {};
   std::vector<SourcePointer> over = {};  ///< ranges of parameters
+  std::string states_file = {};          ///< log of a run; empty: states are drawn
   TradeoffOutput output = {};
 };
 
@@ -61,8 +62,8 @@ Diagnostics no_design_errors(const TradeoffTable& table, double max_error) {
 }
 
 /// Picks the cheapest row within --max-error; E632 if there is none. If --write-scene is set,
-/// appends the scene of the row to `files`. If the rows are designs of an output, the scene also
-/// requires this `max_error`.
+/// appends the scene of the row to `files`. If the rows are designs of an output and their states
+/// are drawn, as in `verify`, the scene also requires this `max_error`.
 ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
                     const PipelineSources& inputs, const TradeoffTable& table,
                     std::vector<OutputFile>& files) {
@@ -76,7 +77,7 @@ ExitCode choose_row(const GlobalOptions& global, const TradeoffOptions& options,
   if (!base) return report(global, base.diagnostics);
   const std::string path = model_path(inputs, output.scene_file);
   DesignSource from = base->design_source();
-  if (!row->design.step) from.max_error = output.max_error;
+  if (!row->design.step && options.states_file.empty()) from.max_error = output.max_error;
   files.push_back({output.scene_file, scene_text(from, row->design, path), ReplacePolicy::never});
   return ExitCode::success;
 }
@@ -123,8 +124,14 @@ Result<MeasuredTable> measure_with_progress(const GlobalOptions& global,
                              [&progress](const std::string& name) { progress.show_stage(name); },
                              [&global] { renew_time_limit(global.limits); }};
   if (options.time) return measure_runs({inputs, *options.time, options.lengths}, process);
-  return measure_designs(
-      {inputs, options.measured_output, options.choices, options.ranges, options.over}, process);
+  DesignRequest request{inputs, options.measured_output, options.choices, options.ranges,
+                        options.over};
+  if (!options.states_file.empty()) {
+    const Result<SourcePointer> log = read_source(options.states_file, global.limits);
+    if (!log) return log.diagnostics;
+    request.log = *log;
+  }
+  return measure_designs(request, process);
 }
 
 /// E913 if a scene should be written for a model on standard input: a scene names the file of its
@@ -199,7 +206,11 @@ void add_subject_options(CLI::App& command, TradeoffOptions& options) {
                     "range in which errors are measured: theta=-0.1..0.1");
   add_source_option(command, "--over", "NAME=LOW:HIGH", options.over,
                     "range of a parameter over which errors are measured: m=0.1:10");
-  for (const char* const option : {"--range", "--over"}) {
+  command
+      .add_option("--states", options.states_file,
+                  "log of a run, at whose rows errors are measured: run.csv of simulate")
+      ->type_name("FILE");
+  for (const char* const option : {"--range", "--over", "--states"}) {
     command.get_option(option)->excludes(time);
   }
 }

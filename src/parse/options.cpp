@@ -20,23 +20,6 @@ Span trim(Span span) {
   return span;
 }
 
-/// The parts between commas outside brackets.
-std::vector<Span> split_at_commas(const Span& text) {
-  std::vector<Span> words;
-  int depth = 0;
-  std::uint32_t begin = text.begin;
-  for (std::uint32_t i = text.begin; i < text.end; ++i) {
-    const char letter = text.source->text[i];
-    if (letter == '(' || letter == '[') ++depth;
-    if (letter == ')' || letter == ']') --depth;
-    if (letter != ',' || depth > 0) continue;
-    words.push_back(trim({text.source, begin, i}));
-    begin = i + 1;
-  }
-  words.push_back(trim({text.source, begin, text.end}));
-  return words;
-}
-
 class OptionReader {
  public:
   OptionReader(KeyType type, const Limits& limits) : type_(type), limits_(limits) {}
@@ -123,6 +106,22 @@ class OptionReader {
 };
 
 }  // namespace
+
+std::vector<Span> split_at_commas(const Span& text) {
+  std::vector<Span> words;
+  int depth = 0;
+  std::uint32_t begin = text.begin;
+  for (std::uint32_t i = text.begin; i < text.end; ++i) {
+    const char letter = text.source->text[i];
+    if (letter == '(' || letter == '[') ++depth;
+    if (letter == ')' || letter == ']') --depth;
+    if (letter != ',' || depth > 0) continue;
+    words.push_back(trim({text.source, begin, i}));
+    begin = i + 1;
+  }
+  words.push_back(trim({text.source, begin, text.end}));
+  return words;
+}
 
 std::vector<Span> option_words(const std::vector<SourcePointer>& options) {
   std::vector<Span> words;

@@ -159,16 +159,19 @@ class DesignBench {
   Diagnostics prepare_measurement(const Products& exact) {
     Result<TradeoffPlan> planned = plan_designs(*exact.checked, *exact.program, request_.choices);
     if (!planned) return planned.diagnostics;
+    Result<StateLog> log = StateLog();
+    if (request_.log != nullptr) log = read_state_log(*request_.log, exact.checked->model);
+    if (!log) return log.diagnostics;
     process_.on_stage("states");
     for (std::uint64_t seed = 1; seed <= sample_count; ++seed) {
-      Result<TradeoffStates> sample =
-          sample_tradeoff_states(*exact.checked, *exact.program, {states_of_sample, seed});
+      Result<TradeoffStates> sample = sample_tradeoff_states(
+          *exact.checked, *exact.program, {states_of_sample, seed, *log, sample_count});
       if (!sample) return sample.diagnostics;
       states_.insert(states_.end(), sample->states.begin(), sample->states.end());
       samples_.push_back(std::move(*sample));
     }
     table_.dimensions = planned->dimensions;
-    add_sentences();
+    add_sentences(log->rows.size());
     for (const PlannedDesign& each : planned->designs) {
       table_.rows.push_back({.values = each.values, .design = each.design});
     }
@@ -180,8 +183,13 @@ class DesignBench {
     return {};
   }
 
-  /// Says which parameters are not as in the file.
-  void add_sentences() {
+  /// Says which states and parameters are not as in the ranges and the file.
+  void add_sentences(std::size_t rows) {
+    if (rows > 0) {
+      table_.sentences.push_back(fmt::format("the states are {} of {} rows of {}, spread evenly",
+                                             std::min(rows, states_.size()), rows,
+                                             request_.log->path));
+    }
     if (request_.over.empty()) return;
     table_.sentences.push_back(
         fmt::format("parameters vary over {}: {} draws with {} states each",

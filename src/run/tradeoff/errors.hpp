@@ -26,6 +26,14 @@ namespace elgen {
   return std::abs(static_cast<double>(exact));
 }
 
+/// Sets leaf `number` of a kind.
+inline void set_leaf(Arguments<double>& leaves, Opcode kind, std::uint32_t number, double value) {
+  const auto visit = [&](Opcode each, std::uint32_t i, double& x) {
+    if (each == kind && i == number) x = value;
+  };
+  for_each_leaf(visit, leaves);
+}
+
 /// The largest |x*| of each field at the states of a trade-off with the same parameters: systems
 /// with other parameters have other magnitudes.
 class FieldScales {

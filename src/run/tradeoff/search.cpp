@@ -36,13 +36,6 @@ struct SearchedLeaf {
   double high;
 };
 
-void set_leaf(Arguments<double>& state, const SearchedLeaf& moving, double value) {
-  const auto visit = [&](Opcode kind, std::uint32_t number, double& x) {
-    if (kind == moving.kind && number == moving.number) x = value;
-  };
-  for_each_leaf(visit, state);
-}
-
 /// The leaves that the search varies: the function's leaves with a range, except parameters.
 std::vector<SearchedLeaf> searched_leaves(const Function& function, const TradeoffStates& states) {
   std::vector<SearchedLeaf> moving;
@@ -133,7 +126,7 @@ class ErrorSearch {
     Arguments<double> state = climb.state;
     const double from = leaf_of(state, number.kind, number.number);
     const double to = from + share * climb.step * (number.high - number.low);
-    set_leaf(state, number, std::clamp(to, number.low, number.high));
+    set_leaf(state, number.kind, number.number, std::clamp(to, number.low, number.high));
     normalize_quaternions(exact_.model, state);
     return state;
   }
@@ -160,7 +153,7 @@ class ErrorSearch {
       const std::size_t worse = errors[2 * k] >= errors[2 * k + 1] ? 2 * k : 2 * k + 1;
       const SearchedLeaf& number = searched_leaves_[k];
       if (errors[worse] <= climb.error) continue;
-      set_leaf(state, number, leaf_of(near[worse], number.kind, number.number));
+      set_leaf(state, number.kind, number.number, leaf_of(near[worse], number.kind, number.number));
     }
     normalize_quaternions(exact_.model, state);
     return state;

@@ -38,6 +38,19 @@ void draw_parameters(const Numerics& numerics, Sampler& draw, std::vector<double
   }
 }
 
+/// Sets the leaves in the log to the values of the row for state `number` of the sample.
+void set_logged_leaves(const Model& model, const TradeoffSampling& sampling, std::size_t number,
+                       Arguments<double>& state) {
+  const auto& [leaves, rows] = sampling.log;
+  if (rows.empty()) return;
+  const std::size_t place = sampling.samples * number + sampling.seed - 1;
+  const std::size_t row = place * rows.size() / (sampling.samples * sampling.count);
+  for (std::size_t k = 0; k < leaves.size(); ++k) {
+    set_leaf(state, leaves[k].first, leaves[k].second, rows[row % rows.size()][k]);
+  }
+  normalize_quaternions(model, state);
+}
+
 TwoDoubleNumber exact_number(const cln::cl_R& value) {
   const double high = to_double(value);
   return {high, to_double(value - exact_value(high))};
@@ -76,6 +89,10 @@ Result<TradeoffStates> sample_tradeoff_states(const CheckedModel& exact, const P
   result.seed = sampling.seed;
   result.low = map_leaves([](const Range& range) { return range.low; }, within);
   result.high = map_leaves([](const Range& range) { return range.high; }, within);
+  for (const auto& [kind, number] : sampling.log.leaves) {
+    set_leaf(result.low, kind, number, 0);
+    set_leaf(result.high, kind, number, 0);
+  }
   const std::size_t count = sampling.count;
   std::vector<double> parameters;
   for (std::size_t tried = 0; result.states.size() < count && tried < 2 * count; ++tried) {
@@ -85,6 +102,7 @@ Result<TradeoffStates> sample_tradeoff_states(const CheckedModel& exact, const P
       draw_parameters(exact.scene.numerics, draw, parameters);
     }
     state.parameters = parameters;
+    set_logged_leaves(exact.model, sampling, tried, state);
     auto entries = exact_entries(exact, program, state);
     if (!entries) continue;
     result.states.push_back(std::move(state));
@@ -93,9 +111,9 @@ Result<TradeoffStates> sample_tradeoff_states(const CheckedModel& exact, const P
   if (result.states.size() < count) {
     return Diagnostic{Code::E521,
                       {},
-                      fmt::format("{} has no value at most states inside the ranges",
+                      fmt::format("{} has no value at most states that were tried",
                                   quote_text(program.functions.front().name)),
-                      "`--range NAME=LOW..HIGH` narrows them"};
+                      "`--range NAME=LOW..HIGH` narrows the ranges"};
   }
   for (const Field& field : program.functions.front().fields) {
     result.field_sizes.push_back(field.entries.size());
