@@ -30,17 +30,14 @@ constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_di
 constexpr double near_distance = distances[2];
 constexpr double nearest_distance = distances[3];
 
-/// Unbounded coordinates u in exp(u) and log(u) are 1/2 to 1 times one of these values. Up to 16,
-/// exp(u) covers a few decades; up to 1024, most of the range of double.
-constexpr double remote_values[]{16, -16, 1024, -1024};
-
-/// For each coordinate: true if it occurs in an argument of a function that `is_sought`.
+/// For each coordinate: true if it occurs in an operand that `is_sought`: the first operand of a
+/// call or a root, the divisor of a quotient.
 template <class IsSought>
-std::vector<bool> coordinates_in_arguments(const Function& function, const IsSought& is_sought,
-                                           std::size_t coordinate_count) {
+std::vector<bool> coordinates_in_operands(const Function& function, const IsSought& is_sought,
+                                          std::size_t coordinate_count) {
   std::vector<std::uint32_t> arguments;
   for (const Instruction& i : function.instructions) {
-    if (i.opcode == Opcode::call && is_sought(i.function)) arguments.push_back(i.a);
+    if (is_sought(i)) arguments.push_back(i.opcode == Opcode::divide ? i.b : i.a);
   }
   const std::vector<bool> needed = needed_instructions(function, arguments);
   std::vector<bool> occurs(coordinate_count);
@@ -51,18 +48,21 @@ std::vector<bool> coordinates_in_arguments(const Function& function, const IsSou
   return occurs;
 }
 
-/// For each coordinate: true if it has no declared range and occurs in an exponential or a
-/// logarithm.
-std::vector<bool> unbounded_arguments(const Function& text, const Model& model) {
-  const auto is_exponential = [](FunctionId function) {
-    return function == FunctionId::exp || function == FunctionId::log;
+/// For each coordinate: true if its values may be remote, and it occurs in a call, a root or a
+/// divisor. In functions of rates, only exponentials and logarithms count: a potential in these
+/// functions has the form that was chosen for it alone.
+std::vector<bool> remote_coordinates(const Function& text, const Model& model) {
+  const bool is_moving = depends_on_motion(text);
+  const auto is_sought = [is_moving](const Instruction& i) {
+    const bool is_exponential = i.opcode == Opcode::call &&
+                                (i.function == FunctionId::exp || i.function == FunctionId::log);
+    if (is_moving) return is_exponential;
+    return i.opcode == Opcode::call || i.opcode == Opcode::square_root ||
+           i.opcode == Opcode::divide;
   };
-  const std::size_t count = model.coordinates.size();
-  std::vector<bool> result = coordinates_in_arguments(text, is_exponential, count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const bool has_range = declared_range(model, Opcode::coordinate, i).has_value();
-    if (has_range || model.coordinates[i].rotation) result[i] = false;
-  }
+  std::vector<bool> result = unbounded_coordinates(model);
+  const std::vector<bool> occurs = coordinates_in_operands(text, is_sought, result.size());
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] && occurs[i];
   return result;
 }
 
@@ -179,17 +179,17 @@ class PointMaker {
                                  [](double entry) { return std::isfinite(entry); });
   }
 
-  /// Adds remote points, which reveal two losses. A sum 1 + expm1(u) keeps no digit of a small
-  /// exp(u). A call log1p((a - b)/b) keeps no digit of log(a/b).
+  /// Adds remote points: without a range, a rewriting must not lose digits that the text keeps, as
+  /// 1 + expm1(u) does for exp(u) at u = -16, and sqrt(r^2 + x^2) - x at x = 1e4.
   void add_remote_points() {
-    const std::vector<bool> is_far = unbounded_arguments(text_, domain_.model);
-    if (std::find(is_far.begin(), is_far.end(), true) == is_far.end()) return;
-    for (const double distance : remote_values) {
-      Arguments<double> point = next_state();
-      for (std::size_t i = 0; i < is_far.size(); ++i) {
-        if (is_far[i]) point.q[i] = distance * sampler_.random_fraction();
+    const std::vector<bool> is_remote = remote_coordinates(text_, domain_.model);
+    if (std::find(is_remote.begin(), is_remote.end(), true) == is_remote.end()) return;
+    for (const double magnitude : remote_magnitudes) {
+      for (const double value : {magnitude, -magnitude}) {
+        Arguments<double> point = next_state();
+        sampler_.set_remote(value, is_remote, point.q);
+        add_point_in_range(std::move(point));
       }
-      add_point_in_range(std::move(point));
     }
   }
 

@@ -3,7 +3,7 @@
 // The recursive form of a function, called the text here, consists of derivatives of the typed
 // energies. E is the running error in u (accuracy/running_errors.hpp) of an entry x:
 //
-//     E > 64 max(E of the text, |x|)    the form is inaccurate in x; also if it has no value or its
+//     E > 16 max(E of the text, |x|)    the form is inaccurate in x; also if it has no value or its
 //                                       value differs from the value of the text
 //     E / max(least known E, |x|)       the loss: digits that another rewriting keeps
 //

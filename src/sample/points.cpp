@@ -25,6 +25,14 @@ std::vector<cln::cl_R> Sampler::vector(std::size_t size) {
   return numbers;
 }
 
+std::vector<bool> unbounded_coordinates(const Model& model) {
+  std::vector<bool> result;
+  for (const Coordinate& coordinate : model.coordinates) {
+    result.push_back(!coordinate.range && !coordinate.rotation && !is_angle(coordinate));
+  }
+  return result;
+}
+
 LeafValues<cln::cl_RA> Sampler::point(const LeafNames& leaves, PositiveParameters positive) {
   LeafValues<cln::cl_RA> result = sample_leaves(leaves, [this] { return number(); });
   for (std::uint32_t i = 0; i < result.parameters.size(); ++i) {
@@ -53,6 +61,15 @@ void Sampler::set_angles(CancellingAngles place, const std::vector<bool>& is_ang
     if (place == CancellingAngles::right) q[i] += (2 * half_turns + 1) * right_angle;
     if (place == CancellingAngles::straight) q[i] += 2 * half_turns * right_angle;
     if (place == CancellingAngles::equal) q[i] = common + away * 1e-3;
+  }
+}
+
+void Sampler::set_remote(double value, const std::vector<bool>& is_chosen, std::vector<double>& q) {
+  double turn = 1;
+  for (std::size_t i = 0; i < is_chosen.size(); ++i) {
+    if (!is_chosen[i]) continue;
+    q[i] = turn * value * random_fraction();
+    turn = random_sign();
   }
 }
 

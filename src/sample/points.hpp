@@ -30,6 +30,14 @@ inline constexpr CancellingAngles all_cancelling_angles[]{
     CancellingAngles::right, CancellingAngles::straight, CancellingAngles::equal,
     CancellingAngles::tiny};
 
+/// The largest magnitudes of coordinates without a range at remote states, with both signs. Up to
+/// 16, exp(x) covers a few decades; up to 1e3, most of the range of double. 1 + x^2 is x^2 at 1e8.
+inline constexpr double remote_magnitudes[]{1, 4, 16, 64, 1e3, 1e8};
+
+/// For each coordinate: true if it has no declared range, and is no angle and no component of a
+/// quaternion, so that its values may be remote.
+[[nodiscard]] std::vector<bool> unbounded_coordinates(const Model& model);
+
 /// A generator of random numbers, which are the same for a seed on every machine. A copy returns
 /// the same numbers as the original.
 class Sampler {
@@ -58,6 +66,9 @@ class Sampler {
   /// Sets the coordinates that are angles to values of the kind `place`.
   void set_angles(CancellingAngles place, const std::vector<bool>& is_angle,
                   std::vector<double>& q);
+  /// Sets the chosen coordinates to 1/2 to 1 times `value`: the first with its sign, all others
+  /// with any sign. They grow together, so that products and quotients of them become large, too.
+  void set_remote(double value, const std::vector<bool>& is_chosen, std::vector<double>& q);
 
  private:
   Random random_;

@@ -333,11 +333,33 @@ std::vector<SampledState<Scalar>> sample_states(const StateSpace& space,
   return states;
 }
 
+template <class Scalar>
+std::vector<SampledState<Scalar>> remote_states(const StateSpace& space, std::uint64_t seed) {
+  const std::vector<bool> is_unbounded = unbounded_coordinates(space.model);
+  if (std::ranges::find(is_unbounded, true) == is_unbounded.end()) return {};
+  const Ranges ranges = ranges_of(space);
+  Sampler draw(seed);
+  std::vector<SampledState<Scalar>> states;
+  for (const double magnitude : remote_magnitudes) {
+    for (const double value : {magnitude, -magnitude}) {
+      LeafValues<double> values = draw_in_ranges(space, ranges, draw);
+      draw.set_remote(value, is_unbounded, values.q);
+      if (states.size() % 2 != 0) {
+        for (auto* rates : {&values.v, &values.a, &values.u}) std::ranges::fill(*rates, 0.0);
+      }
+      states.push_back({Region::remote, {}, round_to_finite<Scalar>(values)});
+    }
+  }
+  return states;
+}
+
 template LeafValues<double> round_to_finite(const LeafValues<double>&);
 template LeafValues<float> round_to_finite(const LeafValues<double>&);
 template class StateSequence<double>;
 template class StateSequence<float>;
 template std::vector<SampledState<double>> sample_states(const StateSpace&, const SamplingOptions&);
 template std::vector<SampledState<float>> sample_states(const StateSpace&, const SamplingOptions&);
+template std::vector<SampledState<double>> remote_states(const StateSpace&, std::uint64_t);
+template std::vector<SampledState<float>> remote_states(const StateSpace&, std::uint64_t);
 
 }  // namespace elgen

@@ -54,6 +54,7 @@ void normalize_state_quaternions(const Model& model, State& state);
 enum class Region : std::uint8_t {
   nominal,    ///< uniform in the ranges; parameters have their values
   near_zero,  ///< as nominal, but near a zero of a typed sum (verify/states)
+  remote,     ///< as nominal, but coordinates without a range have magnitudes of up to 1e8
   small,      ///< magnitudes 1e-12 … 1e-3
   large,      ///< magnitudes 1e-8 … 1e8
   extreme,  ///< ends of ranges, denormals, large angles and rates, multiplied parameters, singular
@@ -129,5 +130,11 @@ class StateSequence {
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> sample_states(const StateSpace& space,
                                                               const SamplingOptions& sampling);
+
+/// States of Region::remote, every second at rest; none if all coordinates are bounded
+/// (unbounded_coordinates()).
+template <class Scalar>
+[[nodiscard]] std::vector<SampledState<Scalar>> remote_states(const StateSpace& space,
+                                                              std::uint64_t seed);
 
 }  // namespace elgen

@@ -59,6 +59,7 @@ std::vector<SampledState<Scalar>> verification_states(const SystemUnderTest& sub
   auto states = sample_states<Scalar>(subject, {count, options.seed, true});
   auto near_zeros = states_near_zeros<Scalar>(subject, {count, options.seed, true});
   for (auto& state : near_zeros) states.push_back(std::move(state));
+  for (auto& state : remote_states<Scalar>(subject, options.seed)) states.push_back(state);
   if (options.samples) return states;
   const std::size_t affordable = std::max<std::size_t>(effort.work / state_check_cost(subject), 1);
   if (states.size() <= affordable) return states;

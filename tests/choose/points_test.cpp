@@ -140,6 +140,21 @@ TEST_CASE("without a range exponentials and logarithms keep their digits at larg
   CHECK(digits_lost(ranged, "gravity", {1.25 + 1e-8}) < 64);
 }
 
+TEST_CASE("without a range no rewriting loses digits that the text keeps far from the origin") {
+  const std::string radius = "[parameters]\nr = { value = 0.3, assume = \"positive\" }\n";
+  const ChosenForms conjugate = line_with("0.07*r^2/(hypot(x, r) + x)", radius);
+  for (const double x : {1e4, 1e6, 1e8}) {
+    INFO(x);
+    CHECK(keeps_text(conjugate, "potential_energy", {x}));
+    CHECK(keeps_text(conjugate, "gravity", {x}));
+  }
+  const ChosenForms product = plane_with("(exp(x*y) - 1)^2");
+  for (const double y : {-15.0, -30.0, -40.0}) {
+    INFO(y);
+    CHECK(keeps_text(product, "gravity", {1, y}));
+  }
+}
+
 TEST_CASE("an exponential keeps its digits beyond the range of its coordinate", "[!shouldfail]") {
   const ChosenForms morse =
       line_with("2*(1 - exp(-a*(x - b)))^2", "range = [0.8, 2]\n[parameters]\na = 1.5\nb = 1.25\n");

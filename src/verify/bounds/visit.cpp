@@ -286,7 +286,8 @@ std::optional<Loss> StateCheck<Scalar>::measure_loss(const ComparedField& place)
 
 template <class Scalar>
 bool StateCheck<Scalar>::should_measure_loss(const ComparedField& place) const {
-  const bool is_inside = sample_.region == Region::nominal || sample_.region == Region::near_zero;
+  const bool is_inside = sample_.region == Region::nominal || sample_.region == Region::near_zero ||
+                         sample_.region == Region::remote;
   const bool is_looked_at = options_.loss_states == LossStates::everywhere ||
                             (options_.loss_states == LossStates::inside_ranges && is_inside);
   return is_looked_at && !place.is_remainder() && losses_.has_accurate_angles();
