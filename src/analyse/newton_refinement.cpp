@@ -50,21 +50,6 @@ std::vector<Real> directional_slopes(const Program& program, const Function& fun
 
 constexpr int most_steps = 200;
 
-/// Solves A x = b with A n x n, row-major; none if A is singular.
-std::optional<std::vector<Real>> solve_linear(const std::vector<Real>& matrix,
-                                              const std::vector<Real>& right_side) {
-  const std::size_t n = right_side.size();
-  std::vector<Real> both;
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < n; ++k) both.push_back(matrix[i * n + k]);
-    both.push_back(right_side[i]);
-  }
-  LargestPivot<Real> field;
-  const Echelon<LargestPivot<Real>> echelon(field, both, n + 1, n);
-  if (!echelon.is_defined() || echelon.rank() < n) return std::nullopt;
-  return echelon.solution();
-}
-
 }  // namespace
 
 std::vector<Real> position_slopes(const Model& model, const Program& program,

@@ -322,6 +322,22 @@ class LargestPivot : public FieldOperations<T> {
   std::vector<T> scales_;
 };
 
+/// Solves A x = b with A n x n, row-major; none if A is singular.
+template <class T>
+[[nodiscard]] std::optional<std::vector<T>> solve_linear(const std::vector<T>& matrix,
+                                                         const std::vector<T>& right_side) {
+  const std::size_t n = right_side.size();
+  std::vector<T> both;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) both.push_back(matrix[i * n + k]);
+    both.push_back(right_side[i]);
+  }
+  LargestPivot<T> field;
+  const Echelon<LargestPivot<T>> echelon(field, both, n + 1, n);
+  if (!echelon.is_defined() || echelon.rank() < n) return std::nullopt;
+  return echelon.solution();
+}
+
 /// Takes every pivot from the diagonal, whatever its size, and therefore computes D of L D L^T.
 /// Floating types may divide by 0, so every row of a square matrix has its pivot.
 template <class T>
