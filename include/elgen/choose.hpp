@@ -62,8 +62,9 @@ using SumZeros = std::vector<std::vector<double>>;
 
 /// Chooses the form of every function of `recursive`; `forms` are the closed forms of `recursive`.
 /// A form that avoids the loss of a quarter of the digits may cost a quarter more than the cheapest
-/// form. If `zeros` is not null, forms are also compared near the states `zeros`, and a form that
-/// keeps more digits may cost four times as much. E608: the demanded closed form is over budget.
+/// form. Forms are also compared at rest at domain.minima and near them. If `zeros` is not null,
+/// forms are also compared near the states `zeros`, and a form that keeps more digits may cost four
+/// times as much. E608: the demanded closed form is over budget.
 [[nodiscard]] Result<FormChoice> choose(const Program& recursive, const ClosedForms& forms,
                                         const Domain& domain, const Scene& scene,
                                         const SumZeros* zeros = nullptr);
@@ -79,6 +80,13 @@ using SumZeros = std::vector<std::vector<double>>;
 /// `recursive` is the program from which the forms of `choice` were chosen.
 void solve_by_minors(const Program& parts, const Program& recursive, const Domain& domain,
                      std::size_t index, FormChoice& choice);
+
+/// The minima of V by find_minima() (sample/minima.hpp), for Domain::minima. `potential` has V and
+/// its first derivatives (PotentialEquations). None if the scene prefers speed, if V contains open
+/// values or at most one sum, or if V or its derivatives have more than 400 instructions.
+[[nodiscard]] std::vector<std::vector<double>> find_potential_minima(const Program& potential,
+                                                                     const Domain& domain,
+                                                                     const Scene& scene);
 
 /// The reader for whom a closed form is written.
 enum class Audience : std::uint8_t {
@@ -107,7 +115,8 @@ struct RewrittenPotential {
                                                                   const Scene& scene);
 
 /// `domain` for functions in which V is open (with_open_potential() of equations_of_motion.hpp). In
-/// each state, the values of V and its derivatives follow the open values of the model.
+/// each state, the values of V and its derivatives follow the open values of the model. The result
+/// has no minima, because no sum of V is left.
 [[nodiscard]] Domain with_open_potential(Domain domain, const Program& potential);
 
 /// Inserts V and its derivatives into copies of the functions of `open_choice`, in which V is open.

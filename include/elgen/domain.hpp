@@ -31,9 +31,12 @@ struct Domain {
   /// Random states in the ranges (sample/states.hpp); parameters have the values of the scene. The
   /// states are the same on every machine.
   std::vector<LeafValues<double>> states = {};
+  /// Coordinates q at which V of [energy] is stationary (find_potential_minima() of choose.hpp).
+  std::vector<std::vector<double>> minima = {};
 };
 
-/// The ranges of `space`, and eight random states inside them. The result refers to space.model.
+/// The ranges of `space`, and eight random states inside them; no minima. The result refers to
+/// space.model.
 [[nodiscard]] Domain domain_of(const StateSpace& space);
 
 }  // namespace elgen

@@ -30,6 +30,9 @@ constexpr double distances[]{107374182 * unit_of_distance, 10737418 * unit_of_di
 constexpr double near_distance = distances[2];
 constexpr double nearest_distance = distances[3];
 
+/// The distances of points at rest from a minimum of V. The last is near 1e-12.
+constexpr double distances_from_minima[]{0, near_distance, nearest_distance, 0x1p-40};
+
 /// For each coordinate: true if it occurs in an operand that `is_sought`: the first operand of a
 /// call or a root, the divisor of a quotient.
 template <class IsSought>
@@ -89,6 +92,7 @@ class PointMaker {
     }
     add_remote_points();
     if (is_small_solution(program_, text_)) add_scaled_copies();
+    for (const std::vector<double>& minimum : domain_.minima) add_points_at_minimum(minimum);
     return std::move(points_);
   }
 
@@ -221,6 +225,20 @@ class PointMaker {
       }
       add_point_in_range(std::move(point));
       add_point_in_range(std::move(other));
+    }
+  }
+
+  /// Adds points at rest at a minimum of V and near it, each along a random direction. All other
+  /// leaves are as in the search for the minimum.
+  void add_points_at_minimum(const std::vector<double>& minimum) {
+    for (const double distance : distances_from_minima) {
+      Arguments<double> point = point_at_rest(domain_.states.front());
+      for (std::size_t i = 0; i < minimum.size(); ++i) {
+        if (domain_.model.coordinates[i].rotation) continue;
+        const double away = sampler_.random_sign() * sampler_.random_fraction() * distance;
+        point.q[i] = minimum[i] + (minimum[i] == 0 ? 1 : minimum[i]) * away;
+      }
+      add_point_in_range(std::move(point));
     }
   }
 

@@ -1,4 +1,4 @@
-// points: the states, at most 118, at which all forms of a function are compared.
+// points: the states, at most 130, at which all forms of a function are compared.
 //
 // Some states are inside the ranges with nominal parameters. Others have parameters from their
 // declared bounds, or scaled parameters. Others are near zeros of sums in the recursive form, the
@@ -7,9 +7,9 @@
 //     before    F*sqrt((x - a)^2 + y^2)
 //     after     x near a and -a, x near 0, y near 0; both near 0; x near a and y near 0
 //
-// At states of rest, no rate, acceleration or input hides losses of a force. At remote states,
-// exponentials and logarithms of unbounded coordinates vanish or grow. Small solutions
-// (is_small_solution) have states near zeros a second time, with other parameters.
+// At states of rest, no rate, acceleration or input hides losses of a force. At minima of V, all
+// terms of a force vanish together. At remote states, coordinates without a range are large. Small
+// solutions (is_small_solution) have states near zeros a second time, with other parameters.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,8 @@ namespace elgen {
 [[nodiscard]] bool is_small_solution(const Program& program, const Function& function);
 
 /// The points at which all forms of a function are compared. `text` is the recursive form. Unless
-/// depends_on_motion(text), points near `zeros` are added. Coordinates are computed without libm,
+/// depends_on_motion(text), points near `zeros` are added. Each of domain.minima gives four points
+/// at rest: one at the minimum, and three near it. Coordinates are computed without libm,
 /// so that all machines get the same points. Cost: one pass over the instructions.
 [[nodiscard]] Points comparison_points(const Program& program, const Function& text,
                                        const Domain& domain, const SumZeros& zeros = {});
@@ -52,6 +53,13 @@ using NearPlaces = std::vector<NearPlace>;
 /// Parameters have the values of the first state of `domain`. Cost: one pass over `text`.
 [[nodiscard]] NearPlaces cancelling_places(const Program& program, const Function& text,
                                            const Domain& domain, std::size_t most);
+
+/// The coordinates that `function` loads, in the order of its instructions.
+[[nodiscard]] std::vector<std::uint32_t> coordinates_of(const Function& function);
+
+/// True if two or more logarithms and typed sums of coordinates may vanish at one place: sums that
+/// are no terms of other sums, and sums of squares.
+[[nodiscard]] bool has_several_sums(const Function& function);
 
 /// The zeros of logarithms and of typed sums, in all functions without rates. A sum of squares
 /// vanishes if all its squares do. For the base r of each square in turn, a state q is projected

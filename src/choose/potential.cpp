@@ -1,13 +1,16 @@
-// The potential energy in one form. Chooses which typed sums stay unexpanded ("whole"), and inserts
-// V into the functions whose forms were chosen with V as a leaf.
+// The potential energy in one form, and its minima. Chooses which typed sums stay unexpanded
+// ("whole"), and inserts V into the functions whose forms were chosen with V as a leaf.
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "choose/finish.hpp"
 #include "choose/text_errors.hpp"
 #include "elgen/choose.hpp"
 #include "elgen/evaluate.hpp"
+#include "numbers/exact_number.hpp"
 #include "program/network/instructions.hpp"
+#include "sample/minima.hpp"
 
 namespace elgen {
 namespace {
@@ -19,6 +22,11 @@ constexpr std::size_t most_expanded_sums = 16;
 /// chains of springs, no closed form is chosen, and the search would take as long as all other
 /// functions.
 constexpr std::size_t longest_potential = 1'500;
+
+/// The largest number of instructions of V, and of its first derivatives. In 64 digits, 400
+/// instructions take about 0.1 ms, and a search for three coordinates evaluates them at most 1300
+/// times.
+constexpr std::size_t longest_searched = 400;
 
 /// A choice of whole sums that keeps no more digits than the best choice must save a fifth of the
 /// cost of the best choice.
@@ -222,6 +230,38 @@ std::vector<std::uint32_t> dependent_entries(const Function& function, std::uint
 
 }  // namespace
 
+std::vector<std::vector<double>> find_potential_minima(const Program& potential,
+                                                       const Domain& domain, const Scene& scene) {
+  const Model& model = domain.model;
+  const Function& energy = potential.functions[0];
+  const Function& derivatives = potential.functions[1];
+  std::vector<std::uint32_t> variables = coordinates_of(energy);
+  std::ranges::sort(variables);
+  const std::size_t length = std::max(energy.instructions.size(), derivatives.instructions.size());
+  // After the derivatives by coordinates, there may be one by t.
+  const bool is_searched = scene.numerics.prefer != Preference::speed &&
+                           model.open_values.empty() && length <= longest_searched &&
+                           has_several_sums(energy) && entry_count(derivatives) >= variables.size();
+  if (!is_searched) return {};
+  std::vector<std::uint32_t> searched;
+  for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {
+    const bool matters = !model.constraints.empty() || std::ranges::binary_search(variables, i);
+    if (matters && !model.coordinates[i].rotation) searched.push_back(i);
+  }
+  Arguments<Real> state =
+      map_leaves([](double x) { return Real(exact_value(x)); }, domain.states.front());
+  const auto values_at = [&](const std::vector<Real>& q) -> std::optional<PotentialValues> {
+    state.q = q;
+    PotentialValues values{evaluate(potential, energy, state).front()};
+    const std::vector<Real> all = evaluate(potential, derivatives, state);
+    std::vector<Real> slopes(q.size());
+    for (std::size_t k = 0; k < variables.size(); ++k) slopes[variables[k]] = all[k];
+    for (const std::uint32_t i : searched) values.slopes.push_back(slopes[i]);
+    return values;
+  };
+  return find_minima(values_at, searched, domain);
+}
+
 std::optional<RewrittenPotential> rewrite_potential(const Program& potential, const Domain& domain,
                                                     const Scene& scene) {
   std::size_t length = 0;
@@ -252,6 +292,7 @@ Domain with_open_potential(Domain domain, const Program& potential) {
     state.f.insert(state.f.end(), values.begin(), values.end());
   }
   domain.ranges.f.resize(domain.states.front().f.size(), Range{});
+  domain.minima.clear();
   return domain;
 }
 

@@ -73,14 +73,6 @@ class ResidualGroups {
   const Function& function_;
 };
 
-std::vector<std::uint32_t> coordinates_of(const Function& function) {
-  std::vector<std::uint32_t> coordinates;
-  for (const Instruction& i : function.instructions) {
-    if (i.opcode == Opcode::coordinate) coordinates.push_back(i.a);
-  }
-  return coordinates;
-}
-
 /// Finds a state at which all entries of a function vanish.
 class ZeroProjection {
  public:
@@ -223,6 +215,21 @@ std::vector<Arguments<double>> scan_starts(const Program& program, const Functio
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> coordinates_of(const Function& function) {
+  std::vector<std::uint32_t> coordinates;
+  for (const Instruction& i : function.instructions) {
+    if (i.opcode == Opcode::coordinate) coordinates.push_back(i.a);
+  }
+  return coordinates;
+}
+
+bool has_several_sums(const Function& function) {
+  const std::vector<std::vector<std::uint32_t>> groups = ResidualGroups(function).groups;
+  return std::ranges::count_if(groups, [&](const std::vector<std::uint32_t>& residuals) {
+           return !coordinates_of(with_entries(function, residuals)).empty();
+         }) > 1;
+}
 
 SumZeros find_sum_zeros(const Program& program, const Domain& domain) {
   SumZeros zeros;

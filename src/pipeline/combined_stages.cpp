@@ -50,18 +50,30 @@ Result<FormChoice> choose_open_forms(const ChoiceInput& input,
   return choose(*open, present(*open), with_open_potential(domain, potential.program), scene);
 }
 
-/// Derives V as a separate function. If V gets another form, inserts this form into all functions.
-Diagnostics add_potential(const ChoiceInput& input, const Domain& domain, FormChoice& choice) {
+/// V of [energy] and its derivatives by `variables`. No functions if V has no equations
+/// (derive_potential()).
+struct SeparatePotential {
+  std::vector<GiNaC::ex> variables = {};
+  Program program = {};
+};
+
+Result<SeparatePotential> derive_separate_potential(const ChoiceInput& input) {
   const bool has_second = std::ranges::any_of(
       input.scene.outputs,
       [](const OutputRequest& request) { return output_row(request.kind).differentiates; });
   const auto derived = derive_potential(input.lagrangian, has_second);
-  if (!derived) return {};
+  if (!derived) return SeparatePotential{};
   Result<Program> lowered = lower(derived->equations, derived->requests, input.limits);
   if (!lowered) return lowered.diagnostics;
-  const auto potential = rewrite_potential(cancel(std::move(*lowered)), domain, input.scene);
+  return SeparatePotential{derived->variables, cancel(std::move(*lowered))};
+}
+
+/// If V gets another form, inserts this form into all functions.
+Diagnostics add_potential(const ChoiceInput& input, const SeparatePotential& separate,
+                          const Domain& domain, FormChoice& choice) {
+  const auto potential = rewrite_potential(separate.program, domain, input.scene);
   if (!potential) return {};
-  Result<FormChoice> open = choose_open_forms(input, derived->variables, *potential, domain);
+  Result<FormChoice> open = choose_open_forms(input, separate.variables, *potential, domain);
   if (!open) return open.diagnostics;
   insert_potential(*potential, *open, domain, choice);
   return {};
@@ -84,10 +96,14 @@ void add_solutions(const ChoiceInput& input, const Program& recursive, const Dom
 /// Chooses the forms of a program's functions.
 Result<FormChoice> choose_program_forms(const ChoiceInput& input, const Program& recursive,
                                         const ClosedForms& forms) {
-  const Domain domain = domain_of({input.model, input.scene, recursive.leaves});
+  Domain domain = domain_of({input.model, input.scene, recursive.leaves});
+  const Result<SeparatePotential> potential = derive_separate_potential(input);
+  if (!potential) return potential.diagnostics;
+  const bool has_potential = !potential->program.functions.empty();
+  if (has_potential) domain.minima = find_potential_minima(potential->program, domain, input.scene);
   Result<FormChoice> choice = choose(recursive, forms, domain, input.scene);
-  if (!choice) return choice;
-  Diagnostics errors = add_potential(input, domain, *choice);
+  if (!choice || !has_potential) return choice;
+  Diagnostics errors = add_potential(input, *potential, domain, *choice);
   if (!errors.empty()) return errors;
   add_solutions(input, recursive, domain, *choice);
   return choice;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -121,6 +122,43 @@ TEST_CASE("comparison points of functions with rates include states at rest") {
   };
   CHECK(std::ranges::count_if(points("inverse_dynamics"), is_resting) >= 5);
   CHECK(points("inverse_dynamics").size() <= 66);
+}
+
+TEST_CASE("each minimum of V gives four points at rest, one of them exactly there") {
+  const ChosenForms model = plane_with("(x - 1)^2*(y - 0.3)^2");
+  const Program& program = model.recursive;
+  Domain domain = domain_of({model.checked.model, model.checked.scene, program.leaves});
+  for (const char* name : {"inverse_dynamics", "gravity"}) {
+    INFO(name);
+    const Function& function = program.functions[number_of(model, name)];
+    domain.minima.clear();
+    const std::size_t before = comparison_points(program, function, domain).size();
+    domain.minima = {{0.75, -0.25}};
+    const Points points = comparison_points(program, function, domain);
+    REQUIRE(points.size() == before + 4);
+    CHECK(points[before].q == domain.minima.front());
+    double distance = 1;
+    for (std::size_t i = before; i < points.size(); ++i) {
+      CHECK(points[i].v == std::vector<double>(2));
+      CHECK(points[i].a == std::vector<double>(2));
+      const double x = std::abs(points[i].q[0] - 0.75);
+      CHECK(x < distance);
+      distance = i == before ? 1e-3 : x / 1e3;
+    }
+  }
+}
+
+TEST_CASE("the code keeps the digits of V where all sums vanish together") {
+  const ChosenForms rest = plane_with(
+      "1/2*k*(sqrt((x - a)^2 + y^2) - l)^2 + J*(1 - cos(y)) + J*(cosh(x - a - l) - 1)",
+      "[parameters]\na = { value = 0.5, assume = \"positive\" }\n"
+      "l = { value = 0.3, assume = \"positive\" }\nk = { value = 9, assume = \"positive\" }\n"
+      "J = { value = 2, assume = \"positive\" }\n");
+  // sqrt((x - a)^2 + y^2) - l itself loses 8 of the 16 digits; 1 - cos(y) would lose all.
+  for (const char* name : {"potential_energy", "gravity", "inverse_dynamics"}) {
+    INFO(name);
+    CHECK(digits_lost(rest, name, {0.8 + 3e-9, 1e-8}) < 1e10);
+  }
 }
 
 TEST_CASE("the force of two equal sides is accurate at small angles between them") {
