@@ -53,7 +53,7 @@ void normalize_state_quaternions(const Model& model, State& state);
 
 enum class Region : std::uint8_t {
   nominal,    ///< uniform in the ranges; parameters have their values
-  near_zero,  ///< as nominal, but near a zero of a typed sum (verify/states)
+  near_zero,  ///< as nominal, but near a minimum of V or a zero of a typed sum (verify/states)
   remote,     ///< as nominal, but coordinates without a range have magnitudes of up to 1e8
   small,      ///< magnitudes 1e-12 … 1e-3
   large,      ///< magnitudes 1e-8 … 1e8

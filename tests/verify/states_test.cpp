@@ -55,7 +55,8 @@ bool is_at_rest(const SampledState<double>& state) {
 TEST_CASE("typed sums vanish together at states with and without motion") {
   for (const std::string V :
        {"(x - 1)^2 + (y - 0.3)^2", "(x - y)^2 + (y - z)^2", "1 - cos(x - 2*y)", "x*y - 1 + z/2",
-        "2.25 + 2.25 - 2*1.5*1.5*cos(z)"}) {
+        "2.25 + 2.25 - 2*1.5*1.5*cos(z)",
+        "4.5*(sqrt((x - 0.5)^2 + y^2) - 0.3)^2 + 2*(1 - cos(y)) + 2*(cosh(x - 0.8) - 1)"}) {
     INFO(V);
     const System system = ranged(V);
     CHECK(states_below(system, 1e-3).size() >= 2);
@@ -65,6 +66,31 @@ TEST_CASE("typed sums vanish together at states with and without motion") {
     CHECK_FALSE(std::ranges::all_of(nearest, is_at_rest));
     CHECK(states_below<float>(system, 1e-3).size() >= 2);
   }
+}
+
+TEST_CASE("states approach a place at which V is not 0 but all forces vanish") {
+  // The potential of a mass on a spring: it rests at x = 1 + 9.81/40.
+  const System system = ranged("20*(sqrt(x^2 + y^2) - 1)^2 - 9.81*x + (z - 2)^2");
+  const auto states = states_near_zeros<double>(system.subject(), {16, 1, true});
+  const auto is_near = [](const SampledState<double>& state) {
+    const std::vector<double>& q = state.values.q;
+    return std::abs(q[0] - 1.24525) < 1e-7 && std::abs(q[1]) < 1e-7 && std::abs(q[2] - 2) < 1e-7;
+  };
+  CHECK(std::ranges::count_if(states, is_near) >= 4);
+  const auto others = states_near_zeros<double>(system.subject(), {16, 2, true});
+  CHECK(std::ranges::count_if(others, is_near) >= 4);
+  CHECK(states.front().values.q != others.front().values.q);
+}
+
+TEST_CASE("a constrained model is approached at rest on its constraints") {
+  ModelBuilder builder;
+  builder.coordinate("x").coordinate("y").T("(x_d^2 + y_d^2)/2").V("9.81*y + 1 - cos(x)");
+  builder.constraint("x^2 + y^2 - 1");
+  const System system = system_of(builder.model, "");
+  const auto states = states_near_zeros<double>(system.subject(), {16, 1, true});
+  CHECK(std::ranges::count_if(states, [](const SampledState<double>& state) {
+          return std::abs(state.values.q[0]) < 1e-3 && std::abs(state.values.q[1] + 1) < 1e-3;
+        }) >= 6);
 }
 
 TEST_CASE("states near zeros are inside the ranges and at most as many as random ones") {

@@ -1,15 +1,17 @@
 // Finds zeros of sums along one coordinate: minimises |sum| on finer and finer grids. This finds
-// zeros with and without a change of sign.
+// zeros with and without a change of sign. V and its slopes at minima come from the oracle.
 #include "verify/states/near_zeros.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <type_traits>
 #include <utility>
 
 #include "elgen/references.hpp"
+#include "sample/minima.hpp"
 
 namespace elgen {
 namespace {
@@ -20,6 +22,9 @@ constexpr std::size_t distances = 3;
 constexpr std::size_t evaluations_per_state = 256;
 /// Limit of evaluations times the model's expressions: about a second.
 constexpr std::size_t most_work = 1 << 20;
+
+/// find_minima() uses at most five drawn starts.
+constexpr std::size_t drawn_starts = 5;
 
 constexpr int cells = 16;
 constexpr int grids = 18;  ///< each 8 times finer than the last; 8^-18 is less than u of a double
@@ -68,12 +73,10 @@ class NearZeroSampler {
 
   std::vector<SampledState<double>> sample() {
     const std::vector<PositionSum> sums = position_sums(subject_.model);
-    Arguments<double> common = draw_in_ranges(subject_, ranges_, sampler_);
-    std::set<std::uint32_t> held;
-    for (const PositionSum& sum : sums) move_to_common_zero(sum, common, held);
-    // Every second state is at rest. Because the number of distances is odd, each distance has a
-    // state at rest in one of the two rounds, and a moving state in the other round.
-    for (int i = 0; i < 2 && !held.empty(); ++i) add_states_near(common, held);
+    std::set<std::uint32_t> all;
+    for (const PositionSum& sum : sums) all.insert(sum.coordinates.begin(), sum.coordinates.end());
+    // The zeros of a single sum along its coordinates suffice.
+    if (sums.size() > 1 && subject_.model.open_values.empty()) add_states_near_minima(all);
     for (const PositionSum& sum : sums) {
       for (const std::uint32_t coordinate : sum.coordinates) {
         if (states_.size() >= max_states_) break;
@@ -118,27 +121,51 @@ class NearZeroSampler {
     return largest > 0 && smallest <= zero_threshold * largest;
   }
 
-  /// Moves `common` to a zero of one more sum, by a coordinate that is not in `held`. Then adds the
-  /// coordinates of the sum to `held`.
-  void move_to_common_zero(const PositionSum& sum, Arguments<double>& common,
-                           std::set<std::uint32_t>& held) {
-    Arguments<double> at = common;
-    for (auto c = sum.coordinates.rbegin(); c != sum.coordinates.rend(); ++c) {
-      if (held.contains(*c) || !move_to_zero(sum, *c, at)) continue;
-      common = at;
-      held.insert(sum.coordinates.begin(), sum.coordinates.end());
-      return;
+  /// Adds states near minima of V. The search may use half of the evaluations, and starts at other
+  /// states than the choice of forms.
+  void add_states_near_minima(const std::set<std::uint32_t>& coordinates) {
+    const Model& model = subject_.model;
+    Domain domain{model, ranges_};
+    for (std::size_t i = 0; i < drawn_starts; ++i)
+      domain.states.push_back(draw_in_ranges(subject_, ranges_, sampler_));
+    Arguments<double> at = domain.states.front();
+    State state = exact_state(subject_, at);
+    evaluations_left_ /= 2;
+    std::size_t left = evaluations_left_ / (coordinates.size() + 1);
+    const auto values_at = [&](const std::vector<Real>& q) -> std::optional<PotentialValues> {
+      if (left == 0) return std::nullopt;
+      --left;
+      for (const std::uint32_t i : coordinates) state.q[i] = q[i].value();
+      const auto potential = oracle_values(model, {.kind = OutputKind::potential_energy}, state);
+      const auto gravity = oracle_values(model, {.kind = OutputKind::gravity}, state);
+      if (!potential || !gravity) return std::nullopt;
+      PotentialValues values{Real(potential->front())};
+      for (const std::uint32_t i : coordinates)
+        values.slopes.emplace_back((*gravity)[model.coordinates[i].velocity]);
+      return values;
+    };
+    for (std::vector<double>& minimum :
+         find_minima(values_at, {coordinates.begin(), coordinates.end()}, domain)) {
+      at.q = std::move(minimum);
+      // Minima may be outside the default range of a coordinate without a declared range.
+      for (const std::uint32_t i : coordinates)
+        ranges_.q[i] = {std::min(ranges_.q[i].low, at.q[i]), std::max(ranges_.q[i].high, at.q[i])};
+      // Every second state is at rest. Because the number of distances is odd, each distance has a
+      // state at rest in one of the two rounds, and a moving state in the other round.
+      for (int i = 0; i < 2 && states_.size() < max_states_ / 2; ++i)
+        add_states_near(at, coordinates, sampler_.uniform({0, 1}));
     }
   }
 
   /// Adds a state at each distance from the zero. Each coordinate moves by a different fraction, so
-  /// that equal coordinates become different.
-  void add_states_near(const Arguments<double>& zero, const std::set<std::uint32_t>& coordinates) {
+  /// that equal coordinates become different; `direction` in [0, 1) changes all fractions.
+  void add_states_near(const Arguments<double>& zero, const std::set<std::uint32_t>& coordinates,
+                       double direction = 0) {
     double distance = 1;
     for (std::size_t i = 0; i < distances; ++i) {
       distance *= ratio_;
       Arguments<double> values = zero;
-      double share = 0;
+      double share = direction;
       for (const std::uint32_t c : coordinates) {
         share = std::fmod(share + 0.618, 1.0);
         values.q[c] = nearby_value(zero.q[c], distance * (2 * share - 1), ranges_.q[c]);

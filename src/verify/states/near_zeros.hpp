@@ -1,6 +1,7 @@
 // States near zeros of the sums that a model's author typed: (x - 1)^2 + (y - 0.3)^2 near (1, 0.3).
-// Code that expanded such a sum loses digits near its zero. The states depend on the model and the
-// oracle only, not on the program.
+// Code that expanded such a sum loses digits near its zero. Near a minimum of V, several sums or
+// all forces may vanish together, and no term hides the lost digits of another. The states depend
+// on the model and the oracle only, not on the program.
 #pragma once
 
 #include <vector>
@@ -10,8 +11,8 @@
 
 namespace elgen {
 
-/// States at three distances from each zero, inside the ranges: first near a common zero of as many
-/// sums as possible, then near zeros of each sum along one coordinate. Every second state is at
+/// States at three distances from each place, inside the ranges: first near minima of V if there
+/// are several sums, then near zeros of each sum along one coordinate. Every second state is at
 /// rest, because random accelerations hide the digits that a holding force loses. At most
 /// min(sampling.count, 64) states.
 template <class Scalar>
