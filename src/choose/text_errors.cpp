@@ -14,10 +14,10 @@ namespace {
 
 /// A form may have this many times the error of the recursive form, the text: the rounding errors
 /// of a few more operations are accepted.
-constexpr long accurate_ratio = 16;
+constexpr long accurate_ratio = 64;
 /// An error computed in double is right within a factor of two. A ratio of two such errors up to
 /// 16/4 is therefore certainly at most 16.
-constexpr double certainly_accurate_ratio = 4;
+constexpr double certainly_accurate_ratio = 16;
 
 constexpr double unit_roundoff = 0x1p-53;
 /// Two values in double count as equal if their difference is at most this many times the sum of

@@ -102,8 +102,9 @@ Result<FormChoice> choose_program_forms(const ChoiceInput& input, const Program&
   const bool has_potential = !potential->program.functions.empty();
   if (has_potential) domain.minima = find_potential_minima(potential->program, domain, input.scene);
   Result<FormChoice> choice = choose(recursive, forms, domain, input.scene);
-  if (!choice || !has_potential) return choice;
-  Diagnostics errors = add_potential(input, *potential, domain, *choice);
+  if (!choice) return choice;
+  Diagnostics errors;
+  if (has_potential) errors = add_potential(input, *potential, domain, *choice);
   if (!errors.empty()) return errors;
   add_solutions(input, recursive, domain, *choice);
   return choice;

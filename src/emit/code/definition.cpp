@@ -174,7 +174,7 @@ class DefinitionWriter {
   /// count as crossing.
   std::vector<std::string> move_to_workspace(const std::vector<bool>& crosses) {
     std::vector<std::string> shared;
-    for (std::size_t at = 0; at < std::min<std::size_t>(crosses.size(), loop_.first); ++at) {
+    for (std::uint32_t at = 0; at < std::min<std::size_t>(crosses.size(), loop_.first); ++at) {
       if (!crosses[at]) continue;
       shared.push_back(fmt::format("{} {}", dialect_of(at).scalar_type(), names_[at]));
       names_[at] = loop_names_.values[at] = dialect_.workspace_member(names_[at]);

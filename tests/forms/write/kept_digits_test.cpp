@@ -8,6 +8,7 @@
 #include "numbers/exact_number.hpp"
 #include "numbers/random.hpp"
 #include "program/expression_leaves.hpp"
+#include "program/graph/factor.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -35,7 +36,7 @@ TEST_CASE("each cancelling difference has its rewriting") {
       KeptRow{"c*exp(a) - c", "c*expm1(a)"},
       KeptRow{"exp(a + b) - exp(b)", "tanh(1/2*a)*(exp(b) + exp(a + b))"},
       KeptRow{"log(1 + a)", "log1p(a)"},
-      KeptRow{"log(a + b) - log(b)", "2*asinh(1/2*(a/(sqrt(b)*sqrt(a + b))))"},
+      KeptRow{"log(a + b) - log(b)", "2*asinh(1/2*a/(sqrt(b)*sqrt(a + b)))"},
       KeptRow{"1 - cos(a)", "2*sin(1/2*a)^2"}, KeptRow{"cosh(a) - 1", "2*sinh(1/2*a)^2"},
       KeptRow{"1 - tanh(a)", "2*(1/(1 + exp(2*a)))"},
       KeptRow{"1 + tanh(a)", "2*(1/(1 + exp(-2*a)))"}, KeptRow{"1/(a - b) - 1/a", "b/(a*(a - b))"},
@@ -44,8 +45,8 @@ TEST_CASE("each cancelling difference has its rewriting") {
       KeptRow{"atan(a + b) - atan(a)", "atan2(b, 1 + a^2 + a*b)"},
       KeptRow{"sin(a + b) - sin(a)", "2*sin(1/2*b)*cos(1/2*(b + 2*a))"},
       KeptRow{"sin(a) - sin(b)", "2*sin(1/2*(a - b))*cos(1/2*(a + b))"},
-      KeptRow{"log(a) - log(b)", "2*asinh(1/2*((a - b)/(sqrt(a)*sqrt(b))))"},
-      KeptRow{"log(a/b)", "2*asinh(1/2*((a - b)/(b*sqrt(a/b))))"},
+      KeptRow{"log(a) - log(b)", "2*asinh(1/2*(a - b)/(sqrt(a)*sqrt(b)))"},
+      KeptRow{"log(a/b)", "2*asinh(1/2*(1/b)*(a - b)/sqrt(a*(1/b)))"},
       KeptRow{"log(cosh(a))", "log1p(2*sinh(1/2*a)^2)"}, KeptRow{"a - sin(a)", "a^3*stumpff(a, 3)"},
       KeptRow{"sinh(a) - a", "a^3*stumpff(a, -3)"},
       KeptRow{"cosh(a) - 1 - a^2/2", "a^4*stumpff(a, -4)"},
@@ -215,13 +216,15 @@ TEST_CASE("quotients of calls that overflow become calls that do not") {
                             std::pair{"b*sinh(a)^2/cosh(a)^3", "b*tanh(a)^2/cosh(a)"},
                             std::pair{"cosh(a)/sinh(a)", "1/tanh(a)"},
                             std::pair{"exp(a)/(1 + exp(a))", "1/(1 + exp(-a))"},
-                            std::pair{"exp(2*a)/(1 + exp(a))^2", "(1 + exp(-a))^(-2)"});
+                            std::pair{"exp(2*a)/(1 + exp(a))^2", "1/(1 + exp(-a))^2"});
   INFO(row.first);
-  CHECK(texts_of(expressions_of({row.first})).at(0) == row.second);
+  CHECK(texts_of(flatten(expressions_of({row.first}), FlattenedProducts::all_products)).at(0) ==
+        row.second);
 }
 
 TEST_CASE("rewriting gives up after a fixed number of sums") {
-  const auto text = expressions_of({"((a + b - 3/10)^2 + c^2)^(3/2) - ((a - 3/10)^2 + c^2)^(3/2)"});
+  const auto text = expressions_of({"((a + b - 3/10)^2 + c^2)*sqrt((a + b - 3/10)^2 + c^2) - "
+       "((a - 3/10)^2 + c^2)*sqrt((a - 3/10)^2 + c^2)"});
   const KeptDigits once = rewrite_to_keep_digits(text, SquareHandling::unfactored);
   const KeptDigits twice =
       rewrite_to_keep_digits(once.rewriting.value_or(text), SquareHandling::factored);
