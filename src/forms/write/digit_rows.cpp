@@ -145,6 +145,7 @@ class RuleMatcher : protected ReplacementBuilder {
       case RuleCondition::factored:
         return options_.squares == SquareHandling::factored;
       case RuleCondition::anchored:
+        if (has_only_parameters(*letters[0]) || has_only_parameters(*letters[1])) return true;
         return !has_branches(*letters[0]) && !has_branches(*letters[1]) &&
                (expands_to_parameter_term(*letters[0]) || expands_to_parameter_term(*letters[1]));
       case RuleCondition::computed:

@@ -206,11 +206,13 @@ bool GraphTermBuilder::has_parameter_term(SignedNode value) const {
   const std::vector<SignedNode> terms = graph_.node(value.node).kind == NodeKind::sum
                                             ? terms_of(value.node)
                                             : std::vector<SignedNode>{value};
-  return std::ranges::any_of(terms, [&](SignedNode term) {
-    return !contains_node(graph_, term.node, [&](NodeId id) {
-      const Node& node = graph_.node(id);
-      return node.kind == NodeKind::leaf && node.leaf != Opcode::parameter;
-    });
+  return std::ranges::any_of(terms, [&](SignedNode term) { return has_only_parameters(term); });
+}
+
+bool GraphTermBuilder::has_only_parameters(SignedNode value) const {
+  return !contains_node(graph_, value.node, [&](NodeId id) {
+    const Node& node = graph_.node(id);
+    return node.kind == NodeKind::leaf && node.leaf != Opcode::parameter;
   });
 }
 

@@ -72,6 +72,8 @@ class GraphTermBuilder {
   /// True if a term of `value` contains only parameters. If all other terms vanish, `value` is then
   /// not 0, so `value` may be a divisor.
   [[nodiscard]] bool has_parameter_term(SignedNode value) const;
+  /// True if `value` contains no leaf other than parameters.
+  [[nodiscard]] bool has_only_parameters(SignedNode value) const;
   /// True if the value contains a function with branches, or a root of a value that is not
   /// constant. The value may then vanish on one side of a branch, as |x| - x does.
   [[nodiscard]] bool has_branches(SignedNode value) const;

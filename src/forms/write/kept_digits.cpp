@@ -1,5 +1,6 @@
-// kept_digits: see kept_digits.hpp. Tries sums of powers, triangles, rows of digit_rows.def, pairs
-// of terms, and conjugates of roots, in this order. Logarithms are rewritten by log1p.
+// kept_digits: see kept_digits.hpp. Tries sums of powers, products of roots, triangles, rows of
+// digit_rows.def, pairs of terms, and conjugates of roots, in this order. Logarithms are rewritten
+// by log1p.
 #include "forms/write/kept_digits.hpp"
 
 #include <algorithm>
@@ -13,8 +14,6 @@
 namespace elgen {
 namespace {
 
-using cln::cl_RA;
-
 /// Longer sums are not rewritten in pairs.
 constexpr std::size_t most_terms_in_pairs = 24;
 /// Sums in a rewriting are rewritten again, up to this depth; (r^6 - s^6)/r^6 needs four levels.
@@ -23,83 +22,6 @@ constexpr int max_rewrite_depth = 6;
 /// The limit of sums to rewrite, nested ones included. The entries of models/ need at most 340;
 /// each takes up to 0.1 ms.
 constexpr std::size_t max_rewritten_sums = 600;
-
-/// root + rest = (root^2 - rest^2)/(root - rest)
-class ConjugateRewriter : GraphTermBuilder {
- public:
-  ConjugateRewriter(Graph& graph, RewriteOptions keeping)
-      : GraphTermBuilder(graph), keeping_(keeping) {}
-
-  /// Rewrites a sum in which exactly one term has a root, if root^2 - rest^2 has fewer terms than
-  /// root^2, or has squares to be factored.
-  std::optional<SignedNode> operator()(const std::vector<SignedNode>& terms) {
-    const auto is_root = [&](SignedNode term) { return has_single_root(term); };
-    if (std::ranges::count_if(terms, is_root) != 1) return std::nullopt;
-    const SignedNode root = *std::ranges::find_if(terms, is_root);
-    std::vector<SignedNode> others = terms;
-    std::erase(others, root);
-    return rewrite_by_conjugate(root, graph_.sum(others));
-  }
-
- private:
-  /// True if the term has exactly one square root as a factor.
-  [[nodiscard]] bool has_single_root(SignedNode term) const {
-    const ScaledTerm factors = split_term(term);
-    return 1 == std::ranges::count_if(factors.factors, [&](const Operand& factor) {
-             return factor.weight == 1 && graph_.node(factor.node).kind == NodeKind::square_root;
-           });
-  }
-
-  /// (root^2 - rest^2)/(root - rest). None if the numerator is too long, or if the numerator and
-  /// the divisor may vanish together: on one side of a branch, as in sqrt(x^2) + x.
-  std::optional<SignedNode> rewrite_by_conjugate(SignedNode root, SignedNode rest) {
-    // A number with the same sign as the root does not cancel the root.
-    if (graph_.is_rational(rest.node) && rest.is_negative == root.is_negative) return std::nullopt;
-    SignedNode raised = square_of_root(root);
-    SignedNode numerator = sum({raised, -square(rest)});
-    if (term_count(numerator) >= term_count(raised)) {
-      const auto long_raised = expanded_terms({raised});
-      const auto long_numerator = expanded_terms({raised, -square(rest)});
-      if (!long_raised || !long_numerator) return std::nullopt;
-      raised = graph_.sum(*long_raised);
-      numerator = graph_.sum(*long_numerator);
-      if (long_numerator->size() >= long_raised->size()) {
-        const auto better = keeping_.squares == SquareHandling::factored
-                                ? rewrite_sum(graph_, keeping_, numerator)
-                                : std::nullopt;
-        if (!better) return std::nullopt;
-        numerator = *better;
-      }
-    }
-    if (term_count(numerator) == 0 || has_branches(numerator)) return std::nullopt;
-    if (!has_parameter_term(raised) && !has_parameter_term(rest)) return std::nullopt;
-    return quotient(numerator, sum({root, -rest}));
-  }
-
-  /// (C sqrt(a + b))^2 = C^2 a + C^2 b
-  SignedNode square_of_root(SignedNode root) {
-    ScaledTerm term = split_term(root);
-    std::vector<Power> shared{{graph_.rational(term.coefficient), 2}};
-    SignedNode radicand = one();
-    for (const Operand& factor : term.factors) {
-      const Node node = graph_.node(factor.node);
-      if (factor.weight == 1 && node.kind == NodeKind::square_root) {
-        radicand = argument_of(node);
-      } else {
-        shared.push_back({{factor.node, false}, 2 * factor.weight});
-      }
-    }
-    const SignedNode common = graph_.product(shared);
-    if (graph_.node(radicand.node).kind != NodeKind::sum) return multiply(common, radicand);
-    std::vector<SignedNode> terms;
-    for (const SignedNode part : terms_of(radicand.node)) {
-      terms.push_back(multiply(common, negate_if(part, radicand.is_negative)));
-    }
-    return graph_.sum(terms);
-  }
-
-  RewriteOptions keeping_;
-};
 
 /// Rewrites one sum or logarithm in its graph.
 class SumRewriter : GraphTermBuilder {
@@ -113,8 +35,9 @@ class SumRewriter : GraphTermBuilder {
     const bool is_hidden = std::ranges::any_of(terms, is_bracket);
     std::optional<SignedNode> better;
     if (!is_hidden) better = factor_square_free(graph_, keeping_, terms);
+    if (!better) better = rewrite_by_conjugate(graph_, keeping_, terms, 2);
     if (!better) better = rewrite_terms(terms);
-    if (!better) better = ConjugateRewriter(graph_, keeping_)(terms);
+    if (!better) better = rewrite_by_conjugate(graph_, keeping_, terms, 1);
     if (!better && is_hidden) better = rewrite_triangle(terms);
     if (!better && is_hidden) better = rewrite_expanded_terms(terms);
     return better ? std::optional(negate_if(*better, value.is_negative)) : std::nullopt;
@@ -217,13 +140,14 @@ class SumRewriter : GraphTermBuilder {
   bool replace_once(std::vector<SignedNode>& terms) {
     if (replace_triangle(graph_, keeping_, terms)) return true;
     if (rewrite_terms_by_rule(graph_, keeping_, terms)) return true;
+    if (replace_roots(graph_, keeping_, terms)) return true;
     std::vector<ScaledTerm> parts;
     for (const SignedNode term : terms) parts.push_back(split_term(term));
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t k = i + 1; k < terms.size(); ++k) {
         if (is_plain_product(parts[i]) && is_plain_product(parts[k])) continue;
         std::optional<SignedNode> better = rewrite_pair(graph_, keeping_, parts, i, k);
-        if (!better) better = ConjugateRewriter(graph_, keeping_)({terms[i], terms[k]});
+        if (!better) better = rewrite_by_conjugate(graph_, keeping_, {terms[i], terms[k]}, 1);
         if (!better) continue;
         terms[i] = *better;
         terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(k));

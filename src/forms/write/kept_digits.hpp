@@ -33,9 +33,8 @@ struct KeptDigits {
 };
 
 /// Rewrites terms of sums, and arguments of logarithms and arc cosines, that may cancel. Uses the
-/// rows of digit_rows.def, kept_terms.hpp and, for a common factor C:
+/// rows of digit_rows.def, kept_terms.hpp and
 ///
-///     C sqrt(a) - b               (C^2 a - b^2)/(C sqrt(a) + b)   if that is shorter
 ///     log(1 + a), log(a/b)        log1p(a), 2 asinh((a - b)/b/(2 sqrt(a/b)))
 ///     (l + x)^2 - l^2             2 l x + x^2
 ///

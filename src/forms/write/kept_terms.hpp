@@ -1,5 +1,5 @@
 // kept_terms: rewritings of cancelling sums that a row of digit_rows.def cannot express:
-// triangles, pairs, sums of powers.
+// triangles, pairs, conjugates of roots, sums of powers.
 #pragma once
 
 #include <cstddef>
@@ -32,6 +32,22 @@ namespace elgen {
 [[nodiscard]] std::optional<SignedNode> rewrite_pair(Graph& graph, RewriteOptions keeping,
                                                      const std::vector<ScaledTerm>& terms,
                                                      std::size_t first, std::size_t second);
+
+/// Rewrites a sum by its conjugate if exactly one term is a product with `roots` square roots:
+///
+///     before    C sqrt(a) - b                      sqrt(a) sqrt(b) - c
+///     after     (C^2 a - b^2)/(C sqrt(a) + b)      (a b - c^2)/(sqrt(a) sqrt(b) + c)
+[[nodiscard]] std::optional<SignedNode> rewrite_by_conjugate(Graph& graph, RewriteOptions keeping,
+                                                             const std::vector<SignedNode>& terms,
+                                                             std::ptrdiff_t roots);
+
+/// Replaces terms of which two roots cancel one term together; false if there are none:
+///
+///     before    sqrt(l + x) + sqrt(l - x) - 2 sqrt(l)       sqrt(c^2 + x) + sqrt(c^2 + y) - 2 c
+///     after     -2 x^2/((sqrt(l + x) + sqrt(l - x)          x/(sqrt(c^2 + x) + c)
+///               + 2 sqrt(l)) (sqrt(l + x) sqrt(l - x) + l))   + sqrt(c^2 + y) - c
+[[nodiscard]] bool replace_roots(Graph& graph, RewriteOptions keeping,
+                                 std::vector<SignedNode>& terms);
 
 /// Factors a sum of 3 to 30 terms that has a repeated factor: a common divisor of the sum and of
 /// its derivative with respect to a coordinate or an exponential. Factors the whole sum, or only
