@@ -44,6 +44,13 @@ SignedNode GraphTermBuilder::multiply(SignedNode x, SignedNode y) {
   return product(term.coefficient * other.coefficient, term.factors);
 }
 
+SignedNode GraphTermBuilder::divide(SignedNode x, SignedNode y) {
+  ScaledTerm inverse = split_term(y);
+  inverse.coefficient = 1 / inverse.coefficient;
+  for (Operand& factor : inverse.factors) factor.weight = -factor.weight;
+  return multiply(x, product(inverse));
+}
+
 SignedNode GraphTermBuilder::sum(const std::vector<SignedNode>& values) {
   return graph_.sum(distribute_products(values));
 }
@@ -146,6 +153,7 @@ ScaledTerm GraphTermBuilder::split_term(SignedNode value) const {
   ScaledTerm term;
   if (value.is_negative) term.coefficient = -term.coefficient;
   append_power(term, value.node, 1);
+  std::erase_if(term.factors, [](const Operand& factor) { return factor.weight == 0; });
   return term;
 }
 

@@ -51,6 +51,8 @@ class GraphTermBuilder {
   std::optional<std::vector<SignedNode>> expanded_terms(const std::vector<SignedNode>& values,
                                                         std::size_t most = most_expanded_terms);
   SignedNode quotient(SignedNode x, SignedNode y) { return graph_.product({{x, 1}, {y, -1}}); }
+  /// x/y with nested products flattened, so that common factors cancel.
+  SignedNode divide(SignedNode x, SignedNode y);
   SignedNode call(FunctionId function, SignedNode x) { return graph_.call(function, {x}); }
   SignedNode multiply_by_two(SignedNode x) { return multiply(graph_.rational(2), x); }
   SignedNode square(SignedNode x) { return graph_.product({{x, 2}}); }

@@ -1,6 +1,6 @@
 // kept_digits: see kept_digits.hpp. Tries sums of powers, products of roots, triangles, rows of
-// digit_rows.def, pairs of terms, and conjugates of roots, in this order. Logarithms are rewritten
-// by log1p.
+// digit_rows.def, logarithms, pairs of terms, and conjugates of roots, in this order. Logarithms
+// are rewritten by log1p.
 #include "forms/write/kept_digits.hpp"
 
 #include <algorithm>
@@ -140,6 +140,7 @@ class SumRewriter : GraphTermBuilder {
   bool replace_once(std::vector<SignedNode>& terms) {
     if (replace_triangle(graph_, keeping_, terms)) return true;
     if (rewrite_terms_by_rule(graph_, keeping_, terms)) return true;
+    if (replace_logarithms(graph_, terms)) return true;
     if (replace_roots(graph_, keeping_, terms)) return true;
     std::vector<ScaledTerm> parts;
     for (const SignedNode term : terms) parts.push_back(split_term(term));

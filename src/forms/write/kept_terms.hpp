@@ -1,5 +1,5 @@
 // kept_terms: rewritings of cancelling sums that a row of digit_rows.def cannot express:
-// triangles, pairs, conjugates of roots, sums of powers.
+// triangles, pairs, conjugates of roots, logarithms, sums of powers.
 #pragma once
 
 #include <cstddef>
@@ -48,6 +48,13 @@ namespace elgen {
 ///               + 2 sqrt(l)) (sqrt(l + x) sqrt(l - x) + l))   + sqrt(c^2 + y) - c
 [[nodiscard]] bool replace_roots(Graph& graph, RewriteOptions keeping,
                                  std::vector<SignedNode>& terms);
+
+/// Replaces logarithms whose linear parts cancel other terms, with R(c) = c - 1 - log(c) written
+/// without cancellation; false if there are none:
+///
+///     before    a - log1p(a)    x/y - 1 - log(x/y)    (1 + a) log1p(a) - a     x log(x/y) - x + y
+///     after     R(1 + a)        R(x/y)                (1 + a) R(1/(1 + a))     x R(y/x)
+[[nodiscard]] bool replace_logarithms(Graph& graph, std::vector<SignedNode>& terms);
 
 /// Factors a sum of 3 to 30 terms that has a repeated factor: a common divisor of the sum and of
 /// its derivative with respect to a coordinate or an exponential. Factors the whole sum, or only

@@ -95,6 +95,9 @@ TEST_CASE("rewritten differences keep their digits near 0 in double") {
       NearZero{"cosh(a) - 1 - a^2/2", "a^4*stumpff(a, -4)"},
       NearZero{"exp(a) - 1 - a", "a^2*(stumpff(a, -2) + a*stumpff(a, -3))"},
       NearZero{"sqrt((2 + a)^2 + b^2) - 2", "(a*(4 + a) + b^2)/(sqrt((2 + a)^2 + b^2) + 2)"},
+      NearZero{"a - log1p(a)",
+               "log1p(a)*sqrt(1 + a)*(log1p(a)^2/4*stumpff(log1p(a)/2, -3) - expm1(-log1p(a)/2))"},
+      NearZero{"(1 + a)*log1p(a) + (1 - a)*log1p(-a)", "a*(log1p(a) - log1p(-a)) + log1p(-a^2)"},
       NearZero{"log((1 + a)/(1 - a))", "log1p(a) - log1p(-a)"});
   INFO(row.text);
   const auto from = expressions_of({row.text});

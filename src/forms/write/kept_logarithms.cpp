@@ -1,0 +1,107 @@
+// kept_logarithms: see kept_terms.hpp. K log(c) is K (c - 1) or K (1 - 1/c) and a remainder without
+// cancellation. It is written so if other terms of the sum cancel these linear terms.
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "forms/write/kept_terms.hpp"
+
+namespace elgen {
+namespace {
+
+class LogarithmRewriter : GraphTermBuilder {
+ public:
+  LogarithmRewriter(Graph& graph, const std::vector<SignedNode>& terms) : GraphTermBuilder(graph) {
+    for (const SignedNode term : terms) add_term(term);
+  }
+
+  /// The terms with all logarithms rewritten; none if the linear terms do not cancel. `is_inverse`:
+  /// the linear terms are K (1 - 1/c). `is_whole`: see split_argument().
+  std::optional<std::vector<SignedNode>> rewrite(bool is_inverse, bool is_whole) {
+    if (scales_.empty()) return std::nullopt;
+    std::vector<SignedNode> linear;
+    std::vector<SignedNode> result = others_;
+    for (const auto& [call, scale] : scales_) {
+      auto [above, below] = split_argument(call, is_whole);
+      if (graph_.is_zero(above.node)) return std::nullopt;
+      if (is_inverse) std::swap(above, below);
+      const SignedNode own = negate_if(scale, is_inverse);
+      linear.push_back(divide(multiply(own, short_sum({above, -below})), below));
+      result.push_back(-multiply(own, remainder(above, below, {call, is_inverse})));
+    }
+    const auto parts = expanded_terms(linear);
+    if (!parts) return std::nullopt;
+    for (const SignedNode part : *parts) {
+      if (graph_.is_zero(part.node)) continue;
+      const ScaledTerm opposite = split_term(-part);
+      const auto found = std::ranges::find_if(
+          result, [&](SignedNode other) { return are_equal_terms(split_term(other), opposite); });
+      if (found == result.end()) return std::nullopt;
+      result.erase(found);
+    }
+    return result;
+  }
+
+ private:
+  void add_term(SignedNode term) {
+    ScaledTerm parts = split_term(term);
+    const auto found = std::ranges::find_if(parts.factors, [&](const Operand& factor) {
+      const Node& node = graph_.node(factor.node);
+      return factor.weight == 1 && !graph_.is_constant(factor.node) &&
+             (is_call(node, FunctionId::log) || is_call(node, FunctionId::log1p));
+    });
+    if (found == parts.factors.end()) return others_.push_back(term);
+    const NodeId call = found->node;
+    parts.factors.erase(found);
+    const auto [known, is_new] = scales_.try_emplace(call, product(parts));
+    if (!is_new) known->second = graph_.sum({known->second, product(parts)});
+  }
+
+  /// c of log(c) or log1p(c - 1) as a dividend and a divisor; as c and 1 if `is_whole`.
+  std::pair<SignedNode, SignedNode> split_argument(NodeId call, bool is_whole) {
+    const bool is_log = is_call(graph_.node(call), FunctionId::log);
+    ScaledTerm top = split_term(argument_of(graph_.node(call)));
+    ScaledTerm bottom;
+    for (const Operand& factor : top.factors) {
+      if (!is_whole && factor.weight < 0) bottom.factors.push_back({factor.node, -factor.weight});
+    }
+    if (!is_whole) std::erase_if(top.factors, [](const Operand& x) { return x.weight < 0; });
+    const SignedNode below = product(bottom);
+    return {is_log ? product(top) : short_sum({product(top), below}), below};
+  }
+
+  /// b - L with L = log(1 + b) and w = sqrt(1 + b), for 1 + b = above/below. The largest measured
+  /// error is 9 u for 1 + b from 1e-8 to 1e15.
+  ///
+  ///     (b^2 (1 - L/(1 + w)^2) + w L^3 stumpff(L/2, -3)/2)/(2 + b)
+  SignedNode remainder(SignedNode above, SignedNode below, SignedNode logarithm) {
+    const SignedNode b = divide(short_sum({above, -below}), below);
+    const SignedNode w = graph_.square_root(divide(above, below));
+    const SignedNode share = graph_.product({{logarithm}, {graph_.sum({one(), w}), -2}});
+    const SignedNode series =
+        graph_.call(FunctionId::stumpff, {half(logarithm), graph_.rational(-3)});
+    const SignedNode sum_of_parts =
+        graph_.sum({graph_.product({{b, 2}, {graph_.sum({one(), -share})}}),
+                    graph_.product({{half(w)}, {logarithm, 3}, {series}})});
+    return divide(multiply(sum_of_parts, below), short_sum({above, below}));
+  }
+
+  std::map<NodeId, SignedNode> scales_ = {};  ///< K of each logarithm
+  std::vector<SignedNode> others_ = {};
+};
+
+}  // namespace
+
+bool replace_logarithms(Graph& graph, std::vector<SignedNode>& terms) {
+  LogarithmRewriter rewriter(graph, terms);
+  auto better = rewriter.rewrite(false, false);
+  if (!better) better = rewriter.rewrite(true, false);
+  if (!better) better = rewriter.rewrite(false, true);
+  if (!better) better = rewriter.rewrite(true, true);
+  if (better) terms = std::move(*better);
+  return better.has_value();
+}
+
+}  // namespace elgen
