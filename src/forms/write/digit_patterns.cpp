@@ -26,10 +26,10 @@ RulePattern parse_rule(Graph& graph, const RewriteRule& row) {
        is_sum ? reader.terms_of(from.node) : std::vector<SignedNode>{from}) {
     pattern.terms.push_back(reader.split_term(negate_if(term, is_sum && from.is_negative)));
   }
-  // The number of calls if all factors are calls; otherwise 0.
+  // The number of calls if all factors are calls of letters; otherwise 0.
   const auto calls = [&graph](const ScaledTerm& term) {
     const auto count = std::ranges::count_if(term.factors, [&graph](const Operand& factor) {
-      return graph.node(factor.node).kind == NodeKind::call;
+      return graph.node(factor.node).kind == NodeKind::call && !graph.is_constant(factor.node);
     });
     return static_cast<std::size_t>(count) == term.factors.size() ? count : 0;
   };

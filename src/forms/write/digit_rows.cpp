@@ -178,13 +178,17 @@ class RuleMatcher : protected ReplacementBuilder {
   }
 
   /// True if `value` calls the function of `pattern` with the value of the letter as argument; the
-  /// sign is ignored if the function is even. A letter without a value is set to the argument.
+  /// sign is ignored if the function is even. A letter without a value is set to the argument. The
+  /// argument of `pattern` may be another call: log1p(exp(a)).
   bool match_call(NodeId pattern, NodeId value, PatternSubstitution& letters) const {
     const Node& wanted = rule_patterns().graph.node(pattern);
     const Node& node = graph_.node(value);
     if (wanted.kind != NodeKind::call || !is_call(node, wanted.function)) return false;
-    std::optional<SignedNode>& letter = letters[*pattern_variable(pattern)];
     const SignedNode argument = argument_of(node);
+    const NodeId inner = argument_of(wanted).node;
+    if (rule_patterns().graph.node(inner).kind == NodeKind::call)
+      return !argument.is_negative && match_call(inner, argument.node, letters);
+    std::optional<SignedNode>& letter = letters[*pattern_variable(pattern)];
     if (!letter) letter = argument;
     const bool is_even = function_row(wanted.function).parity == Parity::even;
     return is_even ? letter->node == argument.node : *letter == argument;

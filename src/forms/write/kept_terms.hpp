@@ -60,8 +60,8 @@ namespace elgen {
 /// its derivative with respect to a coordinate or an exponential. Factors the whole sum, or only
 /// the terms in which no other coordinate occurs:
 ///
-///     before    x^4 - 2*a^2*x^2 + a^4      1/r^2 - 2/(p*r) + 1/p^2
-///     after     (x^2 - a^2)^2              (r - p)^2/(p^2*r^2)
+///     before    x^4 - 2*a^2*x^2 + a^4    1/r^2 - 2/(p*r) + 1/p^2    exp(-2*x) - 2*exp(-x) + 1
+///     after     (x^2 - a^2)^2            (r - p)^2/(p^2*r^2)        expm1(-x)^2
 ///
 /// The base of each power is rewritten by rewrite_sum(). None if no factor is repeated.
 [[nodiscard]] std::optional<SignedNode> factor_square_free(Graph& graph, RewriteOptions keeping,

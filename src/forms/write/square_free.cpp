@@ -1,6 +1,8 @@
 // factor_square_free: see kept_terms.hpp. Polynomials over the nodes of the graph, factored by
 // Yun's algorithm (D. Y. Y. Yun, On square-free decomposition algorithms, SYMSAC 1976, pages 26 to
 // 35).
+#include <cln/integer.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -16,6 +18,9 @@ constexpr std::size_t most_terms_of_polynomial = 30;
 /// repeated factor by design need a tenth of these limits.
 constexpr std::size_t most_intermediate_terms = 200;
 constexpr std::size_t most_products = 50'000;
+
+/// exp(n x) is a power of exp(x) up to this n, because the degree of a polynomial limits its work.
+constexpr int most_multiple = 16;
 
 /// Thrown if a limit is exceeded.
 struct WorkLimitExceeded {};
@@ -166,10 +171,10 @@ class SquareFreeFactoriser : GraphTermBuilder {
       const ScaledTerm parts = split_term(term);
       Monomial monomial;
       for (const Operand& factor : parts.factors) {
-        monomial.push_back({factor.node, factor.weight});
-        has_powers = has_powers || (factor.weight != 1 && is_variable(factor.node));
+        const AtomPower power = power_of(factor);
+        monomial = elgen::product(monomial, {power});
+        has_powers = has_powers || (power.exponent != 1 && is_variable(power.atom));
       }
-      std::ranges::sort(monomial);
       add_term(all, monomial, {parts.coefficient, 0});
     }
     if (!has_powers) return std::nullopt;
@@ -187,6 +192,18 @@ class SquareFreeFactoriser : GraphTermBuilder {
     const Node& node = graph_.node(atom);
     const bool is_coordinate = node.kind == NodeKind::leaf && node.leaf == Opcode::coordinate;
     return is_coordinate || is_call(node, FunctionId::exp);
+  }
+
+  /// The factor as a power of an atom: exp(n x)^w = exp(x)^(n w).
+  AtomPower power_of(const Operand& factor) {
+    const bool is_exponential = is_call(graph_.node(factor.node), FunctionId::exp);
+    if (!is_exponential) return {factor.node, factor.weight};
+    ScaledTerm argument = split_term(argument_of(graph_.node(factor.node)));
+    const cln::cl_I multiple = cln::abs(cln::numerator(argument.coefficient));
+    if (multiple > cln::cl_I(most_multiple)) return {factor.node, factor.weight};
+    argument.coefficient = argument.coefficient / multiple;
+    return {call(FunctionId::exp, product(argument)).node,
+            cln::cl_I_to_int(multiple) * factor.weight};
   }
 
   std::optional<SignedNode> factor_polynomial(const Polynomial& whole, AtomId atom) {
