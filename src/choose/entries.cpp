@@ -18,6 +18,10 @@ namespace {
 /// (most_terms), take 1.7 times as long for the arms and chains of models/, and give the same code.
 constexpr std::size_t max_total_terms = 3'000;
 
+/// If a closed entry costs more than 5/4 of the derived entry, rewritings may be cheaper: one
+/// fraction of k/(l - x)^2 - k/(l + x)^2 + c x has the long numerator of all three terms.
+constexpr std::size_t most_quarters_of_derived = 5;
+
 std::size_t term_count(const ClosedFunction& closed) {
   std::size_t count = 0;
   for (const ClosedField& field : closed.fields) {
@@ -69,18 +73,28 @@ EntryRewritings all_rewritings(Rewritings of_form, std::vector<CollectedForm> pr
   return result;
 }
 
+/// The cost of one entry, computed alone.
+std::size_t cost_of(const Expressions& entry) {
+  return cost(count_operations(LinearisedNetwork(make_network(entry)).function));
+}
+
 /// Compares the errors of the rewritings of one entry with the errors of its recursive form.
 class EntryJudge {
  public:
-  EntryJudge(ReadableForm& known, std::size_t entry, FormErrors& text)
-      : form_(known), entry_(entry), text_(text) {}
+  /// `derived`: the entry as derived; may be null.
+  EntryJudge(ReadableForm& known, std::size_t entry, FormErrors& text, const Expressions* derived)
+      : form_(known), entry_(entry), text_(text), derived_(derived) {}
 
-  /// Makes `compact` accurate if a rewriting is accurate, and sets `precise` to a rewriting that
-  /// keeps the digits which `compact` loses. rewritings() returns all rewritings.
+  /// Makes `compact` accurate if a rewriting is accurate, and cheaper if only it keeps digits. Sets
+  /// `precise` to a rewriting that keeps the digits which `compact` loses. rewritings() returns all
+  /// rewritings.
   template <class Rewriting>
   void operator()(const Rewriting& rewritings) {
     std::optional<ErrorsAtPoints> errors = text_.errors_if_accurate(form_.compact, entry_);
-    if (!errors || text_.may_lose_digits(*errors, entry_)) keep_accurate_rewritings(rewritings());
+    if (errors) text_.add_rewriting(*errors, entry_);
+    const bool is_dear = errors && is_too_dear();
+    if (!errors || is_dear || text_.may_lose_digits(*errors, entry_))
+      keep_accurate_rewritings(rewritings());
     if (!errors) {
       if (rewritings_.empty()) return;
       form_.compact = rewritings_.front();
@@ -89,10 +103,9 @@ class EntryJudge {
     } else if (!form_.is_shortest) {
       form_.is_rewritten = !text_.errors_if_accurate(form_.readable, entry_);
     }
-    text_.add_rewriting(*errors, entry_);
     for (const ErrorsAtPoints& rewriting : errors_) text_.add_rewriting(rewriting, entry_);
     form_.loss = text_.loss_of(*errors, entry_);
-    if (form_.loss > tolerated_loss) choose_precise_rewriting();
+    if (is_dear || form_.loss > tolerated_loss) choose_precise_rewriting();
   }
 
  private:
@@ -106,29 +119,44 @@ class EntryJudge {
     }
   }
 
-  /// Keeps the cheapest rewriting without loss; without one, the rewriting with the least loss.
+  /// True if the derived entry loses digits, but costs so much less that it would be emitted.
+  [[nodiscard]] bool is_too_dear() const {
+    return derived_ != nullptr &&
+           !is_affordable(cost_of(form_.compact), cost_of(*derived_), most_quarters_of_derived) &&
+           text_.loss_of(text_.errors_of(*derived_), entry_) > tolerated_loss;
+  }
+
+  /// Keeps the cheapest rewriting without loss; without one, the rewriting with the least loss. If
+  /// `compact` has no loss, a cheaper rewriting without loss replaces it.
   void choose_precise_rewriting() {
     double least = form_.loss;
-    std::size_t least_cost = 0;
+    std::size_t least_cost = cost_of(form_.compact);
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < rewritings_.size(); ++i) {
       const double loss = text_.loss_of(errors_[i], entry_);
       if (std::max(loss, tolerated_loss) > std::max(least, tolerated_loss)) continue;
-      const LinearisedNetwork rewriting(make_network(rewritings_[i]));
-      const std::size_t cost = elgen::cost(count_operations(rewriting.function));
-      const bool is_as_good = best && std::max(least, loss) <= tolerated_loss;
+      const std::size_t cost = cost_of(rewritings_[i]);
+      const bool is_as_good = std::max(least, loss) <= tolerated_loss;
       const bool is_better = is_as_good ? cost < least_cost : loss < least;
       if (!is_better) continue;
       least = loss;
       least_cost = cost;
       best = i;
     }
-    if (best && loses_more(form_.loss, least)) form_.precise = std::move(rewritings_[*best]);
+    if (!best) return;
+    if (loses_more(form_.loss, least)) {
+      form_.precise = std::move(rewritings_[*best]);
+    } else if (form_.loss <= tolerated_loss) {
+      form_.compact = std::move(rewritings_[*best]);
+      form_.is_rewritten = true;
+      form_.loss = least;
+    }
   }
 
   ReadableForm& form_;
   std::size_t entry_;
   FormErrors& text_;
+  const Expressions* derived_;
   std::vector<Expressions> rewritings_ = {};  ///< only accurate rewritings
   std::vector<ErrorsAtPoints> errors_ = {};
 };
@@ -200,7 +228,7 @@ ReadableEntries read_entries(const Program& program, const ClosedForms& forms, s
       entry = choose_readable_form(rewritings.collected, derived ? &derived->collected : nullptr,
                                    points);
       if (!entry || text == nullptr) continue;
-      EntryJudge judge(*entry, entries.size() - 1, *text);
+      EntryJudge judge(*entry, entries.size() - 1, *text, derived ? &derived->unexpanded : nullptr);
       judge([&] {
         return all_rewritings(std::move(rewritings), precise_rewritings(forms.algebra, *form),
                               derived ? &*derived : nullptr);

@@ -50,6 +50,18 @@ TEST_CASE("a rewriting that keeps digits is chosen if the entry loses more than 
   CHECK(texts_of((*others)[0]->compact).at(0) == "2*sin(1/2*a)^2");
 }
 
+TEST_CASE("a rewriting is cheaper than one fraction of all terms") {
+  Entries e({"b/(c - a)^2 - b/(c + a)^2 + d*a"});
+  Arguments<double> point;
+  point.q = {1e-8, 2, 0.7, 0.4, 1};
+  FormErrors text(e.program, e.shape, {point});
+  e.entries = read_entries(e.program, e.forms, 0, e.points, &text);
+  const ReadableForm& form = *e.entries[0];
+  const Expressions& kept = form.precise ? *form.precise : form.compact;
+  CHECK(text.loss_of(text.errors_of(kept), 0) <= tolerated_loss);
+  CHECK(cost(counts_of(kept)) <= cost(count_operations(e.shape)));
+}
+
 TEST_CASE("entries lowered together share subexpressions, entries lowered one by one do not") {
   Entries e({"(a + b)*c", "(a + b)*d"});
   const Function together = lower_jointly(e.entries, e.shape, e.program, {}).function;
