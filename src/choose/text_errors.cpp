@@ -13,11 +13,19 @@ namespace elgen {
 namespace {
 
 /// A form may have this many times the error of the recursive form, the text: the rounding errors
-/// of a few more operations are accepted.
-constexpr long accurate_ratio = 64;
-/// An error computed in double is right within a factor of two. A ratio of two such errors up to
-/// 16/4 is therefore certainly at most 16.
-constexpr double certainly_accurate_ratio = 16;
+/// of a few more operations are accepted. V and its derivatives are stricter. In functions of M,
+/// 16 would cost up to 1.9 times as much, because cos(a - b) is split near a = pi/2, b = 0.
+constexpr long accurate_ratio_of_potential = 16;
+constexpr long accurate_ratio_of_motion = 64;
+/// An error computed in double is right within a factor of two. A ratio of two such errors up to a
+/// quarter of the accepted ratio is therefore certainly accepted.
+constexpr double certain_share = 0.25;
+
+long accurate_ratio(const Function& text) {
+  const bool is_potential =
+      text.kind == OutputKind::potential_energy || text.kind == OutputKind::gravity;
+  return is_potential ? accurate_ratio_of_potential : accurate_ratio_of_motion;
+}
 
 constexpr double unit_roundoff = 0x1p-53;
 /// Two values in double count as equal if their difference is at most this many times the sum of
@@ -26,10 +34,12 @@ constexpr double certainly_equal = 4;
 /// A value in double whose relative error is at most this is precise enough as the magnitude |x|.
 constexpr double max_certain_error = 0x1p-10;
 
-bool is_certainly_accurate(const RunningValue<double>& own, const RunningValue<double>& text) {
+bool is_certainly_accurate(const RunningValue<double>& own, const RunningValue<double>& text,
+                           long ratio) {
+  const double certain_ratio = certain_share * static_cast<double>(ratio);
   const double apart = std::abs(own.value - text.value);
   return !own.is_lost && !text.is_lost &&
-         own.error <= certainly_accurate_ratio * std::max(text.error, std::abs(text.value)) &&
+         own.error <= certain_ratio * std::max(text.error, std::abs(text.value)) &&
          apart <= certainly_equal * unit_roundoff * (own.error + text.error);
 }
 
@@ -41,10 +51,10 @@ bool has_different_value(const RunningValue<Real>& own, const RunningValue<Real>
   return abs(own.value - text.value).value() > (scale * negligible).value();
 }
 
-bool is_inaccurate(const RunningValue<Real>& own, const RunningValue<Real>& text) {
+bool is_inaccurate(const RunningValue<Real>& own, const RunningValue<Real>& text, long ratio) {
   if (!text.error.is_defined()) return false;
   if (!own.error.is_defined() || has_different_value(own, text)) return true;
-  const Real allowed = max(text.error, abs(text.value)) * Real(cln::cl_I(accurate_ratio));
+  const Real allowed = max(text.error, abs(text.value)) * Real(cln::cl_I(ratio));
   return own.error.value() > allowed.value();
 }
 
@@ -211,11 +221,13 @@ std::optional<std::size_t> FormErrors::first_inaccurate_entry_at(const Program& 
                                                                  std::size_t point,
                                                                  const RoughEntries& rough,
                                                                  std::size_t first) const {
+  const long ratio = accurate_ratio(text_);
   std::optional<std::vector<RunningValue<Real>>> exact;
   for (std::size_t i = 0; i < rough.size(); ++i) {
-    if (is_certainly_accurate(rough[i], rough_entries_[point][first + i])) continue;
+    if (is_certainly_accurate(rough[i], rough_entries_[point][first + i], ratio)) continue;
     if (!exact) exact = exact_entries(program, form, points_[point]);
-    if (is_inaccurate((*exact)[i], exact_recursive_entries(point)[first + i])) return first + i;
+    const RunningValue<Real>& text = exact_recursive_entries(point)[first + i];
+    if (is_inaccurate((*exact)[i], text, ratio)) return first + i;
   }
   return std::nullopt;
 }

@@ -3,8 +3,9 @@
 // The recursive form of a function, called the text here, consists of derivatives of the typed
 // energies. E is the running error in u (accuracy/running_errors.hpp) of an entry x:
 //
-//     E > 16 max(E of the text, |x|)    the form is inaccurate in x; also if it has no value or its
-//                                       value differs from the value of the text
+//     E > c max(E of the text, |x|)     the form is inaccurate in x; also if it has no value or its
+//                                       value differs from the value of the text; c is 16 for V and
+//                                       its derivatives, and 64 for all other functions
 //     E / max(least known E, |x|)       the loss: digits that another rewriting keeps
 //
 // Accuracy is decided in double, or in 64 digits if double is uncertain, so that all machines

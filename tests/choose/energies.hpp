@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdlib>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -60,10 +61,13 @@ inline void read_line(const std::string& key, const std::string& rest, TypedEner
   }
 }
 
+/// The energies of $ELGEN_ENERGIES, or of energies.txt.
 inline std::vector<TypedEnergy> typed_energies() {
   std::vector<TypedEnergy> energies;
-  for (const std::string& line :
-       split_lines(read_text(ELGEN_SOURCE_DIR "/tests/choose/energies.txt"))) {
+  const char* const named = std::getenv("ELGEN_ENERGIES");
+  const std::string path =
+      named != nullptr ? named : ELGEN_SOURCE_DIR "/tests/choose/energies.txt";
+  for (const std::string& line : split_lines(read_text(path))) {
     if (line.empty() || line.front() == '#') continue;
     std::istringstream words(line);
     std::string key;
@@ -92,8 +96,8 @@ inline std::string coordinate_entry(const std::string& item) {
   std::string range;
   words >> name >> unit;
   std::getline(words, range);
-  return "[[coordinate]]\nname = \"" + name + "\"\nunit = \"" + unit + "\"\nrange = " + range +
-         "\n";
+  if (!range.empty()) range = "range = " + range + "\n";
+  return "[[coordinate]]\nname = \"" + name + "\"\nunit = \"" + unit + "\"\n" + range;
 }
 
 inline std::string parameter_line(const std::string& item) {

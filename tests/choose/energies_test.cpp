@@ -29,7 +29,6 @@ namespace {
 constexpr double max_error_ratio = 64;
 /// In u. A stable form with a larger error is no reference for other forms.
 constexpr double max_stable_error = 32;
-constexpr std::size_t min_near_stable = 99;
 
 /// x to the power `exponent`, a multiple of 1/2, computed by multiplications and a square root.
 double power_in_double(double x, const cln::cl_RA& exponent) {
@@ -85,9 +84,11 @@ class TextEvaluator {
   const Arguments<double>& at_;
 };
 
-/// |x - x*|/(u |x*|), u = 2^-53.
+/// |x - x*|/(u |x*|), u = 2^-53. A wrong x has an infinite error if x* is 0.
 double error_in_u(double x, const cln::cl_R& exact) {
-  if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
+  const bool is_zero = cln::zerop(exact);
+  if (is_zero && x == 0) return 0;
+  if (is_zero || !std::isfinite(x)) return std::numeric_limits<double>::infinity();
   const cln::cl_R error = cln::abs(exact_value(x) - exact) / cln::abs(exact);
   return std::ldexp(to_double(error), 53);
 }
@@ -221,7 +222,6 @@ std::string table_rows(const TypedEnergy& energy, const EnergyErrors& errors) {
 
 TEST_CASE("energies keep the digits of their texts, and most keep the digits of stable forms") {
   const std::vector<TypedEnergy> energies = typed_energies();
-  CHECK(energies.size() == 104);
   std::string table = fmt::format("{:<30} {:<10} {:>8} {:>8} {:>8}   errors in u\n", "energy",
                                   "entry", "stable", "text", "emitted");
   std::size_t near_stable = 0;
@@ -233,7 +233,7 @@ TEST_CASE("energies keep the digits of their texts, and most keep the digits of 
     if (errors.ratio_to_stable <= max_error_ratio) ++near_stable;
     table += table_rows(energy, errors);
   }
-  CHECK(near_stable >= min_near_stable);
+  CHECK(near_stable >= energies.size() * 95 / 100);
   if (std::getenv("ELGEN_ENERGIES") != nullptr) {
     std::cout << table << near_stable << " energies within " << max_error_ratio
               << " times the error of the stable form\n";

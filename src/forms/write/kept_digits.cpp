@@ -66,7 +66,10 @@ class SumRewriter : GraphTermBuilder {
     const SignedNode root = graph_.square_root(a);
     const SignedNode two = graph_.rational(2);
     const SignedNode ratio = graph_.product({{less, 1}, {root, -1}, {two, -1}});
-    return graph_.product({{two, 1}, {call(FunctionId::asinh, ratio), 1}});
+    const SignedNode half_logarithm = call(FunctionId::asinh, ratio);
+    if (keeping_.progress != nullptr && !half_logarithm.is_negative)
+      keeping_.progress->logarithms.emplace(half_logarithm.node, a);
+    return graph_.product({{two, 1}, {half_logarithm, 1}});
   }
 
   /// True if `value` is a positive number times even powers, roots and positive calls, or a sum of
@@ -140,7 +143,7 @@ class SumRewriter : GraphTermBuilder {
   bool replace_once(std::vector<SignedNode>& terms) {
     if (replace_triangle(graph_, keeping_, terms)) return true;
     if (rewrite_terms_by_rule(graph_, keeping_, terms)) return true;
-    if (replace_logarithms(graph_, terms)) return true;
+    if (replace_logarithms(graph_, keeping_, terms)) return true;
     if (replace_roots(graph_, keeping_, terms)) return true;
     std::vector<ScaledTerm> parts;
     for (const SignedNode term : terms) parts.push_back(split_term(term));
@@ -229,9 +232,9 @@ SignedNode express_by_shared_call(Graph& graph, FunctionId function, SignedNode 
 
 std::optional<SignedNode> rewrite_sum(Graph& graph, RewriteOptions options, SignedNode value) {
   if (options.depth == max_rewrite_depth) return std::nullopt;
-  if (options.remaining != nullptr) {
-    if (*options.remaining == 0) return std::nullopt;
-    --*options.remaining;
+  if (options.progress != nullptr) {
+    if (options.progress->remaining_sums == 0) return std::nullopt;
+    --options.progress->remaining_sums;
   }
   ++options.depth;
   return SumRewriter(graph, options).rewrite(value);
@@ -239,13 +242,13 @@ std::optional<SignedNode> rewrite_sum(Graph& graph, RewriteOptions options, Sign
 
 KeptDigits rewrite_to_keep_digits(const Expressions& expressions, SquareHandling squares) {
   bool has_any = false;
-  std::size_t remaining = max_rewritten_sums;
-  const RewriteOptions options{.squares = squares, .remaining = &remaining};
+  RewriteProgress progress{max_rewritten_sums};
+  const RewriteOptions options{.squares = squares, .progress = &progress};
   const auto rule = [&](Graph& graph, const RebuildStep& step) {
     return rewrite_node(graph, step, options, has_any);
   };
   Expressions result = rebuild(expressions, rule);
-  if (remaining == 0) return {.is_limited = true};
+  if (progress.remaining_sums == 0) return {.is_limited = true};
   if (!has_any) return {};
   return {std::move(result)};
 }

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 
 #include "program/graph/rebuild.hpp"
@@ -18,12 +19,17 @@ namespace elgen {
 /// 1/sqrt(1 - a^2) - 1 is then no longer recognised.
 enum class SquareHandling : std::uint8_t { unfactored, factored };
 
-/// How sums are rewritten, the depth of nested rewritings, and how many sums may still be rewritten
-/// (max_rewritten_sums, if not null).
+/// The state of one call of rewrite_to_keep_digits().
+struct RewriteProgress {
+  std::size_t remaining_sums = 0;                ///< how many sums may still be rewritten
+  std::map<NodeId, SignedNode> logarithms = {};  ///< a call of asinh that is log(c)/2 -> c
+};
+
+/// How sums are rewritten, the depth of nested rewritings, and the progress, which may be null.
 struct RewriteOptions {
   SquareHandling squares = SquareHandling::unfactored;
   int depth = 0;
-  std::size_t* remaining = nullptr;
+  RewriteProgress* progress = nullptr;
 };
 
 /// The result of rewrite_to_keep_digits().

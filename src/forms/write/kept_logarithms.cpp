@@ -13,7 +13,8 @@ namespace {
 
 class LogarithmRewriter : GraphTermBuilder {
  public:
-  LogarithmRewriter(Graph& graph, const std::vector<SignedNode>& terms) : GraphTermBuilder(graph) {
+  LogarithmRewriter(Graph& graph, RewriteOptions keeping, const std::vector<SignedNode>& terms)
+      : GraphTermBuilder(graph), keeping_(keeping) {
     for (const SignedNode term : terms) add_term(term);
   }
 
@@ -28,8 +29,9 @@ class LogarithmRewriter : GraphTermBuilder {
       if (graph_.is_zero(above.node)) return std::nullopt;
       if (is_inverse) std::swap(above, below);
       const SignedNode own = negate_if(scale, is_inverse);
+      const SignedNode logarithm = negate_if(value_of(call), is_inverse);
       linear.push_back(divide(multiply(own, short_sum({above, -below})), below));
-      result.push_back(-multiply(own, remainder(above, below, {call, is_inverse})));
+      result.push_back(-multiply(own, remainder(above, below, logarithm)));
     }
     const auto parts = expanded_terms(linear);
     if (!parts) return std::nullopt;
@@ -50,19 +52,36 @@ class LogarithmRewriter : GraphTermBuilder {
     const auto found = std::ranges::find_if(parts.factors, [&](const Operand& factor) {
       const Node& node = graph_.node(factor.node);
       return factor.weight == 1 && !graph_.is_constant(factor.node) &&
-             (is_call(node, FunctionId::log) || is_call(node, FunctionId::log1p));
+             (is_call(node, FunctionId::log) || is_call(node, FunctionId::log1p) ||
+              half_logarithm_argument(factor.node));
     });
     if (found == parts.factors.end()) return others_.push_back(term);
     const NodeId call = found->node;
     parts.factors.erase(found);
+    if (half_logarithm_argument(call)) parts.coefficient = parts.coefficient / 2;
     const auto [known, is_new] = scales_.try_emplace(call, product(parts));
     if (!is_new) known->second = graph_.sum({known->second, product(parts)});
   }
 
+  /// c if `call` is a call of asinh with the value log(c)/2; otherwise none.
+  [[nodiscard]] std::optional<SignedNode> half_logarithm_argument(NodeId call) const {
+    if (keeping_.progress == nullptr) return std::nullopt;
+    const auto found = keeping_.progress->logarithms.find(call);
+    return found == keeping_.progress->logarithms.end() ? std::nullopt
+                                                        : std::optional(found->second);
+  }
+
+  /// The logarithm that `call` computes.
+  SignedNode value_of(NodeId call) {
+    const SignedNode value{call, false};
+    return half_logarithm_argument(call) ? multiply_by_two(value) : value;
+  }
+
   /// c of log(c) or log1p(c - 1) as a dividend and a divisor; as c and 1 if `is_whole`.
   std::pair<SignedNode, SignedNode> split_argument(NodeId call, bool is_whole) {
-    const bool is_log = is_call(graph_.node(call), FunctionId::log);
-    ScaledTerm top = split_term(argument_of(graph_.node(call)));
+    const std::optional<SignedNode> known = half_logarithm_argument(call);
+    const bool is_log = known || is_call(graph_.node(call), FunctionId::log);
+    ScaledTerm top = split_term(known ? *known : argument_of(graph_.node(call)));
     ScaledTerm bottom;
     for (const Operand& factor : top.factors) {
       if (!is_whole && factor.weight < 0) bottom.factors.push_back({factor.node, -factor.weight});
@@ -88,14 +107,15 @@ class LogarithmRewriter : GraphTermBuilder {
     return divide(multiply(sum_of_parts, below), short_sum({above, below}));
   }
 
+  RewriteOptions keeping_;
   std::map<NodeId, SignedNode> scales_ = {};  ///< K of each logarithm
   std::vector<SignedNode> others_ = {};
 };
 
 }  // namespace
 
-bool replace_logarithms(Graph& graph, std::vector<SignedNode>& terms) {
-  LogarithmRewriter rewriter(graph, terms);
+bool replace_logarithms(Graph& graph, RewriteOptions keeping, std::vector<SignedNode>& terms) {
+  LogarithmRewriter rewriter(graph, keeping, terms);
   auto better = rewriter.rewrite(false, false);
   if (!better) better = rewriter.rewrite(true, false);
   if (!better) better = rewriter.rewrite(false, true);

@@ -54,7 +54,8 @@ namespace elgen {
 ///
 ///     before    a - log1p(a)    x/y - 1 - log(x/y)    (1 + a) log1p(a) - a     x log(x/y) - x + y
 ///     after     R(1 + a)        R(x/y)                (1 + a) R(1/(1 + a))     x R(y/x)
-[[nodiscard]] bool replace_logarithms(Graph& graph, std::vector<SignedNode>& terms);
+[[nodiscard]] bool replace_logarithms(Graph& graph, RewriteOptions keeping,
+                                      std::vector<SignedNode>& terms);
 
 /// Factors a sum of 3 to 30 terms that has a repeated factor: a common divisor of the sum and of
 /// its derivative with respect to a coordinate or an exponential. Factors the whole sum, or only
