@@ -14,8 +14,9 @@ namespace {
 
 /// A form may have this many times the error of the recursive form, the text: the rounding errors
 /// of a few more operations are accepted. V and its derivatives are stricter. In functions of M,
-/// 16 would cost up to 1.9 times as much, because cos(a - b) is split near a = pi/2, b = 0.
-constexpr long accurate_ratio_of_potential = 16;
+/// this would cost up to 1.9 times as much, because cos(a - b) is split near a = pi/2, b = 0. With
+/// 16, products of many factors are refused: (a^6 - b^6)^2 has an error bound of 17.
+constexpr long accurate_ratio_of_potential = 32;
 constexpr long accurate_ratio_of_motion = 64;
 /// An error computed in double is right within a factor of two. A ratio of two such errors up to a
 /// quarter of the accepted ratio is therefore certainly accepted.
@@ -52,7 +53,8 @@ bool has_different_value(const RunningValue<Real>& own, const RunningValue<Real>
 }
 
 bool is_inaccurate(const RunningValue<Real>& own, const RunningValue<Real>& text, long ratio) {
-  if (!text.error.is_defined()) return false;
+  // Code has no digits of a value beyond the range of double.
+  if (!text.error.is_defined() || !std::isfinite(to_double(text.value.value()))) return false;
   if (!own.error.is_defined() || has_different_value(own, text)) return true;
   const Real allowed = max(text.error, abs(text.value)) * Real(cln::cl_I(ratio));
   return own.error.value() > allowed.value();

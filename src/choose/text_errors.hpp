@@ -4,7 +4,7 @@
 // energies. E is the running error in u (accuracy/running_errors.hpp) of an entry x:
 //
 //     E > c max(E of the text, |x|)     the form is inaccurate in x; also if it has no value or its
-//                                       value differs from the value of the text; c is 16 for V and
+//                                       value differs from the value of the text; c is 32 for V and
 //                                       its derivatives, and 64 for all other functions
 //     E / max(least known E, |x|)       the loss: digits that another rewriting keeps
 //

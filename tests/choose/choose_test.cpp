@@ -182,3 +182,23 @@ value = [)toml" + powers + "]\n");
   }
   CHECK(find_invariant_violation(c.choice.program).empty());
 }
+
+TEST_CASE("the rewriting of nested roots is limited, and the costs say so") {
+  const ChosenForms c = chosen(model_text("nested", R"toml(
+[[coordinate]]
+name = "x"
+[parameters]
+a = 0.7
+b = 0.4
+[energy]
+T = "1/2*dot(x)^2"
+V = "-a*b*tanh(3*x) + 1/2*(((a + x - 0.3)^2 + b^2)^(3/2) - ((a - 0.3)^2 + b^2)^(3/2))"
+)toml"));
+  for (const FormCosts& costs : c.choice.costs) {
+    INFO(costs.function);
+    CHECK(costs.limited_entry.has_value() == (costs.function == "potential_energy" ||
+                                              costs.function == "total_energy" ||
+                                              costs.function == "energy_function" ||
+                                              costs.function == "dynamics"));
+  }
+}

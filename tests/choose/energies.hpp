@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -204,8 +205,8 @@ class StatesNear {
     std::vector<double> q;
     for (const Coordinate& coordinate : model_.coordinates) {
       const double x = values.at(coordinate.name);
-      if (x < to_double(coordinate.range->low)) return;
-      if (x > to_double(coordinate.range->high)) return;
+      const std::optional<Interval>& range = coordinate.range;
+      if (range && (x < to_double(range->low) || x > to_double(range->high))) return;
       q.push_back(x);
     }
     states.push_back(q);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <set>
 
 namespace elgen {
 namespace {
@@ -66,10 +67,26 @@ class ReplacementBuilder : protected GraphTermBuilder {
     if (node.kind == NodeKind::call) value = graph_.call(node.function, operands);
     if (node.kind == NodeKind::square_root) value = graph_.square_root(operands.front());
     if (node.kind == NodeKind::sum) {
-      value = short_sum(operands);
+      value = sum_of_letters(operands);
       if (is_kept) value = rewrite_sum(graph_, options_, value).value_or(value);
     }
     return negate_if(value, pattern.is_negative);
+  }
+
+  /// The sum of letters. If all letters are sums, or products with a sum, it is flattened only if a
+  /// term cancels then, as in (x + h) - (x - h). Otherwise differences inside letters stay together,
+  /// because they may be small:
+  ///
+  ///     (b - a) + (c - a), not b + c - 2 a        k (x - y), not k x - k y
+  SignedNode sum_of_letters(const std::vector<SignedNode>& letters) {
+    const SignedNode flat = short_sum(letters);
+    std::set<NodeId> kinds;
+    for (const SignedNode letter : letters) {
+      const std::vector<SignedNode> parts = distribute_products({letter});
+      if (parts.size() == 1) return flat;
+      for (const SignedNode part : parts) kinds.insert(product(1, split_term(part).factors).node);
+    }
+    return term_count(flat) < kinds.size() ? flat : graph_.sum(letters);
   }
 
   void append_powers(const Operand& pattern, const PatternSubstitution& letters, bool is_kept,

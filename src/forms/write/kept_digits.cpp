@@ -67,8 +67,10 @@ class SumRewriter : GraphTermBuilder {
     const SignedNode two = graph_.rational(2);
     const SignedNode ratio = graph_.product({{less, 1}, {root, -1}, {two, -1}});
     const SignedNode half_logarithm = call(FunctionId::asinh, ratio);
-    if (keeping_.progress != nullptr && !half_logarithm.is_negative)
-      keeping_.progress->logarithms.emplace(half_logarithm.node, a);
+    if (keeping_.progress != nullptr) {
+      const SignedNode of_call = half_logarithm.is_negative ? quotient(one(), a) : a;
+      keeping_.progress->logarithms.emplace(half_logarithm.node, of_call);
+    }
     return graph_.product({{two, 1}, {half_logarithm, 1}});
   }
 

@@ -107,8 +107,9 @@ class ConjugateRewriter : GraphTermBuilder {
   /// a and b.
   bool are_means(SignedNode raised, SignedNode rest) {
     const std::vector<SignedNode> parts = distribute_products({rest});
-    return parts.size() == 2 &&
-           multiply(graph_.rational(4), multiply(parts[0], parts[1])) == raised;
+    if (parts.size() != 2) return false;
+    const SignedNode means = multiply(graph_.rational(4), multiply(parts[0], parts[1]));
+    return are_equal_terms(split_term(means), split_term(raised));
   }
 
   /// (C sqrt(a + b))^2 = C^2 a + C^2 b, (C sqrt(a) sqrt(b))^2 = C^2 a b

@@ -187,11 +187,11 @@ class SquareFreeFactoriser : GraphTermBuilder {
   }
 
  private:
-  /// True for a coordinate and for a call of exp.
+  /// True for a coordinate and for a call that is not constant.
   [[nodiscard]] bool is_variable(AtomId atom) const {
     const Node& node = graph_.node(atom);
     const bool is_coordinate = node.kind == NodeKind::leaf && node.leaf == Opcode::coordinate;
-    return is_coordinate || is_call(node, FunctionId::exp);
+    return is_coordinate || (node.kind == NodeKind::call && !graph_.is_constant(atom));
   }
 
   /// The factor as a power of an atom: exp(n x)^w = exp(x)^(n w).

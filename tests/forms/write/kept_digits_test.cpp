@@ -264,12 +264,3 @@ TEST_CASE("quotients of calls that overflow become calls that do not") {
   CHECK(texts_of(flatten(expressions_of({row.first}), FlattenedProducts::all_products)).at(0) ==
         row.second);
 }
-
-TEST_CASE("rewriting gives up after a fixed number of sums") {
-  const auto text = expressions_of({"((a + b - 3/10)^2 + c^2)*sqrt((a + b - 3/10)^2 + c^2) - "
-       "((a - 3/10)^2 + c^2)*sqrt((a - 3/10)^2 + c^2)"});
-  const KeptDigits once = rewrite_to_keep_digits(text, SquareHandling::unfactored);
-  const KeptDigits twice =
-      rewrite_to_keep_digits(once.rewriting.value_or(text), SquareHandling::factored);
-  CHECK((once.is_limited || twice.is_limited));
-}
