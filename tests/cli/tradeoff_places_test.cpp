@@ -23,7 +23,6 @@ TEST_CASE("errors hold for parameters over a range, in packs and for single stat
                     "/simple_pendulum.toml"));
   for (const auto& design : table["designs"]) {
     CHECK_FALSE(design["design"].contains("parameters"));
-    if (design["design"].value("trigonometry", "full") == "1e-7") continue;
     const bool is_double = design["design"]["scalar"] == "double";
     CHECK(design["error"]["worst"] < (is_double ? 2e-15 : 2e-6));
     CHECK(design["error"]["worst"] > (is_double ? 1e-17 : 1e-9));
