@@ -122,45 +122,38 @@ std::string batch_append_statements(const Function& function) {
   return text;
 }
 
-/// The names in which the drivers of both namespaces of packs differ.
-struct PackNames {
-  std::string_view driver;
-  std::string_view functions;  ///< namespace of the emitted functions
-  std::string_view element;    ///< element of the pack that holds a state in each lane
-};
-
-std::string pack_driver(const DriverInput& input, const PackNames& names) {
+/// The driver of the functions in emitted::batch, or in emitted::batch::wide if `is_wide`.
+std::string pack_driver(const DriverInput& input, bool is_wide) {
   const auto& [model, scene, program] = input;
-  std::string text =
-      fmt::format(batch_prologue, fmt::arg("header", artifact_path(scene, ArtifactId::batch)),
-                  fmt::arg("name_space", name_space(scene)), fmt::arg("name", names.driver),
-                  fmt::arg("element", names.element), fmt::arg("shared", cpp_helpers(input)));
+  const std::string_view name = is_wide ? "wide_batch" : "batch";
+  std::string text = fmt::format(
+      batch_prologue, fmt::arg("header", artifact_path(scene, ArtifactId::batch)),
+      fmt::arg("name_space", name_space(scene)), fmt::arg("name", name),
+      fmt::arg("element", is_wide ? "float" : "Scalar"), fmt::arg("shared", cpp_helpers(input)));
   for (std::size_t i = 0; i < program.functions.size(); ++i) {
     const Function& function = program.functions[i];
     if (!is_returned_by_value(function)) continue;
     for (const ScalarKind kind : scene.numerics.scalars) {
       const std::string scalar(name_of(kind));
-      text += fmt::format(batch_wrapper, fmt::arg("symbol", driver_symbol(names.driver, scalar, i)),
-                          fmt::arg("functions", names.functions), fmt::arg("scalar", scalar),
-                          fmt::arg("leaves", leaf_parameter_list(scalar, "[[maybe_unused]] ")),
-                          fmt::arg("entries", entry_count(function)),
-                          fmt::arg("function", function.name),
-                          fmt::arg("arguments", batch_arguments(model, function)),
-                          fmt::arg("appends", batch_append_statements(function)));
+      text += fmt::format(
+          batch_wrapper, fmt::arg("symbol", driver_symbol(name, scalar, i)),
+          fmt::arg("functions", is_wide ? "batch::wide" : "batch"), fmt::arg("scalar", scalar),
+          fmt::arg("leaves", leaf_parameter_list(scalar, "[[maybe_unused]] ")),
+          fmt::arg("entries", entry_count(function)), fmt::arg("function", function.name),
+          fmt::arg("arguments", batch_arguments(model, function)),
+          fmt::arg("appends", batch_append_statements(function)));
     }
   }
-  return text + fmt::format("\n}}  // namespace driver_of_{}\n", names.driver);
+  return text + fmt::format("\n}}  // namespace driver_of_{}\n", name);
 }
 
 }  // namespace
 
 std::string batch_driver(const DriverInput& input) {
-  return pack_driver(input, {"batch", "batch", "Scalar"}) + sine_driver(input);
+  return pack_driver(input, false) + sine_driver(input);
 }
 
-std::string wide_batch_driver(const DriverInput& input) {
-  return pack_driver(input, {"wide_batch", "batch::wide", "float"});
-}
+std::string wide_batch_driver(const DriverInput& input) { return pack_driver(input, true); }
 
 std::string sine_driver(const DriverInput& input) {
   const auto& [model, scene, program] = input;

@@ -175,7 +175,7 @@ std::string prologue_of(const Scene& scene) {
                      fmt::arg("name_space", name_space(scene)));
 }
 
-/// The name of a function behind the namespace `emitted` or `emitted::batch`: "wide::step".
+/// The name of a function inside the namespace `emitted` or `emitted::batch`: "wide::step".
 std::string name_in_namespace(const Scene& scene, const Function& function) {
   return (scene.numerics.inner != InnerScalar::same ? "wide::" : "") + function.name;
 }
