@@ -69,15 +69,15 @@ class OptionReader {
   bool read_range(ValueSyntax& value) {
     const auto& [source, begin, end] = value.span;
     const std::string_view text = covered_text(value.span);
-    const bool has_dots = text.find("..") != std::string_view::npos;
-    const std::size_t separator = has_dots ? text.find("..") : text.find(':');
-    if (separator == std::string_view::npos) {
+    const std::string_view separator = text.find("..") != std::string_view::npos ? ".." : ":";
+    const std::size_t low_length = text.find(separator);
+    if (low_length == std::string_view::npos) {
       report_error(value.span, in_backticks(value.span) + " is no range", "write NAME=LOW..HIGH");
       return false;
     }
-    const std::uint32_t middle = begin + static_cast<std::uint32_t>(separator);
-    return read_items(value,
-                      {{source, begin, middle}, {source, middle + (has_dots ? 2U : 1U), end}});
+    const std::uint32_t middle = begin + static_cast<std::uint32_t>(low_length);
+    const std::uint32_t high = middle + static_cast<std::uint32_t>(separator.size());
+    return read_items(value, {{source, begin, middle}, {source, high, end}});
   }
 
   bool read_items(ValueSyntax& value, const std::vector<Span>& items) {

@@ -7,15 +7,14 @@
 
 namespace elgen {
 
-FieldScales::FieldScales(const TradeoffStates& states) {
+FieldScales::FieldScales(const TradeoffStates& states) : field_sizes_(states.field_sizes) {
   for (std::size_t i = 0; i < states.exact.size(); ++i) {
-    std::vector<Scale>& fields = fields_[states.states[i].parameters];
-    fields.resize(states.field_sizes.size());
+    std::vector<double>& scales = scales_[states.states[i].parameters];
+    scales.resize(field_sizes_.size());
     std::size_t k = 0;
-    for (std::size_t f = 0; f < fields.size(); ++f) {
-      fields[f].entries = states.field_sizes[f];
-      for (const std::size_t end = k + fields[f].entries; k < end; ++k) {
-        fields[f].largest = std::max(fields[f].largest, magnitude(states.exact[i][k]));
+    for (std::size_t f = 0; f < scales.size(); ++f) {
+      for (const std::size_t end = k + field_sizes_[f]; k < end; ++k) {
+        scales[f] = std::max(scales[f], magnitude(states.exact[i][k]));
       }
     }
   }

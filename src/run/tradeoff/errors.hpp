@@ -49,10 +49,11 @@ class FieldScales {
                              std::size_t stride, const std::vector<Exact>& exact) const {
     double worst = 0;
     std::size_t k = 0;
-    for (const Scale& field : fields_.at(state.parameters)) {
-      double largest = field.largest;
+    const std::vector<double>& scales = scales_.at(state.parameters);
+    for (std::size_t f = 0; f < scales.size(); ++f) {
+      double largest = scales[f];
       double farthest = 0;
-      for (const std::size_t end = k + field.entries; k < end; ++k) {
+      for (const std::size_t end = k + field_sizes_[f]; k < end; ++k) {
         const double here = distance(values[k * stride], exact[k]);
         if (std::isnan(here)) return std::numeric_limits<double>::infinity();
         farthest = std::max(farthest, here);
@@ -64,11 +65,8 @@ class FieldScales {
   }
 
  private:
-  struct Scale {
-    std::size_t entries = 0;
-    double largest = 0;
-  };
-  std::map<std::vector<double>, std::vector<Scale>> fields_ = {};  ///< by parameters
+  std::vector<std::size_t> field_sizes_;
+  std::map<std::vector<double>, std::vector<double>> scales_ = {};  ///< by parameters and field
 };
 
 /// The entries of the program's first function in 60 digits. Parameters have their exact values,

@@ -38,9 +38,8 @@ void measure_costs(const std::vector<TimedWork>& works, double seconds) {
   if (works.empty()) return;
   std::vector<std::size_t> calls;
   for (const TimedWork& work : works) calls.push_back(calls_per_timing(work.run));
-  constexpr double none = std::numeric_limits<double>::infinity();
-  std::vector<std::array<double, 2>> least(works.size(),
-                                           std::array{none, none});  // of even and odd rounds
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector least(works.size(), std::array{infinity, infinity});  // of even and odd rounds
   const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                                    std::chrono::duration<double>(seconds));
   for (std::size_t round = 0; round < most_rounds; ++round) {
