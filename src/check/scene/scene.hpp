@@ -24,8 +24,8 @@ void read_scene(Context& context, const FileSyntax* syntax, const SceneOptions& 
                                      const SceneOptions& options, const Scene& scene);
 
 /// Sets Emission::has_batch_header, Numerics::trigonometry_error and has_library_sines. Needs
-/// Numerics::inner. E611 if the
-/// language is not C++; E625 if batches do not support the scalars or the accuracy.
+/// Numerics::inner. E611 if the language is not C++; E625 if batches do not support the scalars or
+/// the accuracy.
 void read_batch(Context& context, const FileSyntax* syntax, Scene& scene);
 
 /// Sets Numerics::inner. Only outputs of the scene may compute in float, not outputs of the

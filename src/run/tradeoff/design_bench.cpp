@@ -8,6 +8,7 @@
 
 #include "base/reason.hpp"
 #include "elgen/bench.hpp"
+#include "elgen/syntax.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
 
@@ -336,7 +337,7 @@ Result<MeasuredTable> measure_designs(const DesignRequest& request, const BenchO
   if (!wrong.empty()) return wrong;
   DesignRequest completed = request;
   if (find_key(base->design_source().scene, "numeric", "trigonometry") != nullptr) {
-    completed.choices.more.emplace_back("trigonometry");  // so that the scene's value is tried
+    completed.choices.more.emplace_back("trigonometry");  // as if the command named it
   }
   Result<MeasuredTable> measured = DesignBench(completed, *base, process, *machine).measure();
   if (measured) measured.diagnostics = base.diagnostics;

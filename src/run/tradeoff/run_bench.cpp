@@ -39,8 +39,8 @@ struct StepCode {
   MeasuredCost pack_cost = {};
 };
 
-/// The sentences below the table. `distance`: between both reference runs. `uncertainty`: of the
-/// reference.
+/// The sentences below the table: of a reference with this tolerance and uncertainty, whose two
+/// runs differ by `distance`, and of the times of steps.
 std::vector<std::string> table_sentences(const std::map<StepKey, StepCode>& codes, double tolerance,
                                          double distance, double uncertainty) {
   std::vector<std::string> all{fmt::format(
@@ -156,7 +156,8 @@ class RunBench {
     const bool fits =
         literals_fit(products.checked->model, *products.program, ScalarKind::single_precision);
     if (inner != InnerScalar::same && !fits) {
-      return refuse_step("a number of the system does not fit float, so none is tried in float");
+      return refuse_step(
+          "a number of the system does not fit float, so no accelerations are computed in float");
     }
     const std::size_t length = function.instructions.size();
     if (length > max_compiled_instructions || !is_returned_by_value(function)) {

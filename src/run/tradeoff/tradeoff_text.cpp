@@ -100,8 +100,9 @@ std::string to_text(const TradeoffTable& table) {
   }
   text += fmt::format("{}\n", fmt::join(lines, "\n"));
   text += fmt::format(
-      "\na time is the least of many rounds; its noise: the least times of even and of odd rounds "
-      "differ by this\n"
+      "\na time is the least of many rounds; its noise is the relative difference of the least "
+      "times "
+      "of even and odd rounds\n"
       "designs of one rank cost the same: at most {0} times the cheapest of the rank, or within "
       "its noise\n"
       "*: more accurate than every * above, by a factor of {0} and beyond the noise of both\n",

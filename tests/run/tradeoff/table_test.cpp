@@ -220,7 +220,7 @@ TEST_CASE("text has columns, stars on the front, and the reasons of failures") {
   3     float   one    39.5          5.0 %  39.5         1.0e-07      2.5e-08
         half    one    E709: "c++" exits 1
 
-a time is the least of many rounds; its noise: the least times of even and of odd rounds differ by this
+a time is the least of many rounds; its noise is the relative difference of the least times of even and odd rounds
 designs of one rank cost the same: at most 1.1 times the cheapest of the rank, or within its noise
 *: more accurate than every * above, by a factor of 1.1 and beyond the noise of both
 one
@@ -243,7 +243,7 @@ TEST_CASE("without call costs there is no column, and without a pick there is no
   rank  method  ns per run  noise  worst error  median error
 * 1     rk4     40          5.0 %  1.0e-05      2.5e-06
 
-a time is the least of many rounds; its noise: the least times of even and of odd rounds differ by this
+a time is the least of many rounds; its noise is the relative difference of the least times of even and odd rounds
 designs of one rank cost the same: at most 1.1 times the cheapest of the rank, or within its noise
 *: more accurate than every * above, by a factor of 1.1 and beyond the noise of both
 measured on a processor, g++ 12
