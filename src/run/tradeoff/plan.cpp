@@ -3,8 +3,8 @@
 //
 //     scalar double, float   batch one, packs   trigonometry full, 1e-7, library
 //     parameters arguments, fixed   form chosen, typed
-//     ->   15 designs: sines of 1e-7 only exist in packs of double, the library's for one state, and
-//          only the first of the other 14 designs is also tried as typed
+//     ->   15 designs: sines of 1e-7 only exist in packs of double, those of the library only for
+//          one state, and only the first of the other 14 designs is also tried as typed
 #include <cln/rational.h>
 #include <fmt/ranges.h>
 
