@@ -90,6 +90,28 @@ TEST_CASE("varied parameters are drawn for 16 states each, a quarter of them at 
   }
 }
 
+TEST_CASE("the range of an array is the range of each of its elements") {
+  const Products products = derived(model_text("springs", R"toml([[coordinate]]
+name = "x"
+[parameters]
+c = { size = "2", value = 1 }
+[energy]
+T = "1/2*dot(x)^2"
+V = "1/2*c[1]*x^2 + 1/4*c[2]*x^4"
+)toml"),
+                                    "gravity", {}, {}, {make_source("command line", "c=2:3")});
+  const auto states =
+      sample_tradeoff_states(*products.checked, *products.program, {.count = 16 * 20});
+  REQUIRE(states);
+  bool differ = false;
+  for (const Arguments<double>& state : states->states) {
+    REQUIRE(state.parameters.size() == 2);
+    for (const double c : state.parameters) CHECK((c >= 2 && c <= 3));
+    differ = differ || state.parameters[0] != state.parameters[1];
+  }
+  CHECK(differ);
+}
+
 TEST_CASE("E521: an output without a value at most states") {
   const Products products = derived(model_text("root", R"toml([[coordinate]]
 name = "x"
