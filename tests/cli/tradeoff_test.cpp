@@ -128,8 +128,7 @@ TEST_CASE("polynomials of 1e-7 are tried if the command or the scene asks for th
         workspace.run("elgen tradeoff --as json --scalar double --parameters fixed " + words));
     std::size_t count = 0;
     for (const auto& design : table["designs"]) {
-      const bool is_rough = design["design"].value("trigonometry", "") == "1e-7";
-      if (!is_rough) continue;
+      if (design["design"].value("trigonometry", "") != "1e-7") continue;
       ++count;
       CHECK(design["error"]["worst"] > 1e-10);
     }
@@ -170,9 +169,7 @@ TEST_CASE("a design has a cost per state and a cost per call, and only packs dif
   CHECK(both["call_cost"] == "ns per call");
   for (const auto& design : both["designs"]) {
     if (design["design"]["batch"] == "one") CHECK(design["call_cost"] == design["cost"]);
-    if (design["design"]["batch"] == "packs") {
-      CHECK(design["call_cost"]["least"] > 0);
-    }
+    if (design["design"]["batch"] == "packs") CHECK(design["call_cost"]["least"] > 0);
   }
   const nlohmann::json one = table_in(workspace.run(command + " --as json --batch one"));
   CHECK(one["cost"] == "ns per call");
