@@ -364,13 +364,20 @@ int main() {
 }
 
 TEST_CASE("verify compares steps in packs with accelerations in float") {
-  const auto [model, outputs] =
-      GENERATE(std::pair{"simple_pendulum", "step = \"verlet\"\n"},
-               std::pair{"four_bar", "step = \"rk4\"\nprojected = true\n"});
+  const auto [model, outputs] = GENERATE(
+      std::pair{ELGEN_SOURCE_DIR "/models/simple_pendulum.toml", "step = \"verlet\"\n"},
+      std::pair{ELGEN_SOURCE_DIR "/models/four_bar.toml", "step = \"rk4\"\nprojected = true\n"},
+      std::pair{"curve.toml", "step = \"rk4\"\nprojected = true\n"});
   const Workspace workspace;
-  workspace.write("mixed.scene.toml", "format = 1\nmodel = \"" + std::string(ELGEN_SOURCE_DIR) +
-                                          "/models/" + model +
-                                          ".toml\"\nname = \"mixed\"\n[outputs]\n" + outputs +
+  // The projection calls atan2 of a pack and a parameter.
+  workspace.write("curve.toml",
+                  "format = 1\n[model]\nname = \"curve\"\n[[coordinate]]\nname = \"x\"\n"
+                  "[[coordinate]]\nname = \"y\"\n[parameters]\n"
+                  "l = { value = 2, assume = \"positive\" }\n[energy]\n"
+                  "T = \"dot(x)^2 + dot(y)^2\"\nV = \"x^2 + y\"\n[[constraint]]\n"
+                  "name = \"arc\"\nequation = \"y = atan2(x, l)\"\n");
+  workspace.write("mixed.scene.toml", "format = 1\nmodel = \"" + std::string(model) +
+                                          "\"\nname = \"mixed\"\n[outputs]\n" + outputs +
                                           "[numeric]\ninner = \"float\"\n[emit]\nbatch = true\n");
   const Outcome run = workspace.run("elgen verify --samples 8 mixed.scene.toml");
   CHECK(failure_of(run) == "");
