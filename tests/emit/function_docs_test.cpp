@@ -69,7 +69,8 @@ TEST_CASE("a function that compares numbers documents it") {
       "coordinates x theta\nfunction applied_force\n  0 = velocity x\n  1 = sign 0\n"
       "  result 2 1 = 1 1\n");
   const Lines lines = docs(subject, 0);
-  CHECK(mentions(lines.at(0) + lines.at(1), "Needs an ordered Scalar."));
+  CHECK(mentions(lines.at(0) + lines.at(1),
+                 ". Needs an ordered Scalar, or a pack of ordered numbers."));
 }
 
 TEST_CASE("a step documents its method") {

@@ -166,15 +166,17 @@ Lines equation_docs(const FunctionDocsInput& text) {
   return lines;
 }
 
-/// " Needs an ordered Scalar." if the function compares numbers and the caller chooses the scalar
-/// type; otherwise "".
+/// A sentence about Scalar if the function compares numbers and the caller chooses the scalar type;
+/// otherwise "".
 std::string ordering_note(const FunctionDocsInput& text) {
   if (language_row(text.emission.language).scalars == LanguageScalars::one) return "";
   const auto& all = text.function.instructions;
   const bool has_kinks = std::any_of(all.begin(), all.end(), [](const Instruction& i) {
     return i.opcode == Opcode::call && is_kinked(i.function);
   });
-  return has_kinks || needs_ordered_scalar(text.function) ? " Needs an ordered Scalar." : "";
+  return has_kinks || needs_ordered_scalar(text.function)
+             ? " Needs an ordered Scalar, or a pack of ordered numbers."
+             : "";
 }
 
 }  // namespace
@@ -204,14 +206,15 @@ std::string field_summary(const FunctionDocsInput& text, const Field& field) {
 }
 
 std::string function_heading(const FunctionDocsInput& text) {
-  const std::string doc = comment_text(output_doc(text.model, text.function)) + ordering_note(text);
+  const std::string doc = comment_text(output_doc(text.model, text.function));
   if (returns_struct(text.function)) return doc;
   return doc + " " + field_summary(text, text.function.fields.front()) + ".";
 }
 
 std::vector<std::string> function_docs(const FunctionDocsInput& text) {
   Lines lines;
-  for (const std::string& line : wrap_words(function_heading(text), {line_width - 4, ""})) {
+  const std::string heading = function_heading(text) + ordering_note(text);
+  for (const std::string& line : wrap_words(heading, {line_width - 4, ""})) {
     lines.push_back(" " + line);
   }
   const Lines equations = equation_docs(text);
