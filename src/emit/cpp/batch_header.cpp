@@ -131,7 +131,7 @@ TemplateRow mixed_types_data(const EmissionInput& input, const Function& functio
   const std::string numbers = "  using Scalar = T;\n  using Inner = float;\n";
   const std::string packs =
       "  using Inner = Pack<float>;\n"
-      "  using Scalar = Pack<T, detail::Width<Inner>::value>;\n";
+      "  using Scalar = Pack<T, Inner::size()>;\n";
   return {{"number_types", fmt::format("{}{}", check, numbers)},
           {"pack_types", fmt::format("{}{}  const auto& constants = p;\n", check, packs)},
           {"statements", kernel_statements(input, function,
