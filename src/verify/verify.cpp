@@ -59,7 +59,8 @@ std::vector<SampledState<Scalar>> verification_states(const SystemUnderTest& sub
   auto states = sample_states<Scalar>(subject, {count, options.seed, true});
   auto near_zeros = states_near_zeros<Scalar>(subject, {count, options.seed, true});
   for (auto& state : near_zeros) states.push_back(std::move(state));
-  for (auto& state : remote_states<Scalar>(subject, options.seed)) states.push_back(state);
+  for (auto& state : remote_states<Scalar>(subject, options.seed))
+    states.push_back(std::move(state));
   if (options.samples) return states;
   const std::size_t affordable = std::max<std::size_t>(effort.work / state_check_cost(subject), 1);
   if (states.size() <= affordable) return states;
@@ -70,8 +71,8 @@ std::vector<SampledState<Scalar>> verification_states(const SystemUnderTest& sub
   return some;
 }
 
-/// Gives a third of the states steps of length 2^-20, and a third steps of length 0. A step that
-/// rounds its state to float shows there, because the accelerations change the state less.
+/// Gives a third of the states steps of length 2^-20, and a third steps of length 0. Accelerations
+/// then change the state by less than one rounding to float, so a state in float exceeds the bound.
 void shorten_steps(std::vector<SampledState<double>>& states) {
   constexpr std::array lengths{0x1p-20, 0.0};
   for (std::size_t i = 0; i < states.size(); ++i) {

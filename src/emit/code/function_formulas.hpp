@@ -23,8 +23,8 @@ class Vocabulary {
   [[nodiscard]] virtual FormulaText square_root(const FormulaText& radicand) const = 0;
   [[nodiscard]] virtual FormulaText call(FunctionId function,
                                          const std::vector<FormulaText>& arguments) const = 0;
-  /// A number as the argument of a function, such that no compiler computes the function: a
-  /// compiler may round the value differently from the library.
+  /// A number as the argument of a function. The text hides the number from compilers, because they
+  /// may round the value of the function differently from the library.
   [[nodiscard]] virtual FormulaText at_run_time(const FormulaText& number) const { return number; }
 
   /// The vocabulary of instructions with `is_inner`; null if all instructions use this vocabulary.

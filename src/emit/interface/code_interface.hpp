@@ -100,7 +100,7 @@ struct DeclaredArray {
 /// numbers of a pack.
 [[nodiscard]] bool needs_ordered_scalar(const Function& function);
 
-/// True if some function calls one of these four.
+/// True if needs_ordered_scalar() is true for some function.
 [[nodiscard]] bool compares_numbers(const Program& program);
 
 /// Names of library functions of this arity that the program calls. sqrt is included. sin, cos and

@@ -1,5 +1,5 @@
 // Finds zeros of sums along one coordinate: minimises |sum| on finer and finer grids. This finds
-// zeros with and without a change of sign. V and its slopes at minima come from the oracle.
+// zeros with and without a change of sign. For find_minima(), the oracle computes V and its slopes.
 #include "verify/states/near_zeros.hpp"
 
 #include <algorithm>
