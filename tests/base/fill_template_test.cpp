@@ -41,7 +41,7 @@ TEST_CASE("a template includes another template of its folder without the final 
   TemplateData data;
   for (const char* const name :
        {"header", "namespace", "storage", "order", "generated", "model_hash", "scene_hash",
-        "body_hash", "function", "workspace"}) {
+        "body_hash", "function", "workspace", "types"}) {
     data.set(name, name);
   }
   const TemplateData none = optional_section(false);

@@ -202,7 +202,7 @@ TEST_CASE("parts of fast-math that clang does not report change no digit of doub
   const Wide wide;
   const std::string flags = "-O3 -march=native -funsafe-math-optimizations -ffp-contract=fast";
   REQUIRE(wide.compiled("clang++", flags).status == 0);
-  wide.write("arguments", "20 0x1p+0 0x1p-60 -0x1p+0 0x1p-100\n");
+  wide.write("arguments", "21 0x1p+0 0x1p-60 -0x1p+0 0x1p-100\n");
   const std::vector<Parts> values = values_in(wide.run("./program < arguments").output);
   REQUIRE(values.size() == 1);
   CHECK(values.front().high == 0x1p-60 + 0x1p-100);

@@ -252,6 +252,7 @@ Jet call(std::string_view function, const std::vector<Jet>& arguments) {
   if (function == "exp") return exponential(x);
   if (function == "log") return logarithm(x);
   if (function == "log1p") return logarithm(Jet(1) + x);
+  if (function == "asinh") return logarithm(x + power(x * x + Jet(1), 1, 2));
   if (function == "expm1") return exponential(x) - Jet(1);
   if (function == "sqrt") return power(x, 1, 2);
   if (function == "hypot") return power(x * x + arguments.at(1) * arguments.at(1), 1, 2);
