@@ -91,7 +91,7 @@ class ConjugateRewriter : GraphTermBuilder {
     // A rest of parameters has one sign, so the divisor does not vanish even for nested roots.
     const bool has_sign = has_only_parameters(rest);
     if (term_count(numerator) == 0 || (has_branches(numerator) && !has_sign)) return std::nullopt;
-    if (!has_parameter_term(raised) && !has_parameter_term(rest) && !are_means(raised, rest))
+    if (!has_parameter_term(raised) && !has_parameter_term(rest) && !are_means(root, raised, rest))
       return std::nullopt;
     return quotient(numerator, sum({root, -rest}));
   }
@@ -103,11 +103,14 @@ class ConjugateRewriter : GraphTermBuilder {
     });
   }
 
-  /// True if rest = a + b and root^2 = 4 a b. The divisor (sqrt(a) + sqrt(b))^2 vanishes only with
-  /// a and b.
-  bool are_means(SignedNode raised, SignedNode rest) {
+  /// True if rest = a + b and root = -2 sqrt(a b), or both with the other sign. The divisor
+  /// (sqrt(a) + sqrt(b))^2 vanishes only with a and b. With equal signs it would vanish at a = b.
+  bool are_means(SignedNode root, SignedNode raised, SignedNode rest) {
     const std::vector<SignedNode> parts = distribute_products({rest});
-    if (parts.size() != 2) return false;
+    const auto has_sign_of_root = [root](SignedNode part) {
+      return part.is_negative == root.is_negative;
+    };
+    if (parts.size() != 2 || std::ranges::any_of(parts, has_sign_of_root)) return false;
     const SignedNode means = multiply(graph_.rational(4), multiply(parts[0], parts[1]));
     return are_equal_terms(split_term(means), split_term(raised));
   }
