@@ -1,6 +1,7 @@
 // kept_roots: see kept_terms.hpp. Sums of square roots, rewritten by conjugates.
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -135,7 +136,8 @@ class ConjugateRewriter : GraphTermBuilder {
   }
 
   /// u + v + w for roots u and v, by Heron's formula with d = w^2 - u^2 - v^2. None if the
-  /// numerator has many terms:
+  /// numerator has many terms, or terms of both signs. If these cancel where w^2 = (u - v)^2, the
+  /// quotient is 0/0, as of sqrt(1 + x) + sqrt(1 + 2 x) - 2 at x = 24.
   ///
   ///     u + v + w = (4 u^2 v^2 - d^2)/((u + v - w) (2 u v + d))
   ///     4 u^2 v^2 - d^2 = w^2 (2 u^2 + 2 v^2 - w^2) - (u^2 - v^2)^2
@@ -150,6 +152,9 @@ class ConjugateRewriter : GraphTermBuilder {
     const SignedNode less = graph_.sum(*difference);
     const auto terms = expanded_terms({multiply(c, graph_.sum(*excess)), -multiply(less, less)});
     if (!terms || terms->size() > most_numerator_terms) return std::nullopt;
+    const auto is_negative = [](SignedNode term) { return term.is_negative; };
+    const auto negative = std::ranges::count_if(*terms, is_negative);
+    if (negative != 0 && negative != std::ssize(*terms)) return std::nullopt;
     const SignedNode numerator = graph_.sum(*terms);
     const SignedNode rest = graph_.sum(*d);
     const bool is_anchored = has_parameter_term(rest) && !has_branches(rest);

@@ -119,6 +119,7 @@ TEST_CASE("every rewriting has the value of the original") {
                            "2*sqrt(4 + b^2) - sqrt((2 + a)^2 + b^2) - sqrt((2 - a)^2 + b^2) + e",
                            "sqrt((2 + a)^2 + b^2) + sqrt((2 - a)^2 + b^2) - 4",
                            "sqrt(3 + a) + sqrt(3 - a) - 2*sqrt(3)",
+                           "sqrt((2 + a)^2 + b^2 + 9) + sqrt((2 - a)^2 + b^2 + 9) - 2*sqrt(13)",
                            "sqrt(4 + a) + sqrt(4 + b) - 4",
                            "2*sqrt(1 + a^2) + 2*sqrt(4 + b^2) - 6",
                            "sqrt(1 + a^2)*sqrt(1 + b^2) - 1",
@@ -207,6 +208,7 @@ TEST_CASE("sums without common factors stay") {
                            "a*log1p(a) - a",
                            "a*log1p(a) + b*log1p(b)",
                            "sqrt(a) + sqrt(b) - 2*sqrt(c)",
+                           "sqrt(2 + a) + sqrt(2 + 3*a) - 2*sqrt(2)",
                            "a + b - sqrt(a*b)",
                            "a + b + 2*sqrt(a*b)"}) {
     INFO(text);
