@@ -17,7 +17,7 @@ constexpr std::size_t points_per_kind = 4;
 constexpr std::size_t max_places = 10;
 constexpr int widest_factor = 3;  ///< parameters without positive bounds are scaled by at most 2^3
 
-/// With more velocities, the minors of M are too long to replace its pivots.
+/// With more velocities, the determinants w_ij of choose/solution.cpp are too long.
 constexpr std::size_t most_solved_velocities = 3;
 
 /// Relative distances (absolute at 0) near 1e-1, 1e-2, 1e-4 and 1e-8, as multiples of 2^-30.
@@ -139,8 +139,8 @@ class PointMaker {
     return clamp_to_range(Opcode::parameter, number, is_bounded ? drawn : value * drawn);
   }
 
-  /// Adds a copy of each point near a place, with other parameters: accelerations lose most digits
-  /// if links are nearly aligned and the ratio of their masses is large.
+  /// Adds copies, with other parameters, of all points after the first two kinds: accelerations
+  /// lose most digits if links are nearly aligned and the ratio of their masses is large.
   void add_scaled_copies() {
     const std::size_t count = points_.size();
     for (std::size_t i = 2 * points_per_kind; i < count; ++i) {

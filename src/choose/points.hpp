@@ -1,4 +1,4 @@
-// points: the states, at most 130, at which all forms of a function are compared.
+// points: the states, at most 138, at which all forms of a function are compared.
 //
 // Some states are inside the ranges with nominal parameters. Others have parameters from their
 // declared bounds, or scaled parameters. Others are near zeros of sums in the recursive form, the
@@ -9,7 +9,7 @@
 //
 // At states of rest, no rate, acceleration or input hides losses of a force. At minima of V, all
 // terms of a force vanish together. At remote states, coordinates without a range are large. Small
-// solutions (is_small_solution) have states near zeros a second time, with other parameters.
+// solutions (is_small_solution) have most states a second time, with other parameters.
 #pragma once
 
 #include <cstddef>
@@ -32,8 +32,8 @@ namespace elgen {
 
 /// The points at which all forms of a function are compared. `text` is the recursive form. Unless
 /// depends_on_motion(text), points near `zeros` are added. Each of domain.minima gives four points
-/// at rest: one at the minimum, and three near it. Coordinates are computed without libm,
-/// so that all machines get the same points. Cost: one pass over the instructions.
+/// at rest: one at the minimum, and three near it. Coordinates are computed without libm, so that
+/// all machines get the same points. Cost: one pass over the instructions.
 [[nodiscard]] Points comparison_points(const Program& program, const Function& text,
                                        const Domain& domain, const SumZeros& zeros = {});
 
@@ -57,8 +57,8 @@ using NearPlaces = std::vector<NearPlace>;
 /// The coordinates that `function` loads, in the order of its instructions.
 [[nodiscard]] std::vector<std::uint32_t> coordinates_of(const Function& function);
 
-/// True if two or more logarithms and typed sums of coordinates may vanish at one place: sums that
-/// are no terms of other sums, and sums of squares.
+/// True if `function` has two or more logarithms or typed sums with coordinates, which may vanish
+/// together. A term of another sum does not count, and a sum of squares counts once.
 [[nodiscard]] bool has_several_sums(const Function& function);
 
 /// The zeros of logarithms and of typed sums, in all functions without rates. A sum of squares

@@ -12,6 +12,8 @@
 // Bareiss, Sylvester's identity and multistep integer-preserving Gaussian elimination, Math. Comp.
 // 22 (1968).
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <optional>
 #include <utility>

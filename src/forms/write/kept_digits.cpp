@@ -1,6 +1,6 @@
 // kept_digits: see kept_digits.hpp. Tries sums of powers, products of roots, triangles, rows of
-// digit_rows.def, logarithms, pairs of terms, and conjugates of roots, in this order. Logarithms
-// are rewritten by log1p.
+// digit_rows.def, sums of logarithms, sums of roots, pairs of terms, and conjugates of roots, in
+// this order. Calls of log become log1p or asinh.
 #include "forms/write/kept_digits.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ constexpr std::size_t most_terms_in_pairs = 24;
 /// Sums in a rewriting are rewritten again, up to this depth; (r^6 - s^6)/r^6 needs four levels.
 /// Without a limit, sums of quotients may grow forever.
 constexpr int max_rewrite_depth = 6;
-/// The limit of sums to rewrite, nested ones included. The entries of models/ need at most 340;
+/// The limit of sums to rewrite, including nested sums. The entries of models/ need at most 340;
 /// each takes up to 0.1 ms.
 constexpr std::size_t max_rewritten_sums = 600;
 

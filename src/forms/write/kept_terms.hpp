@@ -1,5 +1,5 @@
 // kept_terms: rewritings of cancelling sums that a row of digit_rows.def cannot express:
-// triangles, pairs, conjugates of roots, logarithms, sums of powers.
+// triangles, pairs, roots, logarithms, sums of powers.
 #pragma once
 
 #include <cstddef>
@@ -41,7 +41,7 @@ namespace elgen {
                                                              const std::vector<SignedNode>& terms,
                                                              std::ptrdiff_t roots);
 
-/// Replaces terms of which two roots cancel one term together; false if there are none:
+/// Replaces two roots and a term that cancels their sum; false if there are none:
 ///
 ///     before    sqrt(l + x) + sqrt(l - x) - 2 sqrt(l)       sqrt(c^2 + x) + sqrt(c^2 + y) - 2 c
 ///     after     -2 x^2/((sqrt(l + x) + sqrt(l - x)          x/(sqrt(c^2 + x) + c)
@@ -58,8 +58,8 @@ namespace elgen {
                                       std::vector<SignedNode>& terms);
 
 /// Factors a sum of 3 to 30 terms that has a repeated factor: a common divisor of the sum and of
-/// its derivative with respect to a coordinate or an exponential. Factors the whole sum, or only
-/// the terms in which no other coordinate occurs:
+/// its derivative with respect to a coordinate or a call. Factors the whole sum, or only the terms
+/// in which no other coordinate or call occurs:
 ///
 ///     before    x^4 - 2*a^2*x^2 + a^4    1/r^2 - 2/(p*r) + 1/p^2    exp(-2*x) - 2*exp(-x) + 1
 ///     after     (x^2 - a^2)^2            (r - p)^2/(p^2*r^2)        expm1(-x)^2

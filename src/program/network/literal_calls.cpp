@@ -1,13 +1,14 @@
 // mark_literal_calls: see network.hpp. Sums are searched only if the graph has a function of a
 // number, and the same function of an argument with this number.
 #include <algorithm>
+#include <vector>
 
 #include "program/network/network.hpp"
 
 namespace elgen {
 namespace {
 
-/// The constant terms of a sum; the value itself if it is another constant; otherwise none.
+/// The constant terms of a sum. A constant that is no sum is its own term.
 std::vector<Operand> constant_terms(const Graph& graph, NodeId id) {
   std::vector<Operand> terms{{id, 1}};
   if (graph.node(id).kind == NodeKind::sum) terms = graph.node(id).operands;
