@@ -18,10 +18,6 @@ namespace {
 /// (most_terms), take 1.7 times as long for the arms and chains of models/, and give the same code.
 constexpr std::size_t max_total_terms = 3'000;
 
-/// If a closed entry costs more than 5/4 of the derived entry, rewritings may be cheaper: one
-/// fraction of k/(l - x)^2 - k/(l + x)^2 + c x has the long numerator of all three terms.
-constexpr std::size_t most_quarters_of_derived = 5;
-
 std::size_t term_count(const ClosedFunction& closed) {
   std::size_t count = 0;
   for (const ClosedField& field : closed.fields) {
@@ -120,9 +116,11 @@ class EntryJudge {
   }
 
   /// True if the derived entry loses digits, but costs so much less that it would be emitted.
+  /// Rewritings may then be cheaper: one fraction of k/(l - x)^2 - k/(l + x)^2 + c x has the long
+  /// numerator of all three terms.
   [[nodiscard]] bool is_too_dear() const {
     return derived_ != nullptr &&
-           !is_affordable(cost_of(form_.compact), cost_of(*derived_), most_quarters_of_derived) &&
+           !is_affordable(cost_of(form_.compact), cost_of(*derived_), quarters_for_balance) &&
            text_.loss_of(text_.errors_of(*derived_), entry_) > tolerated_loss;
   }
 
