@@ -64,25 +64,22 @@ class SumRewriter : GraphTermBuilder {
   SignedNode logarithm_near_one(SignedNode a, SignedNode less) {
     if (is_nonnegative(less)) return call(FunctionId::log1p, less);
     const SignedNode root = graph_.square_root(a);
-    const SignedNode two = graph_.rational(2);
-    const SignedNode ratio = graph_.product({{less, 1}, {root, -1}, {two, -1}});
-    const SignedNode half_logarithm = call(FunctionId::asinh, ratio);
+    const SignedNode half_logarithm =
+        call(FunctionId::asinh, graph_.product({{less, 1}, {root, -1}, {graph_.rational(2), -1}}));
     if (keeping_.progress != nullptr) {
       const SignedNode of_call = half_logarithm.is_negative ? quotient(one(), a) : a;
       keeping_.progress->logarithms.emplace(half_logarithm.node, of_call);
     }
-    return graph_.product({{two, 1}, {half_logarithm, 1}});
+    return multiply_by_two(half_logarithm);
   }
 
   /// True if `value` is a positive number times even powers, roots and positive calls, or a sum of
   /// such terms.
   [[nodiscard]] bool is_nonnegative(SignedNode value) const {
-    const Node& node = graph_.node(value.node);
-    if (node.kind == NodeKind::sum) {
-      const std::vector<SignedNode> terms = terms_of(value.node);
-      return !value.is_negative && std::ranges::all_of(terms, [&](SignedNode term) {
-        return graph_.node(term.node).kind != NodeKind::sum && is_nonnegative(term);
-      });
+    if (graph_.node(value.node).kind == NodeKind::sum) {
+      return !value.is_negative &&
+             std::ranges::all_of(terms_of(value.node),
+                                 [this](SignedNode term) { return is_nonnegative(term); });
     }
     const ScaledTerm term = split_term(value);
     const auto is_factor_nonnegative = [&](const Operand& factor) {
