@@ -104,9 +104,10 @@ std::optional<ReadableEntries> read_system(const Program& system, std::size_t n)
     for (std::size_t j = 1; j <= i; ++j) {
       const Fraction& minor = *forms.functions[0].fields[0].entries[i * n + j];
       const bool cancels = i == j && !has_nonnegative_terms(forms.algebra, minor, system.leaves);
-      std::optional<Expressions> homogeneous = shortest_precise_rewriting(forms.algebra, minor);
-      if (cancels || !homogeneous) return std::nullopt;
-      entries[i * n + j]->compact = std::move(*homogeneous);
+      std::vector<CollectedForm> homogeneous = precise_rewritings(forms.algebra, minor);
+      if (cancels || homogeneous.empty()) return std::nullopt;
+      const auto shortest = std::ranges::min_element(homogeneous, {}, &CollectedForm::length);
+      entries[i * n + j]->compact = std::move(shortest->expressions);
     }
   }
   return entries;

@@ -278,13 +278,6 @@ std::vector<CollectedForm> precise_rewritings(const Algebra& algebra, const Frac
   return rewritings;
 }
 
-std::optional<Expressions> shortest_precise_rewriting(const Algebra& algebra,
-                                                      const Fraction& form) {
-  std::vector<CollectedForm> all = precise_rewritings(algebra, form);
-  if (all.empty()) return std::nullopt;
-  return std::move(std::ranges::min_element(all, {}, &CollectedForm::length)->expressions);
-}
-
 bool has_nonnegative_terms(const Algebra& algebra, const Fraction& form, const LeafNames& leaves) {
   const auto terms = homogeneous_terms(algebra, form.numerator, most_terms);
   return terms && !terms->empty() && std::ranges::all_of(*terms, [&](const RealTerm& term) {

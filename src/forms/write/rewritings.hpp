@@ -53,10 +53,6 @@ struct Rewritings {
 [[nodiscard]] std::vector<CollectedForm> precise_rewritings(const Algebra& algebra,
                                                             const Fraction& form);
 
-/// The shortest of precise_rewritings(); none if there is none.
-[[nodiscard]] std::optional<Expressions> shortest_precise_rewriting(const Algebra& algebra,
-                                                                    const Fraction& form);
-
 /// True if the homogeneous numerator of `form` has terms and none can be negative, so that nothing
 /// cancels. Each coefficient must be positive, and each power even, except powers of roots and of
 /// parameters that are assumed to be positive or nonnegative.
