@@ -33,39 +33,27 @@ constexpr double nearest_distance = distances[3];
 /// The distances of points at rest from a minimum of V. The last is near 1e-12.
 constexpr double distances_from_minima[]{0, near_distance, nearest_distance, 0x1p-40};
 
-/// For each coordinate: true if it occurs in an operand that `is_sought`: the first operand of a
-/// call or a root, the divisor of a quotient.
-template <class IsSought>
-std::vector<bool> coordinates_in_operands(const Function& function, const IsSought& is_sought,
-                                          std::size_t coordinate_count) {
-  std::vector<std::uint32_t> arguments;
-  for (const Instruction& i : function.instructions) {
-    if (is_sought(i)) arguments.push_back(i.opcode == Opcode::divide ? i.b : i.a);
-  }
-  const std::vector<bool> needed = needed_instructions(function, arguments);
-  std::vector<bool> occurs(coordinate_count);
-  for (std::size_t at = 0; at < needed.size(); ++at) {
-    const Instruction& i = function.instructions[at];
-    if (needed[at] && i.opcode == Opcode::coordinate) occurs[i.a] = true;
-  }
-  return occurs;
-}
-
 /// For each coordinate: true if its values may be remote, and it occurs in a call, a root or a
 /// divisor. In functions of rates, only exponentials and logarithms count: a potential in these
 /// functions has the form that was chosen for it alone.
 std::vector<bool> remote_coordinates(const Function& text, const Model& model) {
   const bool is_moving = depends_on_motion(text);
-  const auto is_sought = [is_moving](const Instruction& i) {
-    const bool is_exponential = i.opcode == Opcode::call &&
-                                (i.function == FunctionId::exp || i.function == FunctionId::log);
-    if (is_moving) return is_exponential;
-    return i.opcode == Opcode::call || i.opcode == Opcode::square_root ||
-           i.opcode == Opcode::divide;
-  };
-  std::vector<bool> result = unbounded_coordinates(model);
-  const std::vector<bool> occurs = coordinates_in_operands(text, is_sought, result.size());
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = result[i] && occurs[i];
+  std::vector<std::uint32_t> operands;
+  for (const Instruction& i : text.instructions) {
+    const bool is_call = i.opcode == Opcode::call;
+    const bool is_exponential =
+        is_call && (i.function == FunctionId::exp || i.function == FunctionId::log);
+    const bool counts = is_moving ? is_exponential : is_call || i.opcode == Opcode::square_root;
+    if (counts) operands.push_back(i.a);
+    if (!is_moving && i.opcode == Opcode::divide) operands.push_back(i.b);
+  }
+  const std::vector<bool> needed = needed_instructions(text, operands);
+  const std::vector<bool> is_unbounded = unbounded_coordinates(model);
+  std::vector<bool> result(is_unbounded.size());
+  for (std::size_t at = 0; at < needed.size(); ++at) {
+    const Instruction& i = text.instructions[at];
+    if (needed[at] && i.opcode == Opcode::coordinate) result[i.a] = is_unbounded[i.a];
+  }
   return result;
 }
 
