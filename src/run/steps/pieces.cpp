@@ -22,18 +22,16 @@ enum class RatePosition : std::uint8_t { held, above, below };
 std::optional<Numbers> solve_shares(const Numbers& a, const Numbers& w,
                                     const std::vector<RatePosition>& places) {
   const std::size_t n = a.size();
-  Numbers equations;
+  Numbers matrix;
+  Numbers right_side;
   for (std::size_t i = 0; i < n; ++i) {
     const bool is_held = places[i] == RatePosition::held;
     for (std::size_t k = 0; k < n; ++k) {
-      equations.push_back(is_held ? w[i * n + k] : i == k ? 1 : 0);
+      matrix.push_back(is_held ? w[i * n + k] : i == k ? 1 : 0);
     }
-    equations.push_back(is_held ? -a[i] : places[i] == RatePosition::below ? 1 : 0);
+    right_side.push_back(is_held ? -a[i] : places[i] == RatePosition::below ? 1 : 0);
   }
-  LargestPivot<double> field;
-  const Echelon<LargestPivot<double>> echelon(field, equations, n + 1, n);
-  if (!echelon.is_defined() || echelon.rank() < n) return std::nullopt;
-  return echelon.solution();
+  return solve_linear(matrix, right_side);
 }
 
 /// The position to try next if `share` or `acceleration` contradicts `place`; otherwise `place`.
