@@ -222,6 +222,7 @@ std::string table_rows(const TypedEnergy& energy, const EnergyErrors& errors) {
 
 TEST_CASE("energies keep the digits of their texts, and most keep the digits of stable forms") {
   const std::vector<TypedEnergy> energies = typed_energies();
+  REQUIRE_FALSE(energies.empty());
   std::string table = fmt::format("{:<30} {:<10} {:>8} {:>8} {:>8}   errors in u\n", "energy",
                                   "entry", "stable", "text", "emitted");
   std::size_t near_stable = 0;
