@@ -113,8 +113,8 @@ class RuleMatcher : protected ReplacementBuilder {
   using ReplacementBuilder::build_replacement;
   using ReplacementBuilder::ReplacementBuilder;
 
-  /// All ways to write `value` as the pattern times a common factor. An odd function matches with
-  /// either sign of its argument.
+  /// All ways to write `value` as the pattern times a common factor. An odd power of an odd
+  /// function matches with either sign of its argument.
   [[nodiscard]] std::vector<Match> find_matches(const ScaledTerm& pattern, const ScaledTerm& value,
                                                 const PatternSubstitution& known) const {
     std::vector<Match> found;
@@ -123,8 +123,9 @@ class RuleMatcher : protected ReplacementBuilder {
     extend_match(pattern, 0, start, found);
     const auto odd = std::ranges::find_if(pattern.factors, [&](const Operand& factor) {
       const Node& node = rule_patterns().graph.node(factor.node);
-      return node.kind == NodeKind::call && function_row(node.function).parity == Parity::odd &&
-             !known[*pattern_variable(factor.node)];
+      const bool is_odd = node.kind == NodeKind::call && factor.weight % 2 != 0 &&
+                          function_row(node.function).parity == Parity::odd;
+      return is_odd && !known[*pattern_variable(factor.node)];
     });
     if (odd == pattern.factors.end()) return found;
     std::vector<Match> turned = found;

@@ -203,6 +203,7 @@ TEST_CASE("sums without common factors stay") {
                            "a^2 + b^2 - a*b",
                            "a^2 + b^2 - a*b*cos(c)",
                            "a^2 + 2*a + 2",
+                           "1 + tanh(a)^2",
                            "sqrt(4 + b^2) + 2",
                            "a - 2*log1p(a)",
                            "a*log1p(a) - a",
