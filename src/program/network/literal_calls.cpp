@@ -67,7 +67,6 @@ std::vector<bool> mark_literal_calls(const Expressions& expressions) {
       return are_in_two_terms(graph.node(id), with_number, with_partner);
     });
   }
-  if (std::find(found.begin(), found.end(), true) == found.end()) return found;
   return mark_users(graph, [&](NodeId id) -> bool { return found[id]; });
 }
 
