@@ -68,6 +68,7 @@ TEST_CASE("the contents list the sections of the header in their order") {
       "  result 2 1 = 1 1\n");
   CHECK(mentions(cpp_text(subject),
                  "//   constant                 numbers in any Scalar\n"
+                 "//   namespace detail         functions that compare the numbers of packs\n"
                  "//   namespace detail         sign, min and max\n"
                  "//   Parameters               with the values of the model file\n"
                  "//   functions                in the order of the table below\n//\n"));

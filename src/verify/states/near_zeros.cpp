@@ -75,13 +75,15 @@ class NearZeroSampler {
     const std::vector<PositionSum> sums = position_sums(subject_.model);
     std::set<std::uint32_t> all;
     for (const PositionSum& sum : sums) all.insert(sum.coordinates.begin(), sum.coordinates.end());
-    // The zeros of a single sum along its coordinates suffice.
+    // The zeros of a single sum along its coordinates suffice, with motion and at rest.
+    const int rounds = sums.size() == 1 ? 2 : 1;
     if (sums.size() > 1 && subject_.model.open_values.empty()) add_states_near_minima(all);
     for (const PositionSum& sum : sums) {
       for (const std::uint32_t coordinate : sum.coordinates) {
         if (states_.size() >= max_states_) break;
         Arguments<double> at = draw_in_ranges(subject_, ranges_, sampler_);
-        if (move_to_zero(sum, coordinate, at)) add_states_near(at, {coordinate});
+        if (!move_to_zero(sum, coordinate, at)) continue;
+        for (int i = 0; i < rounds; ++i) add_states_near(at, {coordinate}, 0.5 * i);
       }
     }
     if (states_.size() > max_states_) states_.resize(max_states_);
