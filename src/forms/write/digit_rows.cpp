@@ -73,9 +73,8 @@ class ReplacementBuilder : protected GraphTermBuilder {
     return negate_if(value, pattern.is_negative);
   }
 
-  /// The sum of letters. If all letters are sums, or products with a sum, it is flattened only if a
-  /// term cancels then, as in (x + h) - (x - h). Otherwise differences inside letters stay
-  /// together, because they may be small:
+  /// The sum of letters. If all letters have several terms, it is flattened only if a term cancels
+  /// then, as in (x + h) - (x - h). Otherwise small differences inside letters stay together:
   ///
   ///     (b - a) + (c - a), not b + c - 2 a        k (x - y), not k x - k y
   SignedNode sum_of_letters(const std::vector<SignedNode>& letters) {
