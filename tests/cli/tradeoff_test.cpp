@@ -68,7 +68,9 @@ TEST_CASE("a wider inner scalar has all digits, whatever the condition of M") {
     const std::string inner = design["design"]["inner"];
     if (inner != "long double") CHECK(is_right == (inner == "double-double"));
   }
-  CHECK(mentions(workspace.read("wide.scene.toml"), "inner = \"double-double\"\n"));
+  const std::string wide = workspace.read("wide.scene.toml");
+  CHECK((mentions(wide, "inner = \"double-double\"\n") ||
+         mentions(wide, "inner = \"long double\"\n")));
   CHECK(workspace.run("elgen verify --build written --samples 8 wide.scene.toml").status == 0);
 }
 
@@ -124,8 +126,8 @@ TEST_CASE("polynomials of 1e-7 are tried if the command or the scene asks for th
                       "/simple_pendulum.toml\"\nname = \"rough\"\n[outputs]\ngravity = true\n"
                       "[emit]\nbatch = true\n[numeric]\ntrigonometry = { max_error = 1e-7 }\n");
   const auto tried = [&workspace](const std::string& words) {
-    const nlohmann::json table = table_in(
-        workspace.run("elgen tradeoff --as json --scalar double --parameters fixed " + words));
+    const nlohmann::json table = table_in(workspace.run(
+        "elgen tradeoff --as json --scalar double --form chosen --parameters fixed " + words));
     std::size_t count = 0;
     for (const auto& design : table["designs"]) {
       if (design["design"].value("trigonometry", "") != "1e-7") continue;
