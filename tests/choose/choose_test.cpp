@@ -196,9 +196,8 @@ V = "-a*b*tanh(3*x) + 1/2*(((a + x - 0.3)^2 + b^2)^(3/2) - ((a - 0.3)^2 + b^2)^(
 )toml"));
   for (const FormCosts& costs : c.choice.costs) {
     INFO(costs.function);
-    CHECK(costs.limited_entry.has_value() == (costs.function == "potential_energy" ||
-                                              costs.function == "total_energy" ||
-                                              costs.function == "energy_function" ||
-                                              costs.function == "dynamics"));
+    CHECK(costs.limited_entry.has_value() ==
+          (costs.function == "potential_energy" || costs.function == "total_energy" ||
+           costs.function == "energy_function" || costs.function == "dynamics"));
   }
 }

@@ -66,8 +66,7 @@ inline void read_line(const std::string& key, const std::string& rest, TypedEner
 inline std::vector<TypedEnergy> typed_energies() {
   std::vector<TypedEnergy> energies;
   const char* const named = std::getenv("ELGEN_ENERGIES");
-  const std::string path =
-      named != nullptr ? named : ELGEN_SOURCE_DIR "/tests/choose/energies.txt";
+  const std::string path = named != nullptr ? named : ELGEN_SOURCE_DIR "/tests/choose/energies.txt";
   for (const std::string& line : split_lines(read_text(path))) {
     if (line.empty() || line.front() == '#') continue;
     std::istringstream words(line);
