@@ -46,10 +46,17 @@ PlannedRun plan_run(const StepMethodRow& method, std::uint32_t order, double h, 
       0};
 }
 
-/// The scalars of accelerations: double, and float if the method calls accelerations.
-std::vector<InnerScalar> inner_scalars(const StepMethodRow& method) {
-  if (method.id == StepMethod::midpoint) return {InnerScalar::same};
-  return {InnerScalar::same, InnerScalar::single_precision};
+/// Adds runs of `steps` steps of `h` seconds, for single states and for packs, with accelerations
+/// in double and, if the method calls accelerations, in float.
+void add_runs(const StepMethodRow& method, std::uint32_t order, double h, std::size_t steps,
+              std::vector<PlannedRun>& runs) {
+  for (const InnerScalar inner : {InnerScalar::same, InnerScalar::single_precision}) {
+    if (inner != InnerScalar::same && method.id == StepMethod::midpoint) continue;
+    for (const bool in_packs : {false, true}) {
+      runs.push_back(plan_run(method, order, h, inner, in_packs));
+      runs.back().steps = steps;
+    }
+  }
 }
 
 }  // namespace
@@ -62,12 +69,7 @@ std::vector<PlannedRun> plan_runs(double time, const std::vector<double>& length
   for (const StepMethodRow& method : step_methods) {
     for (const std::uint32_t order : step_orders(method.order)) {
       for (const double steps : counts) {
-        for (const InnerScalar inner : inner_scalars(method)) {
-          for (const bool in_packs : {false, true}) {
-            runs.push_back(plan_run(method, order, time / steps, inner, in_packs));
-            runs.back().steps = static_cast<std::size_t>(steps);
-          }
-        }
+        add_runs(method, order, time / steps, static_cast<std::size_t>(steps), runs);
       }
     }
   }
