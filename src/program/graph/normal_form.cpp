@@ -8,6 +8,8 @@
 //               2*pi*x/4             -> 1/2*pi*x     rational numbers are one coefficient
 //               sinh(x)/cosh(x)      -> tanh(x)      the calls overflow, their quotient does not
 //               e^x/(1 + e^x)        -> 1/(1 + e^-x)
+#include <cln/integer.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
