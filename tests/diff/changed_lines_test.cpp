@@ -22,7 +22,7 @@ const OneTerm one_terms[]{
     {"cart_pole", "\"-g\"", "\"g\"", 65},
     {"elastic_pendulum", "V = \"1/2*k*", "V = \"k*", 62},
     {"furuta_pendulum", "D = \"1/2*b1*", "D = \"b1*", 151},
-    {"motor_pendulum", "D = \"1/2*b*", "D = \"b*", 38},
+    {"motor_pendulum", "D = \"1/2*b*", "D = \"b*", 33},
     {"kepler_polar", "V = \"-mu", "V = \"-2*mu", 52},
 };
 
