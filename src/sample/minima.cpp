@@ -23,7 +23,6 @@ using Reals = std::vector<Real>;
 
 /// Counts that bound the search. Most starts converge after 5 to 20 rounds.
 constexpr std::size_t most_starts = 8;
-constexpr std::size_t most_drawn_starts = 5;
 constexpr std::size_t most_rounds = 40;
 constexpr std::size_t most_minima = 3;
 /// With more coordinates and constraints, the oracle takes too long.

@@ -23,9 +23,6 @@ constexpr std::size_t evaluations_per_state = 256;
 /// Limit of evaluations times the model's expressions: about a second.
 constexpr std::size_t most_work = 1 << 20;
 
-/// find_minima() uses at most five drawn starts.
-constexpr std::size_t drawn_starts = 5;
-
 constexpr int cells = 16;
 constexpr int grids = 18;  ///< each 8 times finer than the last; 8^-18 is less than u of a double
 /// A sum is 0 if it is below this fraction of the largest |sum| on the first grid. At a zero,
@@ -128,7 +125,7 @@ class NearZeroSampler {
   void add_states_near_minima(const std::set<std::uint32_t>& coordinates) {
     const Model& model = subject_.model;
     Domain domain{model, ranges_};
-    for (std::size_t i = 0; i < drawn_starts; ++i)
+    for (std::size_t i = 0; i < most_drawn_starts; ++i)
       domain.states.push_back(draw_in_ranges(subject_, ranges_, sampler_));
     Arguments<double> at = domain.states.front();
     State state = exact_state(subject_, at);
