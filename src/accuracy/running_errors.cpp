@@ -66,6 +66,17 @@ bool is_exact_factor(const RunningValue<Number>& x) {
   return is_zero(x.error) && is_power_of_two(x.value);
 }
 
+/// True if the sum `value` of two numbers without errors is exact, because it is a difference of
+/// numbers within a factor of two (Sterbenz 1974). A rounded operand may be in this range by
+/// chance.
+template <class Number>
+bool is_exact_difference(const RunningValue<Number>& x, const RunningValue<Number>& y,
+                         const Number& value) {
+  const Number difference = abs(value);
+  return is_zero(x.error) && is_zero(y.error) && difference <= abs(x.value) &&
+         difference <= abs(y.value);
+}
+
 /// True if the error of x is small compared with `scale`.
 template <class Number>
 bool is_accurate(const RunningValue<Number>& x, const Number& scale,
@@ -164,7 +175,8 @@ template LeafValues<RunningValue<double>> running_leaves(const Arguments<double>
 template <class Number>
 auto RunningErrorRules<Number>::add(const Value& x, const Value& y) const -> Value {
   const Number value = x.value + y.value;
-  return finish_operation<Number>(value, x.error + y.error + abs(value), x, y, rounding);
+  const Number own = is_exact_difference(x, y, value) ? Number{} : abs(value);
+  return finish_operation<Number>(value, x.error + y.error + own, x, y, rounding);
 }
 
 template <class Number>

@@ -47,7 +47,9 @@ TEST_CASE("leaves: numbers of the scalar are exact, others are rounded") {
 
 TEST_CASE("each operation rounds once, and passes errors on") {
   CHECK(error(value_with_error("3", "2") + value_with_error("-1", "1")) == 2 + 1 + 2);
-  CHECK(error(leaf("3") - leaf("5")) == 2);
+  CHECK(error(leaf("3") - leaf("7")) == 4);
+  CHECK(error(leaf("3") - leaf("5")) == 0);  // exact: the larger is at most twice the smaller
+  CHECK(error(leaf("3") - value_with_error("5", "1")) == 1 + 2);
   CHECK(error(value_with_error("3", "2") * value_with_error("5", "1")) == 2 * 5 + 3 + 15);
   CHECK(error(value_with_error("6", "1") / value_with_error("3", "2")) ==
         Approx((1 + 2 * 2) / 3.0 + 2));
