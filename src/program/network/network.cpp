@@ -269,7 +269,25 @@ class NetworkConverter {
         operation.operands.push_back(negate_if(term, value.is_negative));
     }
     if (is_sum && !uses_.empty()) builder_.merge_like_terms(operation.operands);
+    if (is_sum) put_coordinates_first(operation.operands);
     return {builder_.add(std::move(operation))};
+  }
+
+  /// q - p - r instead of p + r - q: q - p is exact if q is near p, but p + r is rounded. Changes
+  /// only sums of two or more parameters and of coordinates.
+  void put_coordinates_first(std::vector<SignedNode>& terms) const {
+    const auto is_leaf_term = [this](Opcode leaf) {
+      return [this, leaf](SignedNode x) {
+        const Operation& term = builder_.network.operations[x.node];
+        return term.kind == OperationKind::leaf && term.leaf == leaf;
+      };
+    };
+    const auto is_parameter = is_leaf_term(Opcode::parameter);
+    const auto is_coordinate = is_leaf_term(Opcode::coordinate);
+    const auto parameters = std::ranges::count_if(terms, is_parameter);
+    const auto coordinates = std::ranges::count_if(terms, is_coordinate);
+    if (parameters < 2 || parameters + coordinates != std::ssize(terms)) return;
+    std::ranges::stable_partition(terms, is_coordinate);
   }
 
   SignedNode convert_product(NodeId id) {
