@@ -116,7 +116,8 @@ class RecursiveForms {
     if (known != errors_.end()) return &known->second;
     const Function& text = form(index);
     Points points = comparison_points(recursive_, recursive_.functions[index], domain_, zeros_);
-    return &errors_.try_emplace(index, chosen_, text, std::move(points)).first->second;
+    const auto scope = is_of_potential(text) ? MagnitudeScope::entry : MagnitudeScope::field;
+    return &errors_.try_emplace(index, chosen_, text, std::move(points), scope).first->second;
   }
 
  private:
@@ -156,6 +157,7 @@ class FormChooser {
         scene_(scene),
         aim_(make_aim(scene, zeros != nullptr)),
         points_(mixed_magnitude_points(recursive.leaves)),
+        places_(exact_places(domain)),
         recursive_forms_(recursive, result_.program, domain, scene,
                          zeros != nullptr ? *zeros : SumZeros{}) {
     result_.program = recursive;
@@ -179,7 +181,7 @@ class FormChooser {
     if (!output_row(function.kind).is_summary) {
       const bool is_compared = has_closed_form(forms_.functions[index]);
       FormErrors* const text = is_compared ? recursive_forms_.errors_of(index) : nullptr;
-      return entries = read_entries(recursive_, forms_, index, points_, text);
+      return entries = read_entries(recursive_, forms_, index, points_, {text, places_});
     }
     for (const Field& field : function.fields) {
       const auto member = entries_.find(field.name);
@@ -239,11 +241,12 @@ class FormChooser {
     return closed;
   }
 
-  /// Small solutions must lose no digits: light links cost double only a fifth of its digits, but
-  /// float loses half of its digits in the same code.
+  /// V and gravity must lose no digits. Neither must small solutions: light links cost double only
+  /// a fifth of its digits, but float loses half of its digits in the same code.
   [[nodiscard]] LoweringRequirements aim_of(const Function& function) const {
     LoweringRequirements aim = aim_;
-    if (is_small_solution(recursive_, function)) aim.max_loss = tolerated_loss;
+    if (is_of_potential(function) || is_small_solution(recursive_, function))
+      aim.max_loss = tolerated_loss;
     return aim;
   }
 
@@ -307,6 +310,7 @@ class FormChooser {
   const Scene& scene_;
   LoweringRequirements aim_;  ///< common to all functions
   Points points_;
+  std::vector<ExactPlace> places_;  ///< minima of V
   FormChoice result_ = {};
   RecursiveForms recursive_forms_;
   std::map<std::string, ReadableEntries> entries_;

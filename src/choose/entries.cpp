@@ -32,12 +32,27 @@ struct EntryRewritings {
   bool is_limited = false;  ///< rewrite_to_keep_digits() reached its limit
 };
 
-/// The rewritings of the closed form of an entry, `precise`, `derived` unless it is null, and the
-/// results of rewrite_to_keep_digits().
+/// The rewritings of `derived` at places where its sums vanish.
+std::vector<Expressions> rewritings_at_places(const Expressions& derived,
+                                              std::span<const ExactPlace> places,
+                                              const LeafNames& leaves) {
+  std::vector<Expressions> rewritings;
+  for (const ExactPlace& place : places) {
+    for (const DifferenceForm form : {DifferenceForm::plain, DifferenceForm::ratio}) {
+      std::optional<Expressions> rewriting = rewrite_at_place(derived, place, leaves, form);
+      if (rewriting) rewritings.push_back(std::move(*rewriting));
+    }
+  }
+  return rewritings;
+}
+
+/// The rewritings of the closed form of an entry, `precise`, `derived` unless it is null,
+/// `at_places`, and the results of rewrite_to_keep_digits().
 EntryRewritings all_rewritings(Rewritings of_form, std::vector<CollectedForm> precise,
-                               const DerivedEntry* derived) {
+                               const DerivedEntry* derived, std::vector<Expressions> at_places) {
   EntryRewritings result;
   std::vector<Expressions>& rewritings = result.shortest_first;
+  rewritings = std::move(at_places);
   for (auto* some : {&of_form.collected, &precise}) {
     for (CollectedForm& rewriting : *some) rewritings.push_back(std::move(rewriting.expressions));
   }
@@ -211,7 +226,7 @@ bool has_closed_form(const ClosedFunction& closed) {
 }
 
 ReadableEntries read_entries(const Program& program, const ClosedForms& forms, std::size_t index,
-                             const Points& points, FormErrors* text) {
+                             const Points& points, AccuracySearch search) {
   const Function& function = program.functions[index];
   const ClosedFunction& closed = forms.functions[index];
   ReadableEntries entries;
@@ -225,11 +240,15 @@ ReadableEntries read_entries(const Program& program, const ClosedForms& forms, s
       Rewritings rewritings = rewritings_of(forms.algebra, *form);
       entry = choose_readable_form(rewritings.collected, derived ? &derived->collected : nullptr,
                                    points);
-      if (!entry || text == nullptr) continue;
-      EntryJudge judge(*entry, entries.size() - 1, *text, derived ? &derived->unexpanded : nullptr);
+      if (!entry || search.text == nullptr) continue;
+      EntryJudge judge(*entry, entries.size() - 1, *search.text,
+                       derived ? &derived->unexpanded : nullptr);
       judge([&] {
+        std::vector<Expressions> at_places;
+        if (derived)
+          at_places = rewritings_at_places(derived->unexpanded, search.places, program.leaves);
         return all_rewritings(std::move(rewritings), precise_rewritings(forms.algebra, *form),
-                              derived ? &*derived : nullptr);
+                              derived ? &*derived : nullptr, std::move(at_places));
       });
     }
   }

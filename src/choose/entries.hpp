@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "choose/text_errors.hpp"
+#include "forms/write/remainders.hpp"
 #include "forms/write/rewritings.hpp"
 #include "program/graph/angle_sums.hpp"
 
@@ -19,13 +21,19 @@ inline constexpr std::size_t quarters_for_balance = 5;
 /// True if every entry has a closed form and the forms together are not too long.
 [[nodiscard]] bool has_closed_form(const ClosedFunction& closed);
 
+/// The errors of the recursive form, null if accuracy does not matter, and the places at which sums
+/// of the entries may vanish.
+struct AccuracySearch {
+  FormErrors* text = nullptr;
+  std::span<const ExactPlace> places = {};
+};
+
 /// The entries of functions[index] of the recursive program; empty if the closed forms together are
-/// too long. `text` holds the errors of the recursive form. If `text` is not null, an accurate
-/// rewriting replaces each inaccurate entry if one exists, and an entry that loses digits gets a
-/// rewriting that keeps these digits.
+/// too long. If search.text is not null, an accurate rewriting replaces each inaccurate entry if
+/// one exists, and an entry that loses digits gets a rewriting that keeps these digits.
 [[nodiscard]] ReadableEntries read_entries(const Program& program, const ClosedForms& forms,
                                            std::size_t index, const Points& points,
-                                           FormErrors* text = nullptr);
+                                           AccuracySearch search = {});
 
 /// True if there are entries and all have a form.
 [[nodiscard]] bool is_complete(const ReadableEntries& entries);

@@ -20,6 +20,7 @@
 #include "elgen/choose.hpp"
 #include "elgen/domain.hpp"
 #include "elgen/program.hpp"
+#include "forms/write/remainders.hpp"
 #include "sample/points.hpp"
 
 namespace elgen {
@@ -54,12 +55,14 @@ using NearPlaces = std::vector<NearPlace>;
 [[nodiscard]] NearPlaces cancelling_places(const Program& program, const Function& text,
                                            const Domain& domain, std::size_t most);
 
+/// The minima of `domain` with exact values: 0, multiples of parameters with the unit of the
+/// coordinate, sums of two of them, multiples of pi, and rational numbers with small numerators and
+/// denominators. Coordinates with other values may have any value. Several values may equal a coordinate at a minimum, so there may be
+/// more places than minima.
+[[nodiscard]] std::vector<ExactPlace> exact_places(const Domain& domain);
+
 /// The coordinates that `function` loads, in the order of its instructions.
 [[nodiscard]] std::vector<std::uint32_t> coordinates_of(const Function& function);
-
-/// True if `function` has two or more logarithms or typed sums with coordinates, which may vanish
-/// together. A term of another sum does not count, and a sum of squares counts once.
-[[nodiscard]] bool has_several_sums(const Function& function);
 
 /// The zeros of logarithms and of typed sums, in all functions without rates. A sum of squares
 /// vanishes if all its squares do. For the base r of each square in turn, a state q is projected

@@ -241,7 +241,7 @@ std::vector<std::vector<double>> find_potential_minima(const Program& potential,
   // After the derivatives by coordinates, there may be one by t.
   const bool is_searched = scene.numerics.prefer != Preference::speed &&
                            model.open_values.empty() && length <= longest_searched &&
-                           has_several_sums(energy) && entry_count(derivatives) >= variables.size();
+                           !variables.empty() && entry_count(derivatives) >= variables.size();
   if (!is_searched) return {};
   std::vector<std::uint32_t> searched;
   for (std::uint32_t i = 0; i < model.coordinates.size(); ++i) {

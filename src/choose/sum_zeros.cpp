@@ -224,13 +224,6 @@ std::vector<std::uint32_t> coordinates_of(const Function& function) {
   return coordinates;
 }
 
-bool has_several_sums(const Function& function) {
-  const std::vector<std::vector<std::uint32_t>> groups = ResidualGroups(function).groups;
-  return std::ranges::count_if(groups, [&](const std::vector<std::uint32_t>& residuals) {
-           return !coordinates_of(with_entries(function, residuals)).empty();
-         }) > 1;
-}
-
 SumZeros find_sum_zeros(const Program& program, const Domain& domain) {
   SumZeros zeros;
   const std::vector<Arguments<double>> all = make_starts(domain);

@@ -23,9 +23,7 @@ constexpr long accurate_ratio_of_motion = 64;
 constexpr double certain_share = 0.25;
 
 long accurate_ratio(const Function& text) {
-  const bool is_potential =
-      text.kind == OutputKind::potential_energy || text.kind == OutputKind::gravity;
-  return is_potential ? accurate_ratio_of_potential : accurate_ratio_of_motion;
+  return is_of_potential(text) ? accurate_ratio_of_potential : accurate_ratio_of_motion;
 }
 
 constexpr double unit_roundoff = 0x1p-53;
@@ -53,8 +51,7 @@ bool has_different_value(const RunningValue<Real>& own, const RunningValue<Real>
 }
 
 bool is_inaccurate(const RunningValue<Real>& own, const RunningValue<Real>& text, long ratio) {
-  // Code has no digits of a value beyond the range of double.
-  if (!text.error.is_defined() || !std::isfinite(to_double(text.value.value()))) return false;
+  if (!text.error.is_defined()) return false;
   if (!own.error.is_defined() || has_different_value(own, text)) return true;
   const Real allowed = max(text.error, abs(text.value)) * Real(cln::cl_I(ratio));
   return own.error.value() > allowed.value();
@@ -73,19 +70,26 @@ std::vector<RunningValue<Real>> exact_entries(const Program& program, const Func
   return running_entries(program, function, rules);
 }
 
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
 /// x in double; NaN if x is undefined.
 double to_double_or_nan(const Real& x) {
-  return x.is_defined() ? to_double(x.value()) : std::numeric_limits<double>::quiet_NaN();
+  return x.is_defined() ? to_double(x.value()) : not_a_number;
 }
 
-/// The loss at a point: 0 if the text has no value there, infinite if only the text has a value.
+/// The loss at a point: 0 if the text has no value there, infinite if only the text has a value. At
+/// an exact zero, every error is infinitely larger than the value; points near the zero decide.
 double loss_ratio(double error, double magnitude, double least) {
-  if (std::isnan(magnitude) || error == 0) return 0;
+  if (std::isnan(magnitude) || magnitude == 0) return 0;
   if (std::isnan(error)) return std::numeric_limits<double>::infinity();
   return error / (least > magnitude ? least : magnitude);
 }
 
 }  // namespace
+
+bool is_of_potential(const Function& text) {
+  return text.kind == OutputKind::potential_energy || text.kind == OutputKind::gravity;
+}
 
 bool loses_more(double loss, double other, double tolerated) {
   return loss > std::max(tolerated, loss_equality_factor * other);
@@ -102,17 +106,18 @@ FormErrors::FormErrors(const Program& program, const Function& text, Points poin
   }
 }
 
-/// The magnitude |x| of each entry. A value of the text is recomputed in 64 digits if its relative
-/// error in double is above max_certain_error.
+/// The magnitude |x| of each entry; NaN if the text in double overflows. A value of the text is
+/// recomputed in 64 digits if its relative error in double is above max_certain_error.
 std::vector<double> FormErrors::magnitudes_at(std::size_t point, MagnitudeScope scale) const {
   std::vector<double> magnitudes;
   for (std::size_t i = 0; i < rough_entries_[point].size(); ++i) {
     const RunningValue<double>& rough = rough_entries_[point][i];
-    const double size = std::abs(rough.value);
+    const double size = std::isfinite(rough.value) ? std::abs(rough.value) : not_a_number;
     const bool is_certain =
         !rough.is_lost && rough.error * unit_roundoff <= max_certain_error * size;
-    magnitudes.push_back(is_certain ? size
-                                    : to_double_or_nan(exact_recursive_entries(point)[i].value));
+    magnitudes.push_back(is_certain || std::isnan(size)
+                             ? size
+                             : to_double_or_nan(exact_recursive_entries(point)[i].value));
   }
   if (scale == MagnitudeScope::entry) return magnitudes;
   auto begin = magnitudes.begin();
@@ -226,7 +231,9 @@ std::optional<std::size_t> FormErrors::first_inaccurate_entry_at(const Program& 
   const long ratio = accurate_ratio(text_);
   std::optional<std::vector<RunningValue<Real>>> exact;
   for (std::size_t i = 0; i < rough.size(); ++i) {
-    if (is_certainly_accurate(rough[i], rough_entries_[point][first + i], ratio)) continue;
+    const RunningValue<double>& rough_text = rough_entries_[point][first + i];
+    if (!std::isfinite(rough_text.value)) continue;
+    if (is_certainly_accurate(rough[i], rough_text, ratio)) continue;
     if (!exact) exact = exact_entries(program, form, points_[point]);
     const RunningValue<Real>& text = exact_recursive_entries(point)[first + i];
     if (is_inaccurate((*exact)[i], text, ratio)) return first + i;

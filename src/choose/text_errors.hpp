@@ -29,6 +29,9 @@ namespace elgen {
 /// more digits than the form with the loss `other`.
 [[nodiscard]] bool loses_more(double loss, double other, double tolerated = tolerated_loss);
 
+/// True for V and its derivatives. They must be more accurate than other functions.
+[[nodiscard]] bool is_of_potential(const Function& text);
+
 /// The magnitude |x| with which the error of an entry is compared.
 enum class MagnitudeScope : std::uint8_t {
   entry,  ///< the entry itself

@@ -25,6 +25,8 @@ using Reals = std::vector<Real>;
 constexpr std::size_t most_starts = 8;
 constexpr std::size_t most_rounds = 40;
 constexpr std::size_t most_minima = 3;
+/// The number of tested combinations of typed values: 4 values of three coordinates.
+constexpr std::size_t most_combinations = 64;
 /// With more coordinates and constraints, the oracle takes too long.
 constexpr std::size_t most_constrained_unknowns = 8;
 /// The largest order of a zero of g at which steps are lengthened: 5 for V = x^6.
@@ -227,8 +229,69 @@ class MinimumSearch {
   Real scale_ = {};       ///< |g| + |f| at the start
 };
 
+template <class Number>
+bool is_in_declared_ranges(const Domain& domain, const std::vector<Number>& q) {
+  for (std::uint32_t i = 0; i < q.size(); ++i) {
+    const Range& range = domain.ranges.q[i];
+    const bool is_inside = range.low <= q[i] && q[i] <= range.high;
+    if (!is_inside && declared_range(domain.model, Opcode::coordinate, i)) return false;
+  }
+  return true;
+}
+
+/// The values that a coordinate may have at rest: 0, and all parameters with its unit and either
+/// sign; or 1 and 1/2 for a ratio if `is_ratio_tried`.
+std::vector<cln::cl_R> typed_values(const Model& model, const State& base, std::uint32_t i,
+                                    bool is_ratio_tried) {
+  const std::optional<Unit>& unit = model.coordinates[i].unit;
+  if (is_ratio_tried && unit && *unit == Unit{}) return {1, cln::cl_RA(1) / 2};
+  std::vector<cln::cl_R> values{0};
+  for (std::size_t k = 0; k < model.parameters.size(); ++k) {
+    const cln::cl_R& value = base.parameters[k];
+    const bool is_like = unit && unit == model.parameters[k].unit;
+    if (is_like && !cln::zerop(value)) values.insert(values.end(), {value, -value});
+  }
+  return values;
+}
+
+/// The combinations of typed values at which V is stationary: the slopes are far smaller than
+/// nearby. They find minima that are not isolated, and minima far from all other starts.
+std::vector<std::vector<cln::cl_R>> typed_rest_places(const PotentialFunction& potential,
+                                                      const State& base,
+                                                      const std::vector<std::uint32_t>& searched,
+                                                      const Domain& domain, bool is_ratio_tried) {
+  static const Real negligible(power_of_ten(-20));
+  static const cln::cl_RA nearness = cln::expt(cln::cl_RA(2), -10);
+  std::vector<std::vector<cln::cl_R>> values;
+  for (const std::uint32_t i : searched)
+    values.push_back(typed_values(domain.model, base, i, is_ratio_tried));
+  const auto slope_at = [&](const std::vector<cln::cl_R>& q) {
+    const std::optional<PotentialValues> at = potential(Reals(q.begin(), q.end()));
+    return at ? largest_magnitude(at->slopes) : Real::undefined();
+  };
+  std::vector<std::vector<cln::cl_R>> places;
+  for (std::size_t n = 0; n < most_combinations; ++n) {
+    std::vector<cln::cl_R> q = base.q;
+    std::vector<cln::cl_R> near = base.q;
+    std::size_t rest = n;
+    for (std::size_t k = 0; k < searched.size(); ++k) {
+      cln::cl_R& x = q[searched[k]];
+      x = values[k][rest % values[k].size()];
+      rest /= values[k].size();
+      const cln::cl_RA away = nearness / (k + 1);
+      near[searched[k]] = cln::zerop(x) ? cln::expt(away, 4) : x * (1 + away);
+    }
+    if (rest > 0) break;
+    const bool is_at_rest =
+        is_in_declared_ranges(domain, q) && slope_at(q) <= slope_at(near) * negligible;
+    if (is_at_rest) places.push_back(std::move(q));
+  }
+  return places;
+}
+
 /// The starts, without repetitions.
-std::vector<std::vector<cln::cl_R>> search_starts(const State& base,
+std::vector<std::vector<cln::cl_R>> search_starts(const PotentialFunction& potential,
+                                                  const State& base,
                                                   const std::vector<std::uint32_t>& searched,
                                                   const Domain& domain) {
   const Model& model = domain.model;
@@ -241,6 +304,12 @@ std::vector<std::vector<cln::cl_R>> search_starts(const State& base,
   };
   std::vector<cln::cl_R> q(base.q.size(), cln::cl_R(0));
   add(q);
+  for (const bool is_ratio_tried : {false, true}) {
+    if (!model.constraints.empty()) break;
+    const auto places = typed_rest_places(potential, base, searched, domain, is_ratio_tried);
+    for (const std::vector<cln::cl_R>& place : places) add(place);
+    if (!places.empty()) break;
+  }
   for (std::size_t i = 0; i < q.size(); ++i) q[i] = model.coordinates[i].start_value;
   add(q);
   for (const Equilibrium& equilibrium : model.equilibria) {
@@ -254,15 +323,6 @@ std::vector<std::vector<cln::cl_R>> search_starts(const State& base,
   return starts;
 }
 
-bool is_in_declared_ranges(const Domain& domain, const std::vector<double>& q) {
-  for (std::uint32_t i = 0; i < q.size(); ++i) {
-    const Range& range = domain.ranges.q[i];
-    const bool is_inside = range.low <= q[i] && q[i] <= range.high;
-    if (!is_inside && declared_range(domain.model, Opcode::coordinate, i)) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 std::vector<std::vector<double>> find_minima(const PotentialFunction& potential,
@@ -273,7 +333,7 @@ std::vector<std::vector<double>> find_minima(const PotentialFunction& potential,
   MinimumSearch search(potential, searched, domain.model, base);
   if (!search.has_few_unknowns()) return {};
   std::vector<Minimum> found;
-  for (const std::vector<cln::cl_R>& start : search_starts(base, searched, domain)) {
+  for (const std::vector<cln::cl_R>& start : search_starts(potential, base, searched, domain)) {
     std::optional<Minimum> place = search.find_from(Reals(start.begin(), start.end()));
     if (!place || !is_in_declared_ranges(domain, place->q)) continue;
     const bool is_known = std::ranges::find(found, place->q, &Minimum::q) != found.end();
@@ -283,8 +343,13 @@ std::vector<std::vector<double>> find_minima(const PotentialFunction& potential,
     return x.potential < y.potential;
   };
   std::ranges::stable_sort(found, is_lower);
+  // Without a range, people mean the first minimum, at typed values: of 1/l^2 + l^2 not l = -1.
+  const std::vector<bool> is_unbounded = unbounded_coordinates(domain.model);
+  const bool has_ranges =
+      std::ranges::none_of(searched, [&](std::uint32_t i) { return is_unbounded[i]; });
+  const std::size_t most = has_ranges ? most_minima : 1;
   std::vector<std::vector<double>> lowest;
-  for (std::size_t i = 0; i < std::min(most_minima, found.size()); ++i)
+  for (std::size_t i = 0; i < std::min(most, found.size()); ++i)
     lowest.push_back(std::move(found[i].q));
   return lowest;
 }

@@ -35,7 +35,7 @@ TEST_CASE("a rewriting that keeps digits is chosen if the entry loses more than 
   Arguments<double> point;
   point.q = {1e-8, 1e-16, 1, 1, 1};  // both entries are about 1e-16
   FormErrors text(e.program, e.shape, {point});
-  e.entries = read_entries(e.program, e.forms, 0, e.points, &text);
+  e.entries = read_entries(e.program, e.forms, 0, e.points, {&text});
   CHECK(e.entries[0]->loss > 1e15);
   CHECK(e.entries[1]->loss <= 1);
   CHECK_FALSE(replace_lossy_entries(e.entries, 1e20));
@@ -55,7 +55,7 @@ TEST_CASE("a rewriting is cheaper than one fraction of all terms") {
   Arguments<double> point;
   point.q = {1e-8, 2, 0.7, 0.4, 1};
   FormErrors text(e.program, e.shape, {point});
-  e.entries = read_entries(e.program, e.forms, 0, e.points, &text);
+  e.entries = read_entries(e.program, e.forms, 0, e.points, {&text});
   const ReadableForm& form = *e.entries[0];
   const Expressions& kept = form.precise ? *form.precise : form.compact;
   CHECK(text.loss_of(text.errors_of(kept), 0) <= tolerated_loss);

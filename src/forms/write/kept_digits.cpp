@@ -1,5 +1,5 @@
 // kept_digits: see kept_digits.hpp. Tries sums of powers, products of roots, triangles, rows of
-// digit_rows.def, sums of logarithms, sums of roots, pairs of terms, and conjugates of roots, in
+// digit_rows.def, sums of logarithms, pairs of terms, and conjugates of roots, in
 // this order. Calls of log become log1p or asinh.
 #include "forms/write/kept_digits.hpp"
 
@@ -50,48 +50,17 @@ class SumRewriter : GraphTermBuilder {
     const SignedNode less = sum({argument, -one()});
     if (has_term_one(argument)) return call(FunctionId::log1p, less);
     if (graph_.node(less.node).kind != NodeKind::sum) return std::nullopt;
-    if (const auto better = rewrite(less)) return logarithm_near_one(argument, *better);
+    if (const auto better = rewrite(less))
+      return logarithm_near_one(graph_, keeping_, argument, *better);
     const ScaledTerm term = split_term(argument);
     const auto divisor = std::ranges::find(term.factors, -1, &Operand::weight);
     if (term.factors.size() < 2 || divisor == term.factors.end()) return std::nullopt;
     const SignedNode b{divisor->node, false};
-    return logarithm_near_one(argument, quotient(sum({multiply(argument, b), -b}), b));
+    return logarithm_near_one(graph_, keeping_, argument,
+                              quotient(sum({multiply(argument, b), -b}), b));
   }
 
  private:
-  /// log(a) for a = 1 + `less`: log1p(less) if less >= 0. Otherwise log1p(less) keeps no digit of a
-  /// small a, but 2 asinh(less/(2 sqrt(a))) does, because 2 sinh(log(a)/2) = sqrt(a) - 1/sqrt(a).
-  SignedNode logarithm_near_one(SignedNode a, SignedNode less) {
-    if (is_nonnegative(less)) return call(FunctionId::log1p, less);
-    const SignedNode root = graph_.square_root(a);
-    const SignedNode half_logarithm =
-        call(FunctionId::asinh, graph_.product({{less, 1}, {root, -1}, {graph_.rational(2), -1}}));
-    if (keeping_.progress != nullptr) {
-      const SignedNode of_call = half_logarithm.is_negative ? quotient(one(), a) : a;
-      keeping_.progress->logarithms.emplace(half_logarithm.node, of_call);
-    }
-    return multiply_by_two(half_logarithm);
-  }
-
-  /// True if `value` is a positive number times even powers, roots and positive calls, or a sum of
-  /// such terms.
-  [[nodiscard]] bool is_nonnegative(SignedNode value) const {
-    if (graph_.node(value.node).kind == NodeKind::sum) {
-      return !value.is_negative &&
-             std::ranges::all_of(terms_of(value.node),
-                                 [this](SignedNode term) { return is_nonnegative(term); });
-    }
-    const ScaledTerm term = split_term(value);
-    const auto is_factor_nonnegative = [&](const Operand& factor) {
-      const Node& base = graph_.node(factor.node);
-      const bool is_positive_call =
-          base.kind == NodeKind::call &&
-          function_row(base.function).smoothness == Smoothness::entire_positive;
-      return factor.weight % 2 == 0 || base.kind == NodeKind::square_root || is_positive_call;
-    };
-    return cln::plusp(term.coefficient) && std::ranges::all_of(term.factors, is_factor_nonnegative);
-  }
-
   /// log(a/b) = log(a) - log(b), if a + b is a positive number. a and b are then both positive,
   /// because a/b is positive.
   std::optional<SignedNode> split_logarithm(SignedNode argument) {
@@ -143,7 +112,6 @@ class SumRewriter : GraphTermBuilder {
     if (replace_triangle(graph_, keeping_, terms)) return true;
     if (rewrite_terms_by_rule(graph_, keeping_, terms)) return true;
     if (replace_logarithms(graph_, keeping_, terms)) return true;
-    if (replace_roots(graph_, keeping_, terms)) return true;
     std::vector<ScaledTerm> parts;
     for (const SignedNode term : terms) parts.push_back(split_term(term));
     for (std::size_t i = 0; i < terms.size(); ++i) {

@@ -11,6 +11,56 @@
 namespace elgen {
 namespace {
 
+/// Logarithms near 1, and their remainders.
+class LogarithmBuilder : GraphTermBuilder {
+ public:
+  using GraphTermBuilder::GraphTermBuilder;
+
+  SignedNode near_one(RewriteOptions keeping, SignedNode a, SignedNode less) {
+    if (is_nonnegative(less)) return call(FunctionId::log1p, less);
+    const SignedNode root = graph_.square_root(a);
+    const SignedNode half_logarithm =
+        call(FunctionId::asinh, graph_.product({{less, 1}, {root, -1}, {graph_.rational(2), -1}}));
+    if (keeping.progress != nullptr) {
+      const SignedNode of_call = half_logarithm.is_negative ? quotient(one(), a) : a;
+      keeping.progress->logarithms.emplace(half_logarithm.node, of_call);
+    }
+    return multiply_by_two(half_logarithm);
+  }
+
+  SignedNode remainder(const QuotientNearOne& quotient, SignedNode logarithm) {
+    const auto& [above, below, b] = quotient;
+    const SignedNode w = graph_.square_root(divide(above, below));
+    const SignedNode share = graph_.product({{logarithm}, {graph_.sum({one(), w}), -2}});
+    const SignedNode series =
+        graph_.call(FunctionId::stumpff, {half(logarithm), graph_.rational(-3)});
+    const SignedNode sum_of_parts =
+        graph_.sum({graph_.product({{b, 2}, {graph_.sum({one(), -share})}}),
+                    graph_.product({{half(w)}, {logarithm, 3}, {series}})});
+    return divide(multiply(sum_of_parts, below), short_sum({above, below}));
+  }
+
+ private:
+  /// True if `value` is a positive number times even powers, roots and positive calls, or a sum of
+  /// such terms.
+  [[nodiscard]] bool is_nonnegative(SignedNode value) const {
+    if (graph_.node(value.node).kind == NodeKind::sum) {
+      return !value.is_negative &&
+             std::ranges::all_of(terms_of(value.node),
+                                 [this](SignedNode term) { return is_nonnegative(term); });
+    }
+    const ScaledTerm term = split_term(value);
+    const auto is_factor_nonnegative = [&](const Operand& factor) {
+      const Node& base = graph_.node(factor.node);
+      const bool is_positive_call =
+          base.kind == NodeKind::call &&
+          function_row(base.function).smoothness == Smoothness::entire_positive;
+      return factor.weight % 2 == 0 || base.kind == NodeKind::square_root || is_positive_call;
+    };
+    return cln::plusp(term.coefficient) && std::ranges::all_of(term.factors, is_factor_nonnegative);
+  }
+};
+
 class LogarithmRewriter : GraphTermBuilder {
  public:
   LogarithmRewriter(Graph& graph, RewriteOptions keeping, const std::vector<SignedNode>& terms)
@@ -30,8 +80,10 @@ class LogarithmRewriter : GraphTermBuilder {
       if (is_inverse) std::swap(above, below);
       const SignedNode own = negate_if(scale, is_inverse);
       const SignedNode logarithm = negate_if(value_of(call), is_inverse);
-      linear.push_back(divide(multiply(own, short_sum({above, -below})), below));
-      result.push_back(-multiply(own, remainder(above, below, logarithm)));
+      const SignedNode difference = short_sum({above, -below});
+      linear.push_back(divide(multiply(own, difference), below));
+      const QuotientNearOne quotient{above, below, divide(difference, below)};
+      result.push_back(-multiply(own, logarithm_remainder(graph_, quotient, logarithm)));
     }
     const auto parts = expanded_terms(linear);
     if (!parts) return std::nullopt;
@@ -91,28 +143,21 @@ class LogarithmRewriter : GraphTermBuilder {
     return {is_log ? product(top) : short_sum({product(top), below}), below};
   }
 
-  /// b - L with L = log(1 + b) and w = sqrt(1 + b), for 1 + b = above/below. The largest measured
-  /// error is 9 u for 1 + b from 1e-8 to 1e15.
-  ///
-  ///     (b^2 (1 - L/(1 + w)^2) + w L^3 stumpff(L/2, -3)/2)/(2 + b)
-  SignedNode remainder(SignedNode above, SignedNode below, SignedNode logarithm) {
-    const SignedNode b = divide(short_sum({above, -below}), below);
-    const SignedNode w = graph_.square_root(divide(above, below));
-    const SignedNode share = graph_.product({{logarithm}, {graph_.sum({one(), w}), -2}});
-    const SignedNode series =
-        graph_.call(FunctionId::stumpff, {half(logarithm), graph_.rational(-3)});
-    const SignedNode sum_of_parts =
-        graph_.sum({graph_.product({{b, 2}, {graph_.sum({one(), -share})}}),
-                    graph_.product({{half(w)}, {logarithm, 3}, {series}})});
-    return divide(multiply(sum_of_parts, below), short_sum({above, below}));
-  }
-
   RewriteOptions keeping_;
   std::map<NodeId, SignedNode> scales_ = {};  ///< K of each logarithm
   std::vector<SignedNode> others_ = {};
 };
 
 }  // namespace
+
+SignedNode logarithm_near_one(Graph& graph, RewriteOptions keeping, SignedNode a, SignedNode less) {
+  return LogarithmBuilder(graph).near_one(keeping, a, less);
+}
+
+SignedNode logarithm_remainder(Graph& graph, const QuotientNearOne& quotient,
+                               SignedNode logarithm) {
+  return LogarithmBuilder(graph).remainder(quotient, logarithm);
+}
 
 bool replace_logarithms(Graph& graph, RewriteOptions keeping, std::vector<SignedNode>& terms) {
   LogarithmRewriter rewriter(graph, keeping, terms);

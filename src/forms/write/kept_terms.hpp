@@ -41,14 +41,6 @@ namespace elgen {
                                                              const std::vector<SignedNode>& terms,
                                                              std::ptrdiff_t roots);
 
-/// Replaces two roots and a term that cancels their sum; false if there are none:
-///
-///     before    sqrt(l + x) + sqrt(l - x) - 2 sqrt(l)       sqrt(c^2 + x) + sqrt(c^2 + y) - 2 c
-///     after     -2 x^2/((sqrt(l + x) + sqrt(l - x)          x/(sqrt(c^2 + x) + c)
-///               + 2 sqrt(l)) (sqrt(l + x) sqrt(l - x) + l))   + sqrt(c^2 + y) - c
-[[nodiscard]] bool replace_roots(Graph& graph, RewriteOptions keeping,
-                                 std::vector<SignedNode>& terms);
-
 /// Replaces logarithms whose linear parts cancel other terms, with R(c) = c - 1 - log(c) written
 /// without cancellation; false if there are none:
 ///
@@ -56,6 +48,25 @@ namespace elgen {
 ///     after     R(1 + a)        R(x/y)                (1 + a) R(1/(1 + a))     x R(y/x)
 [[nodiscard]] bool replace_logarithms(Graph& graph, RewriteOptions keeping,
                                       std::vector<SignedNode>& terms);
+
+/// log(a) for a = 1 + `less`: log1p(less) if less >= 0. Otherwise log1p(less) keeps no digit of a
+/// small a, but 2 asinh(less/(2 sqrt(a))) does, because 2 sinh(log(a)/2) = sqrt(a) - 1/sqrt(a).
+[[nodiscard]] SignedNode logarithm_near_one(Graph& graph, RewriteOptions keeping, SignedNode a,
+                                            SignedNode less);
+
+/// A quotient near 1 without its cancellation: above/below = 1 + less.
+struct QuotientNearOne {
+  SignedNode above = {};
+  SignedNode below = {};
+  SignedNode less = {};
+};
+
+/// b - L with L = log(1 + b), the value `logarithm`, and w = sqrt(1 + b), for the quotient 1 + b.
+/// The largest measured error is 9 u for 1 + b from 1e-8 to 1e15.
+///
+///     (b^2 (1 - L/(1 + w)^2) + w L^3 stumpff(L/2, -3)/2)/(2 + b)
+[[nodiscard]] SignedNode logarithm_remainder(Graph& graph, const QuotientNearOne& quotient,
+                                             SignedNode logarithm);
 
 /// Factors a sum of 3 to 30 terms that has a repeated factor: a common divisor of the sum and of
 /// its derivative with respect to a coordinate or a call. Factors the whole sum, or only the terms
