@@ -52,6 +52,8 @@ struct SourceSpelling {
   std::string_view library;  ///< a library function in a call; {0}: its name in the library
   /// The functions that the library has under their C names, between spaces.
   std::string_view functions;
+  /// Functions of the library that raise an error if the value is too large for double.
+  std::string_view overflow_errors = {};
   std::string_view result;  ///< text before the value that a function returns
   /// A struct of type {0} with the results {1}; "": each result is a statement (`field`).
   std::string_view results;

@@ -23,6 +23,17 @@ TEST_CASE("python: ten models agree with the program bit by bit") {
   if (is_installed("python3", "python3 --version")) check_interpreted_models("python");
 }
 
+TEST_CASE("python: a value too large for double is inf, as in C") {
+  if (!is_installed("python3", "python3 --version")) return;
+  const Workspace workspace;
+  workspace.write("steep.toml",
+                  "format = 1\n[model]\nname = \"steep\"\n[[coordinate]]\nname = \"x\"\n[energy]\n"
+                  "T = \"1/2*dot(x)^2\"\nV = \"1/(1 + exp(x)) + 1/cosh(x)\"\n");
+  const Outcome outcome = workspace.run("elgen verify --samples 4 --language python steep.toml");
+  CHECK(failure_of(outcome) == "");
+  CHECK(mentions(outcome.output, " 0 fail, 0 skipped"));
+}
+
 TEST_CASE("an interpreter that is missing, too old or fails to start is a skipped row") {
   const Outcome missing = run("export PYTHON=/nowhere/python3;" + verify_command);
   CHECK(missing.status == 0);

@@ -2,7 +2,7 @@
 import types
 import warnings
 
-from generated import flat, functions_of, module_of, root, state, value_at
+from generated import flat, functions_of, module_of, root, state, value_at, written
 
 code = module_of(root / "tests/emit/compiled/functions.toml")
 orders = (1, 2, 3, 4, 7, 21, 40, -1, -2, -3, -4, -7, -21, -40)
@@ -120,6 +120,17 @@ def check_integers():
             assert abs(code.on(mpmath)._stumpff(0, 3) * 6 - 1) < mpmath.mpf("1e-39")
 
 
+def check_overflow():
+    """A value too large for double is inf, as in C, and its reciprocal 0."""
+    text = 'format = 1\n[model]\nname = "steep"\n[[coordinate]]\nname = "x"\n[energy]\nT = "1/2*dot(x)^2"\n'
+    entries = '"1/(1 + exp(x))", "sinh(x)", "cosh(x)", "expm1(x)"'
+    steep = written(f'{text}[[output]]\nname = "values"\nvalue = [{entries}]\n')
+    infinity = float("inf")
+    assert steep.values([1000.0]) == [0.0, infinity, infinity, infinity]
+    assert steep.values([-1000.0]) == [1.0, -infinity, infinity, -1.0]
+    assert steep.values([-infinity]) == [1.0, -infinity, infinity, -1.0]
+
+
 def check_missing():
     """A function missing in a namespace is reported when it is called, not before."""
     cart_pole = module_of("cart_pole")
@@ -149,4 +160,5 @@ check_series()
 check_tensors()
 check_symbols()
 check_integers()
+check_overflow()
 check_missing()

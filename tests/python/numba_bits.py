@@ -1,6 +1,8 @@
 """Functions compiled by numba give the bits of CPython, without fast arithmetic; a division by zero is inf.
 
-numba can return lists to Python, but crashes for a struct of lists, so compiled code selects the fields."""
+numba compiles `exp` of `math`, whose overflow is inf, and not `exp` of the module. It can return lists to Python, but crashes for a struct of lists, so compiled code selects the fields."""
+import math
+
 from generated import arguments, flat, functions_of, module_of, needs, root, state, value_at
 
 needs("numba")
@@ -28,6 +30,8 @@ def calls(module, name, struct):
 def check(model, names):
     plain = {each.__name__: each for each in functions_of(module_of(model))}
     module = module_of(model)
+    for each in module._library:
+        setattr(module, each, getattr(math, each))
     for helper in module._functions:  # functions with kinks and series call these helpers
         if helper.__name__.startswith("_"):
             setattr(module, helper.__name__, compiled(helper))

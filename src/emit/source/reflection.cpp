@@ -8,6 +8,7 @@
 #include <array>
 #include <utility>
 
+#include "base/ascii.hpp"
 #include "elgen/leaf_names.hpp"
 #include "elgen/leaves.hpp"
 #include "emit/code/header_data.hpp"
@@ -70,6 +71,26 @@ Texts names_of_functions(const EmissionInput& input) {
   return names;
 }
 
+/// Imports the functions `called`. One that raises an error on overflow is imported as "_exp", for
+/// the module's own "exp".
+void set_imports(TemplateData& data, const SourceSpelling& spelling, const Texts& called,
+                 bool has_unbounded) {
+  Texts imported;
+  Texts wrapped;
+  for (const std::string& name : called) {
+    const bool is_wrapped = has_word(spelling.overflow_errors, name);
+    imported.push_back(is_wrapped ? fmt::format("{0} as _{0}", name) : name);
+    if (is_wrapped) wrapped.push_back(name);
+  }
+  if (has_unbounded) imported.emplace_back(spelling.unbounded);
+  std::sort(imported.begin(), imported.end());
+  data.set("imports",
+           optional_section(!imported.empty(),
+                            TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
+  data.set("overflow",
+           optional_section(!wrapped.empty(), TemplateRow{{"wrapped", lines_section(wrapped)}}));
+}
+
 /// The names that other modules import with `from module import *`.
 Texts exported_names(const EmissionInput& input, const std::vector<DeclaredArray>& arrays) {
   Texts names{"Parameters", "exact", "on"};
@@ -115,12 +136,7 @@ void set_reflection(TemplateData& data, const EmissionInput& input,
                     const std::vector<DeclaredArray>& arrays) {
   const SourceSpelling& spelling = source_spelling(input.scene.emission.language);
   const Texts called = called_library_functions(input.program, spelling);
-  Texts imported = called;
-  if (std::ranges::any_of(arrays, has_unbounded_element)) imported.emplace_back(spelling.unbounded);
-  std::sort(imported.begin(), imported.end());
-  data.set("imports",
-           optional_section(!imported.empty(),
-                            TemplateRow{{"names", fmt::format("{}", fmt::join(imported, ", "))}}));
+  set_imports(data, spelling, called, std::ranges::any_of(arrays, has_unbounded_element));
   data.set(
       "exported_names",
       wrap_source_value(spelling, "__all__ = ",
