@@ -158,7 +158,7 @@ class RuleMatcher : protected ReplacementBuilder {
       case RuleCondition::always:
         return true;
       case RuleCondition::shorter:
-        return term_count(*letters[1]) <= term_count(*letters[0]);
+        return term_count(*letters[1]) <= term_count(*letters[0]) && *letters[0] != -*letters[1];
       case RuleCondition::factored:
         return options_.squares == SquareHandling::factored;
       case RuleCondition::anchored:
