@@ -116,10 +116,13 @@ struct Numerics {
   /// Index of a parameter -> the range over which `tradeoff` judges errors.
   std::map<std::uint32_t, Interval> varied_parameters = {};
 
+  /// True if a step computes accelerations in float, and sums in double.
+  [[nodiscard]] bool has_mixed_precision() const { return inner == InnerScalar::single_precision; }
+
   /// `scalars`, and float if accelerations are in float.
   [[nodiscard]] std::vector<ScalarKind> computed_scalars() const {
     std::vector<ScalarKind> all = scalars;
-    if (inner == InnerScalar::single_precision) all.push_back(ScalarKind::single_precision);
+    if (has_mixed_precision()) all.push_back(ScalarKind::single_precision);
     return all;
   }
 };

@@ -233,7 +233,7 @@ Verification verify(const Model& model, const Scene& scene, const Program& progr
   result.diagnostics = std::move(expected.diagnostics);
   if (options.only_expectations) return result;
   auto doubles = verification_states<double>(subject, options);
-  if (scene.numerics.inner == InnerScalar::single_precision) shorten_steps(doubles);
+  if (scene.numerics.has_mixed_precision()) shorten_steps(doubles);
   auto floats = verification_states<float>(subject, options);
   const std::string one_sided_kinks = add_states_at_kinks(subject, options, doubles);
   (void)add_states_at_kinks(subject, options, floats);

@@ -24,12 +24,9 @@ using Texts = std::vector<std::string>;
 
 constexpr std::array<std::string_view, 3> names_in_batch_header{"Pack", "batch", "kernel"};
 
-/// True if `batch::wide` has steps whose accelerations are in float.
-bool is_mixed(const Scene& scene) { return scene.numerics.inner == InnerScalar::single_precision; }
-
 /// The name of the header that the batch header includes.
 std::string included_name(const Scene& scene) {
-  const ArtifactId id = is_mixed(scene) ? ArtifactId::wide : ArtifactId::cpp;
+  const ArtifactId id = scene.numerics.has_mixed_precision() ? ArtifactId::wide : ArtifactId::cpp;
   return fmt::format("{}{}", scene.base_name, artifact_table[id].path_suffix);
 }
 
@@ -46,7 +43,7 @@ Texts note_lines(const EmissionInput& input) {
   for (const Function& function : input.program.functions) {
     if (!is_returned_by_value(function)) lines.push_back(omission_note(function));
   }
-  if (is_mixed(input.scene)) {
+  if (input.scene.numerics.has_mixed_precision()) {
     lines.push_back(fmt::format(
         " batch::wide and kernel::wide have the functions of {}, which compute accelerations in "
         "float.",
@@ -184,7 +181,7 @@ std::string batch_header(const EmissionInput& input) {
   data.set("parameters", lines_section(parameter_conversions(input)));
   data.set("functions", functions_data(input, types_data));
   data.set("mixed",
-           optional_section(is_mixed(input.scene),
+           optional_section(input.scene.numerics.has_mixed_precision(),
                             TemplateRow{{"functions", functions_data(input, mixed_types_data)}}));
   return fill_header_template("cpp/batch.hpp.mustache", data);
 }

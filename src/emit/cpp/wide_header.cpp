@@ -84,7 +84,7 @@ TemplateData wide_functions_data(const EmissionInput& input) {
     }
     const FunctionDocsInput text{input.model, input.program,       function, input.equations[i],
                                  {},          input.scene.emission};
-    const bool is_mixed = input.scene.numerics.inner == InnerScalar::single_precision;
+    const bool is_mixed = input.scene.numerics.has_mixed_precision();
     TemplateRow row = is_mixed ? mixed_step_data(input, function)
                                : TemplateRow{{"parts", optional_section(false)},
                                              {"head", std::string()},
@@ -110,7 +110,7 @@ std::string wide_header(const EmissionInput& input) {
   const InnerScalarRow& inner = inner_scalar_row(input.scene.numerics.inner);
   TemplateData data = stamp_data(input);
   data.set("header", input.scene.base_name + ".hpp");
-  const bool is_mixed = inner.kind == InnerScalar::single_precision;
+  const bool is_mixed = input.scene.numerics.has_mixed_precision();
   data.set("mixed", optional_section(is_mixed));
   data.set("inner", is_mixed ? "double, the accelerations in float" : std::string(inner.name));
   data.set("type", std::string(inner.type));

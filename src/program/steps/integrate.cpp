@@ -155,7 +155,7 @@ StepContext::StepContext(const CheckedModel& checked, const OutputRequest& reque
     : model(checked.model),
       callees(the_calls),
       composition(the_composition),
-      has_float_accelerations(checked.scene.numerics.inner == InnerScalar::single_precision),
+      has_float_accelerations(checked.scene.numerics.has_mixed_precision()),
       direction_count(
           carries_tangents(model, request) ? 2 * model.velocities.size() + model.inputs.size() : 0),
       iterations(request.step->iterations),

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "elgen/outputs.hpp"
-#include "elgen/scalars.hpp"
 #include "numbers/more_digits.hpp"
 #include "verify/bounds/projection.hpp"
 
@@ -244,7 +243,7 @@ WideRun<Scalar> StateCheck<Scalar>::run_wide_code(const CompiledModel* code,
                                                   const Numerics* packs) const {
   WideRun<Scalar> run;
   if (code == nullptr) return run;
-  if (subject_.scene.numerics.inner == InnerScalar::single_precision) {
+  if (subject_.scene.numerics.has_mixed_precision()) {
     ExactRun exact = run_mixed_exactly(subject_.program, *function_, state(), packs);
     const bool is_bounded = exact.regime == Regime::regular &&
                             std::ranges::none_of(exact.entries, &RunningValue<Real>::underflows);
