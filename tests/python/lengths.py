@@ -102,7 +102,7 @@ def operation(name):
     return lambda *x: SX(compute(*(float(value_of(each)) for each in x)))
 
 
-for each in "add sub mul truediv radd rsub rmul rtruediv neg pos".split():
+for each in "add sub mul truediv radd rsub rmul rtruediv neg pos gt".split():
     setattr(SX, f"__{each}__", operation(each))
 
 
@@ -111,6 +111,7 @@ def casadi():
     for name in ("sin", "cos", "sqrt", "fabs"):
         compute = getattr(math, name)
         setattr(space, name, lambda x, compute=compute: SX(compute(value_of(x))))
+    space.logic_and = lambda x, y: SX(bool(value_of(x)) and bool(value_of(y)))
     space.vertsplit = lambda x, increment: [SX(row) for row in x.rows]
     return space
 
@@ -130,6 +131,9 @@ def check_casadi():
     code = module_of("cart_pole").on(space)
     p = code.Parameters()
     assert refusal(code.gravity, p, SX(0.1, 0.2, 0.3)) == "gravity: q needs length 2, has 3"
+    regular = code.forward_dynamics(p, SX(0.1, 0.2), SX(0.3, 0.4), SX(0.5)).relative_pivots
+    assert value_of(code.is_regular(regular)) is True
+    assert value_of(code.is_regular([SX(0.0), SX(1.0)])) is False
     by_name = code.gravity(q=SX(0.1, 0.2), p=p)
     assert flat(by_name)[1].rows == code.gravity(p, [SX(0.1), SX(0.2)])[1].rows
     assert list(inspect.signature(code.gravity).parameters) == ["p", "q"]
