@@ -68,6 +68,20 @@ TEST_CASE("typed sums vanish together at states with and without motion") {
   }
 }
 
+TEST_CASE("states approach a zero of two coordinates, also along each axis") {
+  const System system = ranged("sqrt((x - 1)^2 + y^2) + 2*z");
+  const auto states = states_near_zeros<double>(system.subject(), {64, 1, true});
+  const auto count_near = [&](bool is_on_axis) {
+    return std::ranges::count_if(states, [&](const SampledState<double>& state) {
+      const double x = std::abs(state.values.q[0] - 1);
+      const double y = std::abs(state.values.q[1]);
+      return x + y < 1e-3 && (x == 0 || y == 0) == is_on_axis;
+    });
+  };
+  CHECK(count_near(false) >= 2);
+  CHECK(count_near(true) >= 4);
+}
+
 TEST_CASE("states approach a place at which V is not 0 but all forces vanish") {
   // The potential of a mass on a spring: it rests at x = 1 + 9.81/40.
   const System system = ranged("20*(sqrt(x^2 + y^2) - 1)^2 - 9.81*x + (z - 2)^2");

@@ -76,12 +76,15 @@ class NearZeroSampler {
     const int rounds = sums.size() == 1 ? 2 : 1;
     if (sums.size() > 1 && subject_.model.open_values.empty()) add_states_near_minima(all);
     for (const PositionSum& sum : sums) {
+      bool has_zero = false;
       for (const std::uint32_t coordinate : sum.coordinates) {
         if (states_.size() >= max_states_) break;
         Arguments<double> at = draw_in_ranges(subject_, ranges_, sampler_);
         if (!move_to_zero(sum, coordinate, at)) continue;
+        has_zero = true;
         for (int i = 0; i < rounds; ++i) add_states_near(at, {coordinate}, 0.5 * i);
       }
+      if (!has_zero) add_states_near_joint_zero(sum);
     }
     if (states_.size() > max_states_) states_.resize(max_states_);
     return std::move(states_);
@@ -120,6 +123,32 @@ class NearZeroSampler {
     return largest > 0 && smallest <= zero_threshold * largest;
   }
 
+  /// Adds states near a zero that a sum has only in all its coordinates together, as
+  /// (x - 1)^2 + (y - 0.3)^2 has at (1, 0.3): first off the axes, then along each axis.
+  void add_states_near_joint_zero(const PositionSum& sum) {
+    if (sum.coordinates.size() < 2 || states_.size() >= max_states_) return;
+    Arguments<double> at = draw_in_ranges(subject_, ranges_, sampler_);
+    bool is_zero = false;
+    // Later passes refine places that the first pass found while other terms were large.
+    for (int pass = 0; pass < 3; ++pass) {
+      for (const std::uint32_t c : sum.coordinates) {
+        is_zero = move_to_zero(sum, c, at);
+        const bool is_negligible = std::abs(at.q[c]) < zero_threshold * ranges_.q[c].high;
+        if (is_negligible) at.q[c] = 0;
+      }
+    }
+    if (!is_zero) return;
+    add_states_near(at, sum.coordinates);
+    add_states_on_axes(at, sum.coordinates);
+  }
+
+  /// Adds states that differ from `zero` in one coordinate only, because differences may cancel
+  /// only there, as 1 - x^2/(x^2 + y^2) does at y = 0.
+  void add_states_on_axes(const Arguments<double>& zero,
+                          const std::set<std::uint32_t>& coordinates) {
+    for (const std::uint32_t c : coordinates) add_states_near(zero, {c}, sampler_.uniform({0, 1}));
+  }
+
   /// Adds states near minima of V. The search may use half of the evaluations, and starts at other
   /// states than the choice of forms.
   void add_states_near_minima(const std::set<std::uint32_t>& coordinates) {
@@ -153,6 +182,8 @@ class NearZeroSampler {
       // state at rest in one of the two rounds, and a moving state in the other round.
       for (int i = 0; i < 2 && states_.size() < max_states_ / 2; ++i)
         add_states_near(at, coordinates, sampler_.uniform({0, 1}));
+      const bool has_axes = coordinates.size() > 1 && states_.size() < max_states_ / 2;
+      if (has_axes) add_states_on_axes(at, coordinates);
     }
   }
 

@@ -12,9 +12,10 @@
 namespace elgen {
 
 /// States at three distances from each place, inside the ranges: first near minima of V if there
-/// are several sums, then near zeros of each sum along one coordinate. Every second state is at
-/// rest, because random accelerations hide the digits that a holding force loses. At most
-/// min(sampling.count, 64) states.
+/// are several sums, then near zeros of each sum along one coordinate, or, without such a zero,
+/// along all its coordinates. Near a place of several coordinates, some states differ from it in
+/// one coordinate only. Every second state is at rest, because random accelerations hide the digits
+/// that a holding force loses. At most min(sampling.count, 64) states.
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> states_near_zeros(const SystemUnderTest& subject,
                                                                   const SamplingOptions& sampling);
