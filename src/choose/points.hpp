@@ -57,8 +57,8 @@ using NearPlaces = std::vector<NearPlace>;
 
 /// The minima of `domain` with exact values: 0, multiples of parameters with the unit of the
 /// coordinate, sums of two of them, multiples of pi, and rational numbers with small numerators and
-/// denominators. Coordinates with other values may have any value. Several values may equal a coordinate at a minimum, so there may be
-/// more places than minima.
+/// denominators. Coordinates with other values may have any value. Several values may equal a
+/// coordinate at a minimum, so there may be more places than minima.
 [[nodiscard]] std::vector<ExactPlace> exact_places(const Domain& domain);
 
 /// The coordinates that `function` loads, in the order of its instructions.

@@ -126,7 +126,8 @@ class CallExpander : GraphTermBuilder {
     return {call(FunctionId::atan, u.at), slope, difference, std::nullopt};
   }
 
-  /// tan(D) - D = D^3 (stumpff(D, 2) - stumpff(D, 3))/cos(D), only for u0 = 0. tanh is treated alike.
+  /// tan(D) - D = D^3 (stumpff(D, 2) - stumpff(D, 3))/cos(D), only for u0 = 0. tanh is treated
+  /// alike.
   std::optional<ExpandedCall> tangent(FunctionId function, const LocalValue& u) {
     if (!graph_.is_zero(u.at.node)) return std::nullopt;
     const bool is_circular_call = function == FunctionId::tan;
