@@ -83,7 +83,7 @@ void solve_by_minors(const Program& parts, const Program& recursive, const Domai
 
 /// The minima of V by find_minima() (sample/minima.hpp), for Domain::minima. `potential` has V and
 /// its first derivatives (PotentialEquations). None if the scene prefers speed, if V contains open
-/// values or at most one sum, or if V or its derivatives have more than 400 instructions.
+/// values or no coordinate, or if V or its derivatives have more than 400 instructions.
 [[nodiscard]] std::vector<std::vector<double>> find_potential_minima(const Program& potential,
                                                                      const Domain& domain,
                                                                      const Scene& scene);

@@ -66,9 +66,8 @@ bool is_exact_factor(const RunningValue<Number>& x) {
   return is_zero(x.error) && is_power_of_two(x.value);
 }
 
-/// True if the sum `value` of two numbers without errors is exact, because it is a difference of
-/// numbers within a factor of two (Sterbenz 1974). A rounded operand may be in this range by
-/// chance.
+/// True if the sum `value` of x and y is exact: both have no errors and |x + y| <= min(|x|, |y|)
+/// (Sterbenz 1974). If x or y is rounded, the computed operands may violate this condition.
 template <class Number>
 bool is_exact_difference(const RunningValue<Number>& x, const RunningValue<Number>& y,
                          const Number& value) {

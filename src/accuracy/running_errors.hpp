@@ -2,7 +2,8 @@
 // scalar type. Each instruction propagates the errors of its operands and adds one rounding:
 //
 //     leaf        |x|, or 0 if the scalar type can represent x
-//     x +- y      Ex + Ey + |x +- y|, without |x +- y| if x and y are exact and their sum is too
+//     x +- y      Ex + Ey + |x +- y|, without |x +- y| for a difference of exact numbers within a
+//                 factor of two
 //     x y         Ex |y| + Ey |x| + u Ex Ey + |x y|, without |x y| if x or y is a power of two
 //     x / y       (Ex + |x/y| Ey) / |y| + |x/y|
 //     f(x)        |f'| Ex + |f|; for sine and cosine also u/2 Ex^2

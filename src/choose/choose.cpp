@@ -116,7 +116,8 @@ class RecursiveForms {
     if (known != errors_.end()) return &known->second;
     const Function& text = form(index);
     Points points = comparison_points(recursive_, recursive_.functions[index], domain_, zeros_);
-    const auto scope = is_of_potential(text) ? MagnitudeScope::entry : MagnitudeScope::field;
+    const auto scope =
+        is_potential_or_gravity(text) ? MagnitudeScope::entry : MagnitudeScope::field;
     return &errors_.try_emplace(index, chosen_, text, std::move(points), scope).first->second;
   }
 
@@ -245,7 +246,7 @@ class FormChooser {
   /// a fifth of its digits, but float loses half of its digits in the same code.
   [[nodiscard]] LoweringRequirements aim_of(const Function& function) const {
     LoweringRequirements aim = aim_;
-    if (is_of_potential(function) || is_small_solution(recursive_, function))
+    if (is_potential_or_gravity(function) || is_small_solution(recursive_, function))
       aim.max_loss = tolerated_loss;
     return aim;
   }

@@ -52,7 +52,6 @@ EntryRewritings all_rewritings(Rewritings of_form, std::vector<CollectedForm> pr
                                const DerivedEntry* derived, std::vector<Expressions> at_places) {
   EntryRewritings result;
   std::vector<Expressions>& rewritings = result.shortest_first;
-  rewritings = std::move(at_places);
   for (auto* some : {&of_form.collected, &precise}) {
     for (CollectedForm& rewriting : *some) rewritings.push_back(std::move(rewriting.expressions));
   }
@@ -63,6 +62,8 @@ EntryRewritings all_rewritings(Rewritings of_form, std::vector<CollectedForm> pr
   // One grouping is enough: rewrite_to_keep_digits expands brackets that hide cancelling terms.
   std::vector<Expressions> sources = std::move(of_form.plain);
   if (!rewritings.empty()) sources.push_back(rewritings.front());
+  if (!at_places.empty()) sources.push_back(at_places.front());
+  std::ranges::move(at_places, std::back_inserter(rewritings));
   if (derived != nullptr) {
     sources.push_back(derived->collected.expressions);
     sources.push_back(derived->unexpanded);

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "choose/points.hpp"
 #include "numbers/exact_number.hpp"
@@ -19,16 +22,21 @@ constexpr std::size_t most_values = 2;  ///< per coordinate of a minimum
 constexpr int most_parts = 100;
 constexpr int most_parts_of_factor = 2;
 
+/// Larger numbers, such as radii in metres, equal some fraction by chance.
+constexpr double largest_numerator = 10'000;
+
 /// Minima are accurate to a rounding. Two unrelated values of a model seldom agree to this number.
 constexpr double equality = 0x1p-44;
 
 bool are_equal(double x, double y) { return std::abs(x - y) <= equality * std::abs(y); }
 
-/// The fraction that equals x, with the least denominator up to `most`; none for 0.
+/// The fraction that equals x, with the least denominator up to `most` and a small numerator; none
+/// for 0.
 std::optional<cln::cl_RA> simple_fraction(double x, int most) {
   for (int denominator = 1; denominator <= most; ++denominator) {
     const double numerator = std::nearbyint(x * denominator);
-    if (numerator == 0 || !are_equal(numerator / denominator, x)) continue;
+    const bool is_small = 0 < std::abs(numerator) && std::abs(numerator) <= largest_numerator;
+    if (!is_small || !are_equal(numerator / denominator, x)) continue;
     return exact_value(numerator) / denominator;
   }
   return std::nullopt;
@@ -41,7 +49,8 @@ std::vector<ExactValue> exact_values(const Domain& domain, std::size_t coordinat
   const std::vector<double>& all = domain.states.front().parameters;
   std::vector<std::uint32_t> like;  // in the unit of the coordinate, larger parameters first
   for (std::uint32_t i = 0; i < all.size(); ++i) {
-    if (model.parameters[i].unit == model.coordinates[coordinate].unit) like.push_back(i);
+    const std::optional<Unit>& unit = model.parameters[i].unit;
+    if (unit && unit == model.coordinates[coordinate].unit) like.push_back(i);
   }
   std::ranges::stable_sort(like, std::ranges::greater{},
                            [&](std::uint32_t i) { return std::abs(all[i]); });

@@ -55,9 +55,9 @@ using NearPlaces = std::vector<NearPlace>;
 [[nodiscard]] NearPlaces cancelling_places(const Program& program, const Function& text,
                                            const Domain& domain, std::size_t most);
 
-/// The minima of `domain` with exact values: 0, multiples of parameters with the unit of the
-/// coordinate, sums of two of them, multiples of pi, and rational numbers with small numerators and
-/// denominators. Coordinates with other values may have any value. Several values may equal a
+/// The minima of `domain` with exact values: 0, parameters with the unit of the coordinate, their
+/// halves, doubles and sums of two, multiples of pi/2, and rational numbers with small numerators
+/// and denominators. Coordinates with other values may have any value. Several values may equal a
 /// coordinate at a minimum, so there may be more places than minima.
 [[nodiscard]] std::vector<ExactPlace> exact_places(const Domain& domain);
 

@@ -23,7 +23,7 @@ constexpr long accurate_ratio_of_motion = 64;
 constexpr double certain_share = 0.25;
 
 long accurate_ratio(const Function& text) {
-  return is_of_potential(text) ? accurate_ratio_of_potential : accurate_ratio_of_motion;
+  return is_potential_or_gravity(text) ? accurate_ratio_of_potential : accurate_ratio_of_motion;
 }
 
 constexpr double unit_roundoff = 0x1p-53;
@@ -80,14 +80,15 @@ double to_double_or_nan(const Real& x) {
 /// The loss at a point: 0 if the text has no value there, infinite if only the text has a value. At
 /// an exact zero, every error is infinitely larger than the value; points near the zero decide.
 double loss_ratio(double error, double magnitude, double least) {
-  if (std::isnan(magnitude) || magnitude == 0) return 0;
+  if (std::isnan(magnitude)) return 0;
   if (std::isnan(error)) return std::numeric_limits<double>::infinity();
+  if (magnitude == 0) return 0;
   return error / (least > magnitude ? least : magnitude);
 }
 
 }  // namespace
 
-bool is_of_potential(const Function& text) {
+bool is_potential_or_gravity(const Function& text) {
   return text.kind == OutputKind::potential_energy || text.kind == OutputKind::gravity;
 }
 
@@ -173,7 +174,8 @@ std::optional<ErrorsAtPoints> FormErrors::errors_if_accurate(const Expressions& 
 
 bool FormErrors::may_lose_digits(const ErrorsAtPoints& errors, std::size_t entry) const {
   for (std::size_t point = 0; point < points_.size(); ++point) {
-    if (errors[point] > tolerated_loss * magnitudes_[point][entry]) return true;
+    const double magnitude = magnitudes_[point][entry];
+    if (errors[point] > tolerated_loss * magnitude) return true;
   }
   return false;
 }
@@ -233,6 +235,7 @@ std::optional<std::size_t> FormErrors::first_inaccurate_entry_at(const Program& 
   for (std::size_t i = 0; i < rough.size(); ++i) {
     const RunningValue<double>& rough_text = rough_entries_[point][first + i];
     if (!std::isfinite(rough_text.value)) continue;
+    if (!std::isfinite(rough[i].value)) return first + i;
     if (is_certainly_accurate(rough[i], rough_text, ratio)) continue;
     if (!exact) exact = exact_entries(program, form, points_[point]);
     const RunningValue<Real>& text = exact_recursive_entries(point)[first + i];

@@ -8,6 +8,9 @@
 //                                       its derivatives, and 64 for all other functions
 //     E / max(least known E, |x|)       the loss: digits that another rewriting keeps
 //
+// A point counts only if the text is finite in double there. At an exact zero the loss is 0,
+// because points near the zero decide.
+//
 // Accuracy is decided in double, or in 64 digits if double is uncertain, so that all machines
 // agree. Losses are compared in double.
 #pragma once
@@ -29,8 +32,8 @@ namespace elgen {
 /// more digits than the form with the loss `other`.
 [[nodiscard]] bool loses_more(double loss, double other, double tolerated = tolerated_loss);
 
-/// True for V and its derivatives. They must be more accurate than other functions.
-[[nodiscard]] bool is_of_potential(const Function& text);
+/// True for V and gravity, which must keep more digits than other functions.
+[[nodiscard]] bool is_potential_or_gravity(const Function& text);
 
 /// The magnitude |x| with which the error of an entry is compared.
 enum class MagnitudeScope : std::uint8_t {

@@ -239,12 +239,17 @@ bool is_in_declared_ranges(const Domain& domain, const std::vector<Number>& q) {
   return true;
 }
 
+/// True for a coordinate without a dimension that is not an angle, such as l/l0.
+bool is_ratio(const Coordinate& coordinate) {
+  return coordinate.unit == Unit{} && !is_angle(coordinate);
+}
+
 /// The values that a coordinate may have at rest: 0, and all parameters with its unit and either
 /// sign; or 1 and 1/2 for a ratio if `is_ratio_tried`.
 std::vector<cln::cl_R> typed_values(const Model& model, const State& base, std::uint32_t i,
                                     bool is_ratio_tried) {
   const std::optional<Unit>& unit = model.coordinates[i].unit;
-  if (is_ratio_tried && unit && *unit == Unit{}) return {1, cln::cl_RA(1) / 2};
+  if (is_ratio_tried && is_ratio(model.coordinates[i])) return {1, cln::cl_RA(1) / 2};
   std::vector<cln::cl_R> values{0};
   for (std::size_t k = 0; k < model.parameters.size(); ++k) {
     const cln::cl_R& value = base.parameters[k];
@@ -255,11 +260,10 @@ std::vector<cln::cl_R> typed_values(const Model& model, const State& base, std::
 }
 
 /// The combinations of typed values at which V is stationary: the slopes are far smaller than
-/// nearby. They find minima that are not isolated, and minima far from all other starts.
-std::vector<std::vector<cln::cl_R>> typed_rest_places(const PotentialFunction& potential,
-                                                      const State& base,
-                                                      const std::vector<std::uint32_t>& searched,
-                                                      const Domain& domain, bool is_ratio_tried) {
+/// nearby. As starts, they find minima that are not isolated, and minima far from all other starts.
+std::vector<std::vector<cln::cl_R>> stationary_typed_values(
+    const PotentialFunction& potential, const State& base,
+    const std::vector<std::uint32_t>& searched, const Domain& domain, bool is_ratio_tried) {
   static const Real negligible(power_of_ten(-20));
   static const cln::cl_RA nearness = cln::expt(cln::cl_RA(2), -10);
   std::vector<std::vector<cln::cl_R>> values;
@@ -279,6 +283,7 @@ std::vector<std::vector<cln::cl_R>> typed_rest_places(const PotentialFunction& p
       x = values[k][rest % values[k].size()];
       rest /= values[k].size();
       const cln::cl_RA away = nearness / (k + 1);
+      // The scale of a coordinate that is 0 is unknown; 2^-40 is near 0 also for molecules.
       near[searched[k]] = cln::zerop(x) ? cln::expt(away, 4) : x * (1 + away);
     }
     if (rest > 0) break;
@@ -304,9 +309,11 @@ std::vector<std::vector<cln::cl_R>> search_starts(const PotentialFunction& poten
   };
   std::vector<cln::cl_R> q(base.q.size(), cln::cl_R(0));
   add(q);
+  const bool has_ratio = std::ranges::any_of(
+      searched, [&](std::uint32_t i) { return is_ratio(model.coordinates[i]); });
   for (const bool is_ratio_tried : {false, true}) {
-    if (!model.constraints.empty()) break;
-    const auto places = typed_rest_places(potential, base, searched, domain, is_ratio_tried);
+    if (!model.constraints.empty() || (is_ratio_tried && !has_ratio)) break;
+    const auto places = stationary_typed_values(potential, base, searched, domain, is_ratio_tried);
     for (const std::vector<cln::cl_R>& place : places) add(place);
     if (!places.empty()) break;
   }
@@ -339,11 +346,13 @@ std::vector<std::vector<double>> find_minima(const PotentialFunction& potential,
     const bool is_known = std::ranges::find(found, place->q, &Minimum::q) != found.end();
     if (!is_known) found.push_back(std::move(*place));
   }
+  // In double, because equal minima may differ in the last of their 64 digits.
   const auto is_lower = [](const Minimum& x, const Minimum& y) {
-    return x.potential < y.potential;
+    return to_double(x.potential.value()) < to_double(y.potential.value());
   };
   std::ranges::stable_sort(found, is_lower);
-  // Without a range, people mean the first minimum, at typed values: of 1/l^2 + l^2 not l = -1.
+  // If an unbounded coordinate has several equal minima, authors mean the first, at typed values:
+  // l = 1 for 1/l^2 + l^2, not l = -1.
   const std::vector<bool> is_unbounded = unbounded_coordinates(domain.model);
   const bool has_ranges =
       std::ranges::none_of(searched, [&](std::uint32_t i) { return is_unbounded[i]; });

@@ -86,7 +86,7 @@ TEST_CASE("with a rewritten V every function has the values of its text") {
       CHECK(values[k] == Approx(text[k]).epsilon(1e-12).margin(1e-12));
     }
   }
-  CHECK(derivatives == 3);
+  CHECK(derivatives == 3);  // of gravity, and of inverse and forward dynamics
 }
 
 TEST_CASE("a sum of squares stays whole for any anchor") {

@@ -35,11 +35,14 @@ PotentialValues values_of(const Potential& potential, const std::vector<Real>& q
   return values;
 }
 
-/// Two coordinates x and y, with a declared range of x if `range` is given.
-Model plane(const std::optional<Interval>& range = {}) {
+const Interval unit_range{-1, 1};
+
+/// Two coordinates x and y, without a range of x if `range` is empty.
+Model plane(const std::optional<Interval>& range = unit_range) {
   ModelBuilder builder;
   builder.coordinate("x").coordinate("y");
   builder.model.coordinates[0].range = range;
+  builder.model.coordinates[1].range = unit_range;
   return builder.model;
 }
 
@@ -58,7 +61,7 @@ std::vector<Place> minima_of(const PotentialFunction& potential, const Model& mo
 
 template <class Potential>
 std::vector<Place> minima_in_plane(const Potential& potential,
-                                   const std::optional<Interval>& range = {}) {
+                                   const std::optional<Interval>& range = unit_range) {
   return minima_of([&](const std::vector<Real>& q) { return values_of(potential, q); },
                    plane(range));
 }
@@ -121,6 +124,32 @@ TEST_CASE("a minimum outside the declared range gives no place") {
     const DualReal x = q[0] - number("5");
     return x * x + q[1] * q[1];
   };
-  CHECK(minima_in_plane(well) == std::vector<Place>{Place{5, 0}});
-  CHECK(minima_in_plane(well, Interval{-1, 1}).empty());
+  CHECK(minima_in_plane(well, std::nullopt) == std::vector<Place>{Place{5, 0}});
+  CHECK(minima_in_plane(well).empty());
+}
+
+TEST_CASE("of equal minima of an unbounded coordinate the typed one counts") {
+  Model model = plane(std::nullopt);
+  model.coordinates[0].unit = Unit{};
+  const auto strained = [](const auto& q) {
+    return q[0] * q[0] + number("1") / (q[0] * q[0]) + q[1] * q[1];
+  };
+  const PotentialFunction slopes = [&](const std::vector<Real>& q) {
+    return values_of(strained, q);
+  };
+  CHECK(minima_of(slopes, model) == std::vector<Place>{Place{1, 0}});
+}
+
+TEST_CASE("minima at values of parameters are found from far starts") {
+  ModelBuilder builder;
+  builder.coordinate("x").coordinate("y").parameter("r", "0.0000000004656612873077392578125");
+  for (std::size_t i = 0; i < 2; ++i) builder.model.coordinates[i].unit = find_unit("m");
+  builder.model.parameters[0].unit = find_unit("m");
+  const auto bond = [](const auto& q) {
+    const DualReal ratio = number("0.0000000004656612873077392578125") / q[0];
+    const DualReal sixth = ratio * ratio * ratio * ratio * ratio * ratio;
+    return sixth * sixth - number("2") * sixth + q[1] * q[1];
+  };
+  const PotentialFunction slopes = [&](const std::vector<Real>& q) { return values_of(bond, q); };
+  CHECK(minima_of(slopes, builder.model) == std::vector<Place>{Place{0x1p-31, 0}});
 }

@@ -36,6 +36,7 @@ inline Counted acos(Counted a) { return ++counts.other, Counted(std::acos(a.x));
 inline Counted atan(Counted a) { return ++counts.other, Counted(std::atan(a.x)); }
 inline Counted sinh(Counted a) { return ++counts.other, Counted(std::sinh(a.x)); }
 inline Counted cosh(Counted a) { return ++counts.other, Counted(std::cosh(a.x)); }
+inline Counted asinh(Counted a) { return ++counts.other, Counted(std::asinh(a.x)); }
 inline Counted tanh(Counted a) { return ++counts.other, Counted(std::tanh(a.x)); }
 inline Counted exp(Counted a) { return ++counts.other, Counted(std::exp(a.x)); }
 inline Counted log(Counted a) { return ++counts.other, Counted(std::log(a.x)); }

@@ -93,6 +93,21 @@ class CallExpander : GraphTermBuilder {
     return negate_if(one(), rest == 3);
   }
 
+  /// f(u0 + D/2) of a sine or cosine. For a multiple u0 of pi/2 it is a sine or cosine of D/2,
+  /// which has no rounding error of pi.
+  SignedNode sinusoid_between(FunctionId function, const LocalValue& u) {
+    const SignedNode sine_at = sinusoid_at(FunctionId::sin, u.at);
+    const SignedNode cosine_at = sinusoid_at(FunctionId::cos, u.at);
+    const bool is_quarter_turn = is_circular(function) && graph_.is_rational(sine_at.node) &&
+                                 graph_.is_rational(cosine_at.node);
+    if (!is_quarter_turn) return call(function, graph_.sum({u.at, half(u.difference)}));
+    const SignedNode sine = call(FunctionId::sin, half(u.difference));
+    const SignedNode cosine = call(FunctionId::cos, half(u.difference));
+    if (function == FunctionId::sin)
+      return graph_.sum({multiply(sine_at, cosine), multiply(cosine_at, sine)});
+    return graph_.sum({multiply(cosine_at, cosine), -multiply(sine_at, sine)});
+  }
+
   /// f(u0 + D) = f(u0) c(D) + f'(u0) s(D), with c = cos or cosh, and s = sin or sinh.
   ExpandedCall sinusoid(FunctionId function, const LocalValue& u) {
     const bool is_circular_call = is_circular(function);
@@ -104,7 +119,7 @@ class CallExpander : GraphTermBuilder {
     const SignedNode other = sinusoid_at(is_odd ? even : odd, u.at);
     const SignedNode slope = negate_if(other, is_circular_call && !is_odd);
     const SignedNode sine = call(odd, half(d));
-    const SignedNode middle = call(is_odd ? even : odd, graph_.sum({u.at, half(d)}));
+    const SignedNode middle = sinusoid_between(is_odd ? even : odd, u);
     const SignedNode difference =
         graph_.is_zero(u.at.node) && is_odd
             ? call(odd, d)
@@ -118,7 +133,8 @@ class CallExpander : GraphTermBuilder {
     return {at, slope, difference, excess};
   }
 
-  /// atan(u) - atan(u0), without its remainder. u u0 > -1, as it is near the place.
+  /// atan(u) - atan(u0) = atan2(D, 1 + u u0) for all u, because both cosines are positive. The
+  /// remainder is unknown.
   ExpandedCall arctangent(const LocalValue& u) {
     const SignedNode difference = graph_.call(
         FunctionId::atan2, {u.difference, graph_.sum({one(), multiply(u.value, u.at)})});

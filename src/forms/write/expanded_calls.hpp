@@ -15,12 +15,12 @@ struct LocalValue {
   SignedNode difference = {};
 };
 
-/// f(u0 + D) from f(u0), f'(u0), f(u0 + D) - f(u0), and this difference less f'(u0) D.
+/// f(u0 + D) near u0.
 struct ExpandedCall {
-  SignedNode at = {};
-  SignedNode slope = {};
-  SignedNode difference = {};
-  std::optional<SignedNode> excess = {};
+  SignedNode at = {};                     ///< f(u0)
+  SignedNode slope = {};                  ///< f'(u0)
+  SignedNode difference = {};             ///< f(u0 + D) - f(u0)
+  std::optional<SignedNode> excess = {};  ///< difference - f'(u0) D; none if unknown
 };
 
 /// f(u0 + D) for f = `function` of one argument; none for other functions, and for tan and tanh

@@ -28,8 +28,8 @@ class LogarithmBuilder : GraphTermBuilder {
     return multiply_by_two(half_logarithm);
   }
 
-  SignedNode remainder(const QuotientNearOne& quotient, SignedNode logarithm) {
-    const auto& [above, below, b] = quotient;
+  SignedNode remainder(const QuotientNearOne& ratio, SignedNode logarithm) {
+    const auto& [above, below, b] = ratio;
     const SignedNode w = graph_.square_root(divide(above, below));
     const SignedNode share = graph_.product({{logarithm}, {graph_.sum({one(), w}), -2}});
     const SignedNode series =
@@ -82,8 +82,8 @@ class LogarithmRewriter : GraphTermBuilder {
       const SignedNode logarithm = negate_if(value_of(call), is_inverse);
       const SignedNode difference = short_sum({above, -below});
       linear.push_back(divide(multiply(own, difference), below));
-      const QuotientNearOne quotient{above, below, divide(difference, below)};
-      result.push_back(-multiply(own, logarithm_remainder(graph_, quotient, logarithm)));
+      const QuotientNearOne ratio{above, below, divide(difference, below)};
+      result.push_back(-multiply(own, logarithm_remainder(graph_, ratio, logarithm)));
     }
     const auto parts = expanded_terms(linear);
     if (!parts) return std::nullopt;
@@ -154,9 +154,8 @@ SignedNode logarithm_near_one(Graph& graph, RewriteOptions keeping, SignedNode a
   return LogarithmBuilder(graph).near_one(keeping, a, less);
 }
 
-SignedNode logarithm_remainder(Graph& graph, const QuotientNearOne& quotient,
-                               SignedNode logarithm) {
-  return LogarithmBuilder(graph).remainder(quotient, logarithm);
+SignedNode logarithm_remainder(Graph& graph, const QuotientNearOne& ratio, SignedNode logarithm) {
+  return LogarithmBuilder(graph).remainder(ratio, logarithm);
 }
 
 bool replace_logarithms(Graph& graph, RewriteOptions keeping, std::vector<SignedNode>& terms) {

@@ -61,11 +61,11 @@ struct QuotientNearOne {
   SignedNode less = {};
 };
 
-/// b - L with L = log(1 + b), the value `logarithm`, and w = sqrt(1 + b), for the quotient 1 + b.
+/// b - L with L = log(1 + b), the value `logarithm`, and w = sqrt(1 + b), for ratio = 1 + b.
 /// The largest measured error is 9 u for 1 + b from 1e-8 to 1e15.
 ///
 ///     (b^2 (1 - L/(1 + w)^2) + w L^3 stumpff(L/2, -3)/2)/(2 + b)
-[[nodiscard]] SignedNode logarithm_remainder(Graph& graph, const QuotientNearOne& quotient,
+[[nodiscard]] SignedNode logarithm_remainder(Graph& graph, const QuotientNearOne& ratio,
                                              SignedNode logarithm);
 
 /// Factors a sum of 3 to 30 terms that has a repeated factor: a common divisor of the sum and of

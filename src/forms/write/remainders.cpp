@@ -2,6 +2,7 @@
 #include "forms/write/remainders.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <utility>
 
@@ -21,7 +22,8 @@ struct LocalExpansion {
   SignedNode difference = {};           ///< value - at
   /// Kernel -> coefficient; none if the remainder is unknown.
   std::optional<std::map<NodeId, SignedNode>> remainder = {};
-  std::optional<SignedNode> log_ratio = {};  ///< log(u/u0), if it is simpler than by difference/u0
+  std::optional<SignedNode> log_ratio =
+      {};  ///< log(u/u0) of coordinates, exponentials and products
 };
 
 /// The arithmetic of expansions.
@@ -110,13 +112,15 @@ class LocalArithmetic : protected GraphTermBuilder {
     if (total.remainder && is_flat(total)) total.difference = value_of(*total.remainder);
     settle(total);
     if (difference_ == DifferenceForm::ratio && is_zero(total.at) && !is_flat(total)) {
-      if (const auto better = difference_by_ratio(parts)) total.difference = *better;
+      const auto better = difference_by_ratio(parts);
+      if (better) total.difference = *better;
+      has_ratio_ = has_ratio_ || better;
     }
     return total;
   }
 
-  /// u - v = (u + v) tanh((log(u/u0) - log(v/v0))/2) for u0 = v0; none if one of them is constant.
-  /// No digit is lost far from the place if u and v decay.
+  /// u - v = (u + v) tanh((log(u/u0) - log(v/v0))/2) for u0 = v0; none unless there are two terms,
+  /// both not constant. No digit is lost far from the place if u and v decay.
   std::optional<SignedNode> difference_by_ratio(const std::vector<LocalExpansion>& parts) {
     if (parts.size() != 2 || is_zero(parts[0].at)) return std::nullopt;
     std::vector<SignedNode> ratios;
@@ -129,17 +133,6 @@ class LocalArithmetic : protected GraphTermBuilder {
     const SignedNode exponent = half(graph_.sum({ratios[0], -ratios[1]}));
     return multiply(graph_.sum({parts[0].value, -parts[1].value}),
                     call(FunctionId::tanh, exponent));
-  }
-
-  LocalExpansion negated(LocalExpansion u) {
-    u.value = -u.value;
-    u.at = -u.at;
-    u.difference = -u.difference;
-    for (SignedNode& slope : u.slopes) slope = -slope;
-    if (u.remainder) {
-      for (auto& [kernel, coefficient] : *u.remainder) coefficient = -coefficient;
-    }
-    return u;
   }
 
   LocalExpansion product_of(const LocalExpansion& u, const LocalExpansion& v) {
@@ -208,22 +201,28 @@ class LocalArithmetic : protected GraphTermBuilder {
     return product_of(half, half);
   }
 
+  /// True if a difference was written as a ratio.
+  [[nodiscard]] bool has_ratio() const { return has_ratio_; }
+
  private:
   std::size_t coordinates_;
   DifferenceForm difference_;
+  bool has_ratio_ = false;
   SignedNode zero_;
 };
 
 /// Expands the nodes of a graph.
 class PlaceExpander : LocalArithmetic {
  public:
+  using LocalArithmetic::has_ratio;
+
   PlaceExpander(Graph& graph, const ExactPlace& place, const LeafNames& leaves,
                 DifferenceForm difference)
       : LocalArithmetic(graph, place.size(), difference), place_(place), leaves_(leaves) {}
 
   /// A sum or a logarithm that vanishes at the place, written without cancellation; none for other
-  /// values. Terms whose values at the place are unknown stay as they are.
-  std::optional<SignedNode> rewrite(SignedNode value) {
+  /// values. Terms whose values at the place are unknown are taken from `renewed`.
+  std::optional<SignedNode> rewrite(SignedNode value, const std::map<NodeId, SignedNode>& renewed) {
     const Node& node = graph_.node(value.node);
     const bool is_sum = node.kind == NodeKind::sum;
     if (!is_sum && !is_call(node, FunctionId::log)) return std::nullopt;
@@ -235,9 +234,11 @@ class PlaceExpander : LocalArithmetic {
       if (part) {
         parts.push_back(std::move(*part));
       } else {
-        terms.push_back(term);
+        const auto known = renewed.find(term.node);
+        terms.push_back(known == renewed.end() ? term : negate_if(known->second, term.is_negative));
       }
     }
+    if (parts.empty()) return std::nullopt;
     const LocalExpansion total = add(parts);
     if (!is_zero(total.at)) return std::nullopt;
     terms.push_back(total.difference);
@@ -254,7 +255,7 @@ class PlaceExpander : LocalArithmetic {
       known = known_.emplace(value.node, std::move(expansion)).first;
     }
     if (!known->second || !value.is_negative) return known->second;
-    return negated(*known->second);
+    return product_of(*known->second, constant(-one()));
   }
 
   std::optional<LocalExpansion> expand_node(NodeId id) {
@@ -379,16 +380,20 @@ std::optional<Expressions> rewrite_at_place(const Expressions& expressions, cons
   bool is_rewritten = false;
   std::optional<PlaceExpander> expander;
   std::vector<SignedNode> originals(expressions.graph.size());
+  std::map<NodeId, SignedNode> renewed;  // results for the nodes of `originals`
   const auto rule = [&](Graph& graph, const RebuildStep& step) {
     if (!expander) expander.emplace(graph, place, leaves, difference);
     SignedNode& original = originals[step.old_node];
     original = copy_node(graph, {step.old_graph, step.old_node, originals});
-    const std::optional<SignedNode> better = expander->rewrite(original);
+    const std::optional<SignedNode> better = expander->rewrite(original, renewed);
     is_rewritten = is_rewritten || better;
-    return better ? *better : copy_node(graph, step);
+    const SignedNode result = better ? *better : copy_node(graph, step);
+    renewed[original.node] = negate_if(result, original.is_negative);
+    return result;
   };
   Expressions result = rebuild(expressions, rule);
-  if (!is_rewritten) return std::nullopt;
+  const bool is_same = difference == DifferenceForm::ratio && !(expander && expander->has_ratio());
+  if (!is_rewritten || is_same) return std::nullopt;
   return result;
 }
 

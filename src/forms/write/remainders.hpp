@@ -4,7 +4,7 @@
 //     after     k*(r - r0)^2/(r0^2*r)
 //
 // Each value is u = u0 + L d + R(u): u0 is the value at the place, d = q - q0, L the row of its
-// derivatives there, and R(u) the remainder, computed without a difference of nearly equal values.
+// derivatives there, and R(u) the remainder, a sum of terms of second order.
 // With D(u) = u - u0:
 //
 //     R(u v) = u0 R(v) + v0 R(u) + D(u) D(v)          R(1/u) = (D(u)^2/u - R(u))/u0^2
@@ -43,11 +43,15 @@ using ExactPlace = std::vector<std::optional<ExactValue>>;
 /// How u - v is written for u0 = v0:
 ///
 ///     plain    D(u) - D(v)
-///     ratio    (u + v) tanh((log(u/u0) - log(v/v0))/2), without loss if u and v decay
+///     ratio    (u + v) tanh((log(u/u0) - log(v/v0))/2), without loss if u and v decay; undefined
+///              if a coordinate or a factor of u or v has another sign than at the place
 enum class DifferenceForm : std::uint8_t { plain, ratio };
 
-/// Rewrites all sums that vanish at `place`, whatever the values of the parameters. Roots of
-/// squares of parameters need the assumptions of `leaves`. None if no sum vanishes.
+/// Rewrites all sums that vanish at `place` for all values of the parameters. The rewriting has the
+/// value of the sum if both are defined. It is undefined if a value u0 in a divisor is 0, or if a
+/// root or a logarithm is undefined at the place. It may overflow far from the place: the caller
+/// compares it with the sum at the states that matter. Roots of squares of parameters need the
+/// assumptions of `leaves`. None if no sum vanishes, or if DifferenceForm::ratio changes nothing.
 [[nodiscard]] std::optional<Expressions> rewrite_at_place(const Expressions& expressions,
                                                           const ExactPlace& place,
                                                           const LeafNames& leaves,

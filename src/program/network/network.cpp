@@ -262,8 +262,8 @@ class NetworkConverter {
       std::vector<SignedNode> terms{{value.node}};
       // Joining numbers may have turned the product into a sum.
       const Operation& made = builder_.network.operations[value.node];
-      const bool is_spliced =
-          is_sum && has_single_use(operand.node) && made.kind == OperationKind::sum;
+      const bool is_spliced = is_sum && has_single_use(operand.node) &&
+                              made.kind == OperationKind::sum && !is_difference_of_coordinate(made);
       if (is_spliced) terms = made.operands;
       for (const SignedNode term : terms)
         operation.operands.push_back(negate_if(term, value.is_negative));
@@ -273,8 +273,19 @@ class NetworkConverter {
     return {builder_.add(std::move(operation))};
   }
 
-  /// q - p - r instead of p + r - q: q - p is exact if q is near p, but p + r is rounded. Changes
-  /// only sums of two or more parameters and of coordinates.
+  /// True for q - p, which is a part of (q - p) - r and is computed first.
+  [[nodiscard]] bool is_difference_of_coordinate(const Operation& sum) const {
+    const auto is_leaf_of = [&](Opcode leaf) {
+      return
+          [this, leaf](SignedNode x) { return builder_.network.operations[x.node].leaf == leaf; };
+    };
+    return sum.operands.size() == 2 &&
+           std::ranges::any_of(sum.operands, is_leaf_of(Opcode::coordinate)) &&
+           std::ranges::any_of(sum.operands, is_leaf_of(Opcode::parameter));
+  }
+
+  /// q - p - r instead of p + r - q, for q near p + r: q - p is exact if p >= r, but p + r is
+  /// rounded. Changes only sums of two or more parameters and of coordinates.
   void put_coordinates_first(std::vector<SignedNode>& terms) const {
     const auto is_leaf_term = [this](Opcode leaf) {
       return [this, leaf](SignedNode x) {

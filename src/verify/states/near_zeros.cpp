@@ -133,7 +133,9 @@ class NearZeroSampler {
     for (int pass = 0; pass < 3; ++pass) {
       for (const std::uint32_t c : sum.coordinates) {
         is_zero = move_to_zero(sum, c, at);
-        const bool is_negligible = std::abs(at.q[c]) < zero_threshold * ranges_.q[c].high;
+        const Range& range = ranges_.q[c];
+        const bool is_negligible = range.low <= 0 && 0 <= range.high &&
+                                   std::abs(at.q[c]) < zero_threshold * (range.high - range.low);
         if (is_negligible) at.q[c] = 0;
       }
     }

@@ -136,7 +136,7 @@ struct Strict {
   explicit Strict(const double& number) : dual(number) {}
   explicit Strict(const Dual& x) : dual(x) {}
 
-  friend Strict operator-(const Strict& x) { return Strict(-x.dual); }
+  [[maybe_unused]] friend Strict operator-(const Strict& x) { return Strict(-x.dual); }
   friend Strict operator+(const Strict& x, const Strict& y) { return Strict(x.dual + y.dual); }
   friend Strict operator-(const Strict& x, const Strict& y) { return Strict(x.dual - y.dual); }
   friend Strict operator*(const Strict& x, const Strict& y) { return Strict(x.dual * y.dual); }
