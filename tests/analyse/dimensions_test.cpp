@@ -81,7 +81,6 @@ std::vector<Dimension> dimensions_of_models() {
       {"free_body", 14, {"A=0.02", "B=0.02", "C=0.02"}},
       {"free_particle", 10},
       {"furuta_pendulum", 2},
-      {"gas_piston", 1},
       {"heavy_top", 3},
       {"kepler_cartesian", 4},
       {"kepler_polar", 2},

@@ -19,7 +19,7 @@ Outcome verify_with_python(const std::string& python) {
 
 }  // namespace
 
-TEST_CASE("python: eleven models agree with the program bit by bit") {
+TEST_CASE("python: ten models agree with the program bit by bit") {
   if (is_installed("python3", "python3 --version")) check_interpreted_models("python");
 }
 

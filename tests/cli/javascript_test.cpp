@@ -54,7 +54,7 @@ const std::string odd_outputs =
 
 }  // namespace
 
-TEST_CASE("javascript: eleven models agree with the program") {
+TEST_CASE("javascript: ten models agree with the program") {
   if (has_node()) check_interpreted_models("javascript");
 }
 

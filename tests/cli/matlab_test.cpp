@@ -41,7 +41,7 @@ std::string odd_model(const std::string& angle) {
 
 }  // namespace
 
-TEST_CASE("matlab: eleven models agree with the program") {
+TEST_CASE("matlab: ten models agree with the program") {
   if (has_octave()) check_interpreted_models("matlab");
 }
 

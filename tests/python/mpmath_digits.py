@@ -16,7 +16,6 @@ states = {
     "cart_pole": "theta=0.1,dot(x)=0.7,dot(theta)=2,dot(dot(x))=0.3,dot(dot(theta))=-0.7",
     "double_pendulum": "theta1=0.3,theta2=-1.1,dot(theta1)=0.7,dot(theta2)=0.2",
     "furuta_pendulum": "theta1=0.3,theta2=-1.1,dot(theta1)=0.7,dot(theta2)=0.2",
-    "gas_piston": "x=0.26,y=0.3,dot(x)=0.2,dot(y)=-0.7",
     "kepler_cartesian": "x=0.3,y=0.7,z=-0.2,dot(x)=0.1,dot(y)=0.9,dot(z)=0.3",
     "motor_pendulum": "theta=0.3,dot(theta)=0.7",
     "relativistic_particle": "x=0.3,dot(x)=0.7",

@@ -35,7 +35,7 @@ class Expressions:
         self.arguments = {
             "p": module.on(sympy).Parameters(*map(self.parameter, module.parameter_names, module.Parameters())),
             "f": self.symbols(getattr(module, "open_value_names", ())),
-            "q": list(map(self.coordinate, module.coordinate_names, module.coordinate_ranges)),
+            "q": self.symbols(module.coordinate_names),
             "v": self.symbols(f"dot({name})" for name in rates),
             "a": self.symbols(f"dot(dot({name}))" for name in rates),
             "u": self.symbols(module.input_names),
@@ -52,9 +52,6 @@ class Expressions:
         if isinstance(value, tuple):
             return tuple(self.symbols((f"{name}[{i + 1}]" for i in range(len(value))), assumed))
         return self.symbols([name], assumed)[0]
-
-    def coordinate(self, name, interval):
-        return self.symbols([name], {"positive": True} if interval[0] > 0 else {})[0]
 
     def symbols(self, names, assumed={}):
         return [self.known.setdefault(name, sympy.Symbol(name, real=True, **assumed)) for name in names]
@@ -127,16 +124,6 @@ class Expressions:
         return flat(value)
 
 
-def by_logarithms(expression):
-    """asinh by logarithms of single factors, and stumpff where its argument is not 0."""
-    expression = expression.replace(sympy.Piecewise, lambda *pairs: pairs[0][0])
-
-    def logarithm(u):
-        return sympy.log(sympy.simplify(u + sympy.sqrt(sympy.factor(u**2 + 1))))
-
-    return sympy.expand_log(expression.replace(sympy.asinh, logarithm))
-
-
 def atoms_of(expression):
     """Replaces sines, cosines and roots by symbols; returns polynomials for their squares too."""
     squares, replaced = {}, {}
@@ -160,10 +147,7 @@ def atoms_of(expression):
 def is_zero(expression, of_units={}):
     """Decides by a normal form: the expanded numerator, with squares of sines, of roots and of the scalar parts of unit
     quaternions replaced."""
-    expression = sympy.sympify(expression)
-    if expression.has(sympy.asinh):
-        expression = by_logarithms(expression)
-    expression, squares = atoms_of(expression)
+    expression, squares = atoms_of(sympy.sympify(expression))
     squares |= of_units
     numerator = sympy.fraction(sympy.together(expression))[0]
 
