@@ -75,27 +75,33 @@ std::vector<ExactValue> exact_values(const Domain& domain, std::size_t coordinat
   return values;
 }
 
+/// The places that differ from `place` in one coordinate, which has one of the values.
+std::vector<ExactPlace> places_with(const ExactPlace& place, std::size_t coordinate,
+                                    const std::vector<ExactValue>& values) {
+  std::vector<ExactPlace> places(std::max<std::size_t>(values.size(), 1), place);
+  for (std::size_t i = 0; i < values.size(); ++i) places[i][coordinate] = values[i];
+  return places;
+}
+
+/// All combinations of the exact values of the coordinates of a minimum, at most most_places.
+std::vector<ExactPlace> exact_places_of(const Domain& domain, const std::vector<double>& minimum) {
+  std::vector<ExactPlace> places{ExactPlace(minimum.size())};
+  for (std::size_t i = 0; i < minimum.size(); ++i) {
+    if (domain.model.coordinates[i].rotation) continue;
+    const std::vector<ExactValue> values = exact_values(domain, i, minimum[i]);
+    for (const ExactPlace& place : std::exchange(places, {}))
+      std::ranges::move(places_with(place, i, values), std::back_inserter(places));
+    if (places.size() > most_places) places.resize(most_places);
+  }
+  return places;
+}
+
 }  // namespace
 
 std::vector<ExactPlace> exact_places(const Domain& domain) {
   std::vector<ExactPlace> places;
-  for (const std::vector<double>& minimum : domain.minima) {
-    std::vector<ExactPlace> known{ExactPlace(minimum.size())};
-    for (std::size_t i = 0; i < minimum.size(); ++i) {
-      if (domain.model.coordinates[i].rotation) continue;
-      const std::vector<ExactPlace> before = std::exchange(known, {});
-      for (const ExactPlace& place : before) {
-        std::vector<ExactValue> values = exact_values(domain, i, minimum[i]);
-        if (values.empty()) known.push_back(place);
-        for (ExactValue& value : values) {
-          ExactPlace& next = known.emplace_back(place);
-          next[i] = std::move(value);
-        }
-      }
-      if (known.size() > most_places) known.resize(most_places);
-    }
-    std::ranges::move(known, std::back_inserter(places));
-  }
+  for (const std::vector<double>& minimum : domain.minima)
+    std::ranges::move(exact_places_of(domain, minimum), std::back_inserter(places));
   return places;
 }
 

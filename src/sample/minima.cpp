@@ -15,6 +15,7 @@
 #include "elgen/oracle.hpp"
 #include "numbers/echelon.hpp"
 #include "numbers/exact_number.hpp"
+#include "sample/points.hpp"
 
 namespace elgen {
 namespace {

@@ -298,7 +298,7 @@ class NetworkConverter {
     const auto parameters = std::ranges::count_if(terms, is_parameter);
     const auto coordinates = std::ranges::count_if(terms, is_coordinate);
     if (parameters < 2 || parameters + coordinates != std::ssize(terms)) return;
-    std::ranges::stable_partition(terms, is_coordinate);
+    std::stable_partition(terms.begin(), terms.end(), is_coordinate);
   }
 
   SignedNode convert_product(NodeId id) {
