@@ -172,15 +172,11 @@ class RootBuilder : GraphTermBuilder {
       if (root) roots.push_back(*root);
     }
     const SignedNode root = graph_.sum(roots);
-    const bool is_square = constant_sum({multiply(root, root)}) == constant_sum({radicand});
+    const bool is_square = expanded_sum({multiply(root, root)}) == expanded_sum({radicand});
     return is_square && is_positive(root) ? root : graph_.square_root(radicand);
   }
 
  private:
-  SignedNode constant_sum(const std::vector<SignedNode>& values) {
-    return graph_.sum(expanded_terms(values).value_or(values));
-  }
-
   /// True for sums and products of positive parameters and numbers.
   [[nodiscard]] bool is_positive(SignedNode value) const {
     if (graph_.node(value.node).kind == NodeKind::sum)

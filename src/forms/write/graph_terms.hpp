@@ -50,6 +50,10 @@ class GraphTermBuilder {
   /// are more than `most` terms.
   std::optional<std::vector<SignedNode>> expanded_terms(const std::vector<SignedNode>& values,
                                                         std::size_t most = most_expanded_terms);
+  /// The sum of expanded_terms(); a plain sum if these are too many.
+  SignedNode expanded_sum(const std::vector<SignedNode>& values) {
+    return graph_.sum(expanded_terms(values).value_or(values));
+  }
   SignedNode quotient(SignedNode x, SignedNode y) { return graph_.product({{x, 1}, {y, -1}}); }
   /// x/y with nested products flattened, so that common factors cancel.
   SignedNode divide(SignedNode x, SignedNode y);

@@ -22,8 +22,8 @@ struct LocalExpansion {
   SignedNode difference = {};           ///< value - at
   /// Kernel -> coefficient; none if the remainder is unknown.
   std::optional<std::map<NodeId, SignedNode>> remainder = {};
-  std::optional<SignedNode> log_ratio =
-      {};  ///< log(u/u0) of coordinates, exponentials and products
+  /// log(u/u0) of coordinates, exponentials and products.
+  std::optional<SignedNode> log_ratio = {};
 };
 
 /// The arithmetic of expansions.
@@ -43,11 +43,6 @@ class LocalArithmetic : protected GraphTermBuilder {
     return std::ranges::all_of(u.slopes, [this](SignedNode slope) { return is_zero(slope); });
   }
 
-  /// A sum without a coordinate of the place, with all brackets expanded.
-  SignedNode constant_sum(const std::vector<SignedNode>& values) {
-    return graph_.sum(expanded_terms(values).value_or(values));
-  }
-
   [[nodiscard]] std::vector<SignedNode> no_slopes() const {
     return std::vector<SignedNode>(coordinates_, zero_);
   }
@@ -63,7 +58,7 @@ class LocalArithmetic : protected GraphTermBuilder {
     SignedNode& known = kernels.try_emplace(plain.node, zero_).first->second;
     const SignedNode scale =
         graph_.rational(plain.is_negative ? -term.coefficient : term.coefficient);
-    known = constant_sum({known, multiply(coefficient, scale)});
+    known = expanded_sum({known, multiply(coefficient, scale)});
     if (is_zero(known)) kernels.erase(plain.node);
   }
 
@@ -104,10 +99,10 @@ class LocalArithmetic : protected GraphTermBuilder {
       if (!part.remainder) total.remainder.reset();
       if (total.remainder) add_kernels(*total.remainder, one(), *part.remainder);
       for (std::size_t i = 0; i < coordinates_; ++i)
-        total.slopes[i] = constant_sum({total.slopes[i], part.slopes[i]});
+        total.slopes[i] = expanded_sum({total.slopes[i], part.slopes[i]});
     }
     total.value = graph_.sum(values);
-    total.at = constant_sum(at);
+    total.at = expanded_sum(at);
     total.difference = graph_.sum(differences);
     if (total.remainder && is_flat(total)) total.difference = value_of(*total.remainder);
     settle(total);
@@ -119,6 +114,11 @@ class LocalArithmetic : protected GraphTermBuilder {
     return total;
   }
 
+  /// log(u/u0) from D(u)/u0, for u0 other than 0.
+  SignedNode log_ratio_of(const LocalExpansion& u) {
+    return logarithm_near_one(graph_, {}, divide(u.value, u.at), divide(u.difference, u.at));
+  }
+
   /// u - v = (u + v) tanh((log(u/u0) - log(v/v0))/2) for u0 = v0; none unless there are two terms,
   /// both not constant. No digit is lost far from the place if u and v decay.
   std::optional<SignedNode> difference_by_ratio(const std::vector<LocalExpansion>& parts) {
@@ -126,9 +126,7 @@ class LocalArithmetic : protected GraphTermBuilder {
     std::vector<SignedNode> ratios;
     for (const LocalExpansion& u : parts) {
       if (is_zero(u.difference)) return std::nullopt;
-      ratios.push_back(u.log_ratio ? *u.log_ratio
-                                   : logarithm_near_one(graph_, {}, divide(u.value, u.at),
-                                                        divide(u.difference, u.at)));
+      ratios.push_back(u.log_ratio ? *u.log_ratio : log_ratio_of(u));
     }
     const SignedNode exponent = half(graph_.sum({ratios[0], -ratios[1]}));
     return multiply(graph_.sum({parts[0].value, -parts[1].value}),
@@ -137,9 +135,9 @@ class LocalArithmetic : protected GraphTermBuilder {
 
   LocalExpansion product_of(const LocalExpansion& u, const LocalExpansion& v) {
     LocalExpansion result = constant(multiply(u.value, v.value));
-    result.at = constant_sum({multiply(u.at, v.at)});
+    result.at = expanded_sum({multiply(u.at, v.at)});
     for (std::size_t i = 0; i < coordinates_; ++i)
-      result.slopes[i] = constant_sum({multiply(u.at, v.slopes[i]), multiply(v.at, u.slopes[i])});
+      result.slopes[i] = expanded_sum({multiply(u.at, v.slopes[i]), multiply(v.at, u.slopes[i])});
     const bool has_log_ratio = u.log_ratio && v.log_ratio;
     result.log_ratio.reset();
     if (has_log_ratio) result.log_ratio = graph_.sum({*u.log_ratio, *v.log_ratio});
@@ -182,7 +180,7 @@ class LocalArithmetic : protected GraphTermBuilder {
     result.difference = call.difference;
     result.log_ratio.reset();
     for (std::size_t i = 0; i < coordinates_; ++i)
-      result.slopes[i] = constant_sum({multiply(call.slope, u.slopes[i])});
+      result.slopes[i] = expanded_sum({multiply(call.slope, u.slopes[i])});
     const bool is_known = u.remainder && call.excess && !is_flat(result);
     if (is_known) {
       add_kernels(*result.remainder, call.slope, *u.remainder);
@@ -296,10 +294,7 @@ class PlaceExpander : LocalArithmetic {
     result.difference = value;
     for (const SignedNode term : terms) result.difference = graph_.sum({result.difference, -term});
     result.log_ratio.reset();
-    if (!is_zero(result.at)) {
-      result.log_ratio = logarithm_near_one(graph_, {}, divide(value, result.at),
-                                            divide(result.difference, result.at));
-    }
+    if (!is_zero(result.at)) result.log_ratio = log_ratio_of(result);
     return result;
   }
 
