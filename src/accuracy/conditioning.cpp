@@ -11,16 +11,6 @@
 namespace elgen {
 namespace {
 
-/// The operands of an instruction as dual numbers. `seed_operand` has tangent 1, all others 0.
-struct DualOperands {
-  const std::vector<Real>& values;
-  std::uint32_t seed_operand;
-
-  [[nodiscard]] Dual<Real> operator[](std::uint32_t at) const {
-    return {values[at], Real(at == seed_operand ? 1 : 0)};
-  }
-};
-
 /// x rounded to a double, within an ulp; the error bounds of Adjoint include this error. Infinite
 /// or 0 if x is outside the range of doubles.
 double round_to_double(const Real& x) {
@@ -76,9 +66,7 @@ Real Conditioning::slope(const Instruction& i, std::uint32_t operand) const {
   if (is_sum(i) && i.a != i.b) return Real(is_first || i.opcode == Opcode::add ? 1 : -1);
   const bool is_product = i.opcode == Opcode::multiply && i.a != i.b;
   if (is_product && values_[operand].is_defined()) return values_[is_first ? i.b : i.a];
-  static const Arguments<Dual<Real>> no_leaves;
-  const interpreter::NumberRules<Dual<Real>> rules{no_leaves};
-  return fold_instruction(rules, program_, i, DualOperands{values_, operand}).slope;
+  return slope_by_operand(program_, i, operand, values_);
 }
 
 bool Conditioning::counts_as_input(const Instruction& i) const {

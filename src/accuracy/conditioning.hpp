@@ -22,6 +22,27 @@ inline constexpr double tolerated_loss = 64;
 /// Two losses count as equal if their quotient is at most this; then the cheaper formula is chosen.
 inline constexpr double loss_equality_factor = 8;
 
+/// The operands of an instruction as dual numbers. `seed_operand` has tangent 1, all others 0.
+template <class Number>
+struct DualOperands {
+  const std::vector<Number>& values;
+  std::uint32_t seed_operand;
+
+  [[nodiscard]] Dual<Number> operator[](std::uint32_t at) const {
+    return {values[at], ScalarTraits<Number>::from_real(at == seed_operand ? 1 : 0)};
+  }
+};
+
+/// The derivative of instruction `i` by `operand`, one of its operands. `values`: the values of all
+/// earlier instructions. Number: Real or double.
+template <class Number>
+[[nodiscard]] Number slope_by_operand(const Program& program, const Instruction& i,
+                                      std::uint32_t operand, const std::vector<Number>& values) {
+  static const Arguments<Dual<Number>> no_leaves;
+  const interpreter::NumberRules<Dual<Number>> rules{no_leaves};
+  return fold_instruction(rules, program, i, DualOperands<Number>{values, operand}).slope;
+}
+
 /// K of the values of a function at one point.
 class Conditioning {
  public:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "elgen/certificate.hpp"
@@ -13,6 +14,7 @@
 #include "verify/bounds/visit.hpp"
 #include "verify/compiled_code.hpp"
 #include "verify/states/kinks.hpp"
+#include "verify/states/lossy_states.hpp"
 #include "verify/states/near_zeros.hpp"
 #include "verify/structure/expectations.hpp"
 #include "verify/structure/structure.hpp"
@@ -20,9 +22,9 @@
 namespace elgen {
 namespace {
 
-/// The default effort: `samples` random states, all extremes, and states near zeros of sums. If
-/// state_check_cost() times the number of states exceeds `work`, fewer states are used, at least
-/// one.
+/// The default effort: `samples` random states, all extremes, states near zeros of sums, and states
+/// at which the program may lose digits. If state_check_cost() times the number of states exceeds
+/// `work`, fewer states are used, at least one.
 struct Effort {
   std::size_t samples;
   std::size_t work;
@@ -37,8 +39,9 @@ constexpr std::size_t min_projected_velocities = 9;
 /// Identities hold at all states or at none, so few states suffice.
 constexpr std::size_t structure_samples = 32;
 
-void append(std::vector<CertificateRow>& rows, const std::vector<CertificateRow>& more) {
-  rows.insert(rows.end(), more.begin(), more.end());
+template <class Element>
+void append(std::vector<Element>& all, std::vector<Element> more) {
+  std::ranges::move(more, std::back_inserter(all));
 }
 
 std::vector<State> nominal_states(const SystemUnderTest& subject,
@@ -51,24 +54,35 @@ std::vector<State> nominal_states(const SystemUnderTest& subject,
   return states;
 }
 
+/// At most `most` states, spread evenly; the first state is always among them.
+template <class State>
+std::vector<State> spread(std::vector<State> states, std::size_t most) {
+  if (states.size() <= most) return states;
+  std::vector<State> some;
+  const std::size_t step = golden_step(states.size());
+  for (std::size_t i = 0; i < most; ++i) some.push_back(states[i * step % states.size()]);
+  return some;
+}
+
+/// If not all states are affordable, up to half of the affordable ones are near zeros and at
+/// places with large losses.
 template <class Scalar>
 std::vector<SampledState<Scalar>> verification_states(const SystemUnderTest& subject,
                                                       const VerifyOptions& options) {
   const Effort& effort = options.is_quick ? quick_effort : thorough_effort;
-  const std::size_t count = options.samples.value_or(effort.samples);
-  auto states = sample_states<Scalar>(subject, {count, options.seed, true});
-  auto near_zeros = states_near_zeros<Scalar>(subject, {count, options.seed, true});
-  for (auto& state : near_zeros) states.push_back(std::move(state));
-  for (auto& state : remote_states<Scalar>(subject, options.seed))
-    states.push_back(std::move(state));
-  if (options.samples) return states;
-  const std::size_t affordable = std::max<std::size_t>(effort.work / state_check_cost(subject), 1);
-  if (states.size() <= affordable) return states;
-  std::vector<SampledState<Scalar>> some;
-  for (std::size_t i = 0; i < affordable; ++i) {
-    some.push_back(states[i * golden_step(states.size()) % states.size()]);
+  const SamplingOptions sampling{options.samples.value_or(effort.samples), options.seed, true};
+  auto states = sample_states<Scalar>(subject, sampling);
+  append(states, remote_states<Scalar>(subject, options.seed));
+  auto near = states_near_zeros<Scalar>(subject, sampling);
+  append(near, lossy_states<Scalar>(subject, sampling));
+  if (!options.samples) {
+    const std::size_t affordable =
+        std::max<std::size_t>(effort.work / state_check_cost(subject), 1);
+    if (states.size() + near.size() > affordable) near = spread(std::move(near), affordable / 2);
+    states = spread(std::move(states), affordable - near.size());
   }
-  return some;
+  append(states, std::move(near));
+  return states;
 }
 
 /// Gives a third of the states steps of length 2^-20, and a third steps of length 0. Accelerations
