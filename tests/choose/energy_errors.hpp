@@ -17,8 +17,9 @@
 namespace elgen::test {
 
 /// The forms chosen for gravity and V of `energy`, without the stable forms.
-inline ChosenForms chosen_energy(const TypedEnergy& energy) {
+inline ChosenForms chosen_energy(const TypedEnergy& energy, InnerScalar inner = InnerScalar::same) {
   SceneOptions options;
+  options.inner = inner;
   options.outputs = {make_source("command line", "gravity,potential_energy")};
   return chosen(model_of(energy), options);
 }
