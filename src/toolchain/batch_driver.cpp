@@ -1,9 +1,9 @@
 // batch_driver: the driver of the batch header. The driver is called with one state and makes a
 // batch of two and a half packs, with the state at each place in turn, so that the state is
 // computed in full packs and in the remainder. The other states of the batch have other numbers, so
-// that a wrong stride reads or writes a wrong number. If an entry's bits at some place differ from
-// its bits at the first place, the entry is NaN. The functions of batch::wide have such a driver,
-// too.
+// that a wrong stride reads or writes a wrong number. Every other batch has a stride that is longer
+// than the default. If an entry's bits at some place differ from its bits at the first place, the
+// entry is NaN. The functions of batch::wide have such a driver, too.
 #include <fmt/format.h>
 
 #include "elgen/artifacts.hpp"
@@ -30,15 +30,21 @@ namespace emitted = ::{name_space};
 template <class Scalar>
 constexpr std::size_t states = 5 * sizeof(emitted::batch::Pack<{element}>) / sizeof({element}) / 2;
 
+/// The stride of the batch with the state at `place`: the default at even places.
+template <class Scalar>
+constexpr std::size_t stride_of(std::size_t place) {{
+  return states<Scalar> + place % 2;
+}}
+
 {shared}
 template <class Scalar>
 std::vector<Scalar> batch_of(const Scalar* values, std::size_t size, std::size_t place) {{
-  constexpr std::size_t count = states<Scalar>;
-  std::vector<Scalar> result(size * count);
+  const std::size_t stride = stride_of<Scalar>(place);
+  std::vector<Scalar> result(size * stride);
   for (std::size_t k = 0; k < size; ++k) {{
-    for (std::size_t i = 0; i < count; ++i) {{
+    for (std::size_t i = 0; i < stride; ++i) {{
       const Scalar other = static_cast<Scalar>(i + 1) - values[k] / Scalar(2);
-      result[k * count + i] = i == place ? values[k] : other;
+      result[k * stride + i] = i == place ? values[k] : other;
     }}
   }}
   return result;
@@ -51,13 +57,13 @@ bool is_same(const Scalar& x, const Scalar& y) {{
 
 template <class Scalar, std::size_t Entries, class Evaluate>
 std::array<Scalar, Entries> at_every_place(const Evaluate& evaluate) {{
-  constexpr std::size_t count = states<Scalar>;
   std::array<Scalar, Entries> values{{}};
-  for (std::size_t place = 0; place < count; ++place) {{
-    std::vector<Scalar> result(Entries * count);
+  for (std::size_t place = 0; place < states<Scalar>; ++place) {{
+    const std::size_t stride = stride_of<Scalar>(place);
+    std::vector<Scalar> result(Entries * stride);
     evaluate(place, result.data());
     for (std::size_t k = 0; k < Entries; ++k) {{
-      const Scalar value = result[k * count + place];
+      const Scalar value = result[k * stride + place];
       const bool agrees = place == 0 || is_same(value, values[k]);
       values[k] = agrees ? value : std::numeric_limits<Scalar>::quiet_NaN();
     }}
@@ -73,8 +79,9 @@ extern "C" void {symbol}({leaves}{scalar}* to);
 extern "C" void {symbol}({leaves}{scalar}* to) {{
   using Scalar = {scalar};
   const auto p = parameters_from<Scalar>(parameters);
-  const auto values = at_every_place<Scalar, {entries}>([&]([[maybe_unused]] std::size_t place, Scalar* result) {{
-    emitted::{functions}::{function}<Scalar>(p, states<Scalar>{arguments}, result);
+  const auto values = at_every_place<Scalar, {entries}>([&](std::size_t place, Scalar* result) {{
+    const std::size_t stride = place % 2 == 0 ? 0 : stride_of<Scalar>(place);
+    emitted::{functions}::{function}<Scalar>(p, states<Scalar>{arguments}, result, stride);
   }});
 {appends}}}
 )";

@@ -20,25 +20,26 @@ TEST_CASE("a function loads its arguments and stores its fields in order") {
   CHECK(mentions(text,
                  "void forward_dynamics(const Parameters<T>& p, std::size_t count, const T* q, "
                  "const T* v, const T* u,\n"
-                 "                      T* result) {\n"
+                 "                      T* result, std::size_t stride = 0) {\n"
                  "  using Scalar = Pack<T>;\n"
                  "  const auto constants = detail::repeated<Scalar>(p);\n"
-                 "  detail::for_each_pack<Scalar>(count, [&](const detail::Place& at) {\n"
+                 "  detail::for_each_pack<Scalar>(count, stride, [&](const detail::Place& at) {\n"
                  "    const auto values = ::cart_pole::forward_dynamics<Scalar>(\n"
                  "        constants,\n"
                  "        detail::loaded<Coordinates<Scalar>>(q, at),\n"
                  "        detail::loaded<Velocities<Scalar>>(v, at),\n"
                  "        detail::loaded<Inputs<Scalar>>(u, at));\n"
                  "    detail::store(values.acceleration, at, result);\n"
-                 "    detail::store(values.relative_pivots, at, result + 2 * count);\n"
+                 "    detail::store(values.relative_pivots, at, result + 2 * at.stride);\n"
                  "  });\n"));
   CHECK(mentions(text,
                  "__global__ void forward_dynamics(Parameters<T> constants, std::size_t count, "
                  "const T* q, const T* v,\n"
-                 "                                 const T* u, T* result) {\n"
+                 "                                 const T* u, T* result, std::size_t stride = 0) "
+                 "{\n"
                  "  using Scalar = T;\n"));
   CHECK(mentions(text,
-                 "    const detail::Place at{state, count};\n"
+                 "    const detail::Place at{state, stride == 0 ? count : stride};\n"
                  "    const auto values = ::cart_pole::forward_dynamics<Scalar>(\n"));
   CHECK(text.find("namespace cart_pole::kernel {") < text.find("gnu::vector_size"));
   CHECK(text.find("#error") > text.find("#else"));

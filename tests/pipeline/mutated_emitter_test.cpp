@@ -16,9 +16,11 @@ struct Fault {
 };
 
 const std::vector<Fault> faults_of_batches{
-    {"a stride", R"(result \+ 2 \* count)", "result + 1 * count"},
-    {"the stride of what is loaded", R"(from \+ k \* at\.count)", "from + k * at.lanes"},
-    {"the stride of what is stored", R"(to \+ k \* at\.count)", "to + k * at.lanes"},
+    {"a stride", R"(result \+ 2 \* at\.stride)", "result + 1 * at.stride"},
+    {"a stride that is given", R"(if \(stride == 0\) stride)", "stride"},
+    {"the default stride", R"(stride == 0\) stride = count)", "stride == 0) stride = 1"},
+    {"the stride of loads", R"(from \+ k \* at\.stride)", "from + k * at.lanes"},
+    {"the stride of stores", R"(to \+ k \* at\.stride)", "to + k * at.lanes"},
     {"what is left of the packs", R"(\(std::min\)\(width, count - first\))", "width - 1"},
     {"the last digit of a coefficient", R"(0\.008152992341703497)", "0.008152992341703499"},
     {"a domain", R"(domain = 1e\+05)", "domain = 10"},

@@ -29,8 +29,9 @@ elgen::Scene batch_scene() {
   return scene;
 }
 
-/// Batches of the sample's functions; `stride` is the distance between the numbers of a state.
-elgen::EmittedFiles batch_files(const std::string& stride) {
+/// Batches of the sample's functions. `distance`: the one between the numbers of a state, an
+/// expression of `count` and `stride`.
+elgen::EmittedFiles batch_files(const std::string& distance) {
   elgen::EmittedFiles files = sample::files(sample::header());
   files.files["sample/sample_batch.hpp"] = R"(#pragma once
 #include <cmath>
@@ -45,19 +46,20 @@ template <class T> Pack<T> sin(const Pack<T>& x) { return Pack<T>(std::sin(x.nat
 template <class T> Pack<T> cos(const Pack<T>& x) { return Pack<T>(std::cos(x.native[0])); }
 template <class T>
 void inverse_dynamics(const Parameters<T>& p, std::size_t count, const T* q, const T* v,
-                      const T* a, T* result) {
+                      const T* a, T* result, std::size_t = 0) {
   for (std::size_t i = 0; i < count; ++i) {
     result[i] = sample::inverse_dynamics<T>(p, {q[i]}, {v[i]}, {a[i]})[0];
   }
 }
 template <class T>
 void forward_dynamics(const Parameters<T>& p, std::size_t count, const T* q, const T* v,
-                      const T* u, T* result) {
+                      const T* u, T* result, std::size_t stride = 0) {
   (void)u;
+  if (stride == 0) stride = count;
   for (std::size_t i = 0; i < count; ++i) {
     const auto values = sample::forward_dynamics<T>(p, {q[i]}, {v[i]}, {});
     result[i] = values.acceleration[0];
-    result[)" + stride + R"( + i] = values.relative_pivots[0];
+    result[)" + distance + R"( + i] = values.relative_pivots[0];
   }
 }
 }  // namespace sample::batch
@@ -65,9 +67,9 @@ void forward_dynamics(const Parameters<T>& p, std::size_t count, const T* q, con
   return files;
 }
 
-std::vector<double> forward_dynamics(const std::string& stride) {
+std::vector<double> forward_dynamics(const std::string& distance) {
   const auto compiled =
-      elgen::compile(batch_files(stride), sample::model(), batch_scene(), sample::program(), {});
+      elgen::compile(batch_files(distance), sample::model(), batch_scene(), sample::program(), {});
   INFO(elgen::format(compiled.diagnostics));
   REQUIRE(compiled);
   REQUIRE(compiled->size() == 2);
@@ -243,11 +245,12 @@ TEST_CASE("a C driver calls prefixed functions, only for the scene's scalar") {
 }
 
 TEST_CASE("a batch gives the results of single states, at every position") {
-  CHECK(forward_dynamics("count") == std::vector<double>{32, 2});
+  CHECK(forward_dynamics("stride") == std::vector<double>{32, 2});
 }
 
-TEST_CASE("a stride that is not the number of states gives a different result") {
-  CHECK(forward_dynamics("(count - 1)") != std::vector<double>{32, 2});
+TEST_CASE("a stride that is not the given one gives a different result") {
+  CHECK(forward_dynamics("(stride - 1)") != std::vector<double>{32, 2});
+  CHECK(forward_dynamics("count") != std::vector<double>{32, 2});
 }
 
 TEST_CASE("packs with accelerations in float have a batch of as many states, in double alone") {

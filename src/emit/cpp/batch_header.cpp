@@ -64,7 +64,7 @@ Texts parameter_conversions(const EmissionInput& input) {
   return lines;
 }
 
-/// "void gravity(const Parameters<T>& p, std::size_t count, const T* q, T* result)"
+/// "void gravity(const Parameters<T>& p, std::size_t count, const T* q, T* result, …)"
 std::string batch_signature(const std::string& type, const std::string& parameters,
                             const Model& model, const Function& function) {
   Texts arguments{parameters, "std::size_t count"};
@@ -73,7 +73,7 @@ std::string batch_signature(const std::string& type, const std::string& paramete
       arguments.push_back(fmt::format("const T* {}", leaf_row(argument).symbol));
     }
   }
-  arguments.emplace_back("T* result");
+  arguments.insert(arguments.end(), {"T* result", "std::size_t stride = 0"});
   return signature(type + " " + function.name, arguments, "");
 }
 
@@ -92,7 +92,7 @@ std::string store_statements(const Function& function) {
   std::size_t before = 0;
   for (const Field& field : function.fields) {
     const std::string value = field.name.empty() ? "values" : "values." + field.name;
-    const std::string to = before == 0 ? "result" : fmt::format("result + {} * count", before);
+    const std::string to = before == 0 ? "result" : fmt::format("result + {} * at.stride", before);
     lines += fmt::format("    detail::store({}, at, {});\n", value, to);
     before += field.entries.size();
   }

@@ -1,5 +1,7 @@
 // Bounds the errors of batches of 0 to 100 states, and of the sines of packs, in double and in
-// float. The references are functions of one state in long double.
+// float. The references are functions of one state in long double. A longer stride must not change
+// results.
+#include <algorithm>
 #include <cstdio>
 #include <limits>
 #include <vector>
@@ -50,6 +52,29 @@ double worst_error(std::size_t count) {
   return count == 0 ? 0.0 : static_cast<double>(error / largest);
 }
 
+/// The 7 rows of `count` numbers, with `stride` numbers from one row to the next. Numbers between
+/// rows are 77.
+template <class T>
+std::vector<T> spread(const std::vector<T>& numbers, std::size_t count, std::size_t stride) {
+  std::vector<T> result(7 * stride, T(77));
+  for (std::size_t k = 0; k < 7; ++k) {
+    for (std::size_t i = 0; i < count; ++i) result[k * stride + i] = numbers[k * count + i];
+  }
+  return result;
+}
+
+/// True if the torques are the same with both strides, and nothing is written between rows.
+template <class T>
+bool is_same_at_stride(std::size_t count, std::size_t stride) {
+  const std::vector<T> q = numbers<T>(7 * count, 0);
+  std::vector<T> torques(7 * count), at_stride(7 * stride, T(77));
+  arm::batch::inverse_dynamics<T>({}, count, q.data(), q.data(), q.data(), torques.data());
+  const std::vector<T> rows = spread(q, count, stride);
+  arm::batch::inverse_dynamics<T>({}, count, rows.data(), rows.data(), rows.data(),
+                                  at_stride.data(), stride);
+  return at_stride == spread(torques, count, stride);
+}
+
 template <class T>
 double worst_trigonometry(T domain) {
   Exact error = 0;
@@ -91,6 +116,11 @@ int main() {
   for (const std::size_t count : {0U, 1U, 2U, 3U, 7U, 8U, 9U, 15U, 16U, 17U, 100U}) {
     is_right &= within("torques in double", worst_error<double>(count), 2e-15);
     is_right &= within("torques in float", worst_error<float>(count), 2e-6);
+    const bool is_same = is_same_at_stride<double>(count, count) &&
+                         is_same_at_stride<double>(count, count + 1) &&
+                         is_same_at_stride<float>(count, 2 * count + 3);
+    if (!is_same) std::printf("%zu states with a stride\n", count);
+    is_right &= is_same;
   }
   is_right &= within("sines in double", worst_trigonometry(1e5), 0x1p-52);
   is_right &= within("sines in float", worst_trigonometry(1e3F), 0x1p-23);

@@ -61,15 +61,15 @@ __global__ void in_float(const float* from, float* to) { evaluate(from, to); }
 namespace cart_pole_sampling::kernel {
 
 template __global__ void forward_dynamics(Parameters<double>, std::size_t, const double*,
-                                          const double*, const double*, double*);
+                                          const double*, const double*, double*, std::size_t);
 
 }  // namespace cart_pole_sampling::kernel
 
 namespace panda7_rollouts::kernel {
 
 template __global__ void inverse_dynamics(Parameters<double>, std::size_t, const double*,
-                                          const double*, const double*, double*);
+                                          const double*, const double*, double*, std::size_t);
 template __global__ void inverse_dynamics(Parameters<float>, std::size_t, const float*,
-                                          const float*, const float*, float*);
+                                          const float*, const float*, float*, std::size_t);
 
 }  // namespace panda7_rollouts::kernel

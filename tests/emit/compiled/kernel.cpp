@@ -1,5 +1,6 @@
 // Kernels of batches compiled as plain functions. All threads of a grid run in turn, with more and
-// with fewer states than threads. Every state must have the values of the function of one state.
+// with fewer states than threads, with the default stride and a longer one. Every state must have
+// the values of the function of one state.
 #include <cstdio>
 #include <vector>
 
@@ -32,27 +33,29 @@ std::vector<T> numbers(std::size_t count, T first) {
 }
 
 template <class Array, class T>
-Array state_of(const std::vector<T>& from, std::size_t i, std::size_t count) {
+Array state_of(const std::vector<T>& from, std::size_t i, std::size_t stride) {
   Array result;
-  for (std::size_t k = 0; k < result.size(); ++k) result[k] = from[k * count + i];
+  for (std::size_t k = 0; k < result.size(); ++k) result[k] = from[k * stride + i];
   return result;
 }
 
+/// `stride`: the argument of the kernel; 0 is its default.
 template <class T>
-bool has_torques(std::size_t count) {
+bool has_torques(std::size_t count, std::size_t stride) {
   namespace arm = panda7_rollouts;
   const arm::Parameters<T> p{};
-  const std::vector<T> q = numbers<T>(7 * count, T(-1)), v = numbers<T>(7 * count, T(0.3));
-  std::vector<T> torques(7 * count);
+  const std::size_t row = stride == 0 ? count : stride;
+  const std::vector<T> q = numbers<T>(7 * row, T(-1)), v = numbers<T>(7 * row, T(0.3));
+  std::vector<T> torques(7 * row);
   launch([&] {
-    arm::kernel::inverse_dynamics(p, count, q.data(), v.data(), q.data(), torques.data());
+    arm::kernel::inverse_dynamics(p, count, q.data(), v.data(), q.data(), torques.data(), stride);
   });
   bool is_right = true;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto at = state_of<arm::Coordinates<T>>(q, i, count);
+    const auto at = state_of<arm::Coordinates<T>>(q, i, row);
     const auto expected =
-        arm::inverse_dynamics<T>(p, at, state_of<arm::Velocities<T>>(v, i, count), at);
-    is_right = is_right && state_of<arm::Forces<T>>(torques, i, count) == expected;
+        arm::inverse_dynamics<T>(p, at, state_of<arm::Velocities<T>>(v, i, row), at);
+    is_right = is_right && state_of<arm::Forces<T>>(torques, i, row) == expected;
   }
   return is_right;
 }
@@ -79,7 +82,8 @@ bool has_accelerations(std::size_t count) {
 
 int main() {
   for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{17}}) {
-    if (has_torques<double>(count) && has_torques<float>(count) && has_accelerations(count))
+    if (has_torques<double>(count, 0) && has_torques<float>(count, count + 5) &&
+        has_accelerations(count))
       continue;
     std::printf("%zu states have other values\n", count);
     return 1;
