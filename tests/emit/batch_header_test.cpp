@@ -23,7 +23,7 @@ TEST_CASE("a function loads its arguments and stores its fields in order") {
                  "                      T* result, std::size_t stride = 0) {\n"
                  "  using Scalar = Pack<T>;\n"
                  "  const auto constants = detail::repeated<Scalar>(p);\n"
-                 "  detail::for_each_pack<Scalar>(count, stride, [&](const detail::Place& at) {\n"
+                 "  detail::for_each_pack<Scalar>(count, stride, [&](const auto& at) {\n"
                  "    const auto values = ::cart_pole::forward_dynamics<Scalar>(\n"
                  "        constants,\n"
                  "        detail::loaded<Coordinates<Scalar>>(q, at),\n"
