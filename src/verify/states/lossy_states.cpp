@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "accuracy/conditioning.hpp"
@@ -15,11 +15,16 @@
 namespace elgen {
 namespace {
 
-constexpr std::size_t most_searches = 64;
+constexpr std::size_t most_lossy_states = 64;
+/// Searches in each function, and the number of their results that are kept.
+constexpr std::size_t searches = 8;
+constexpr std::size_t kept_results = 4;
 /// A search starts at the worst of this many random states.
 constexpr std::size_t drawn_starts = 16;
 /// Steps of a search. In two coordinates, about 200 successful steps reach the last digit.
 constexpr std::size_t steps = 400;
+/// 0.9 decimal digits, as much as a few roundings explain.
+constexpr double explained_loss = 8;
 /// Limit of instructions computed for one state of `sampling.count`: about 4 ms.
 constexpr std::size_t work_per_state = 1 << 14;
 
@@ -52,9 +57,15 @@ class LossSearch {
   LossSearch(const SystemUnderTest& subject, const Function& function, Sampler& draw)
       : subject_(subject), function_(function), ranges_(ranges_of(subject)), draw_(draw) {}
 
-  /// The end of a search; none if the function has no defined value at the drawn states.
-  std::optional<Arguments<double>> search(bool is_at_rest) {
-    std::optional<Arguments<double>> best;
+  /// A state with the estimated loss of one entry; the loss is 0 if no entry has a defined value at
+  /// the drawn states.
+  struct Result {
+    double loss = 0;
+    Arguments<double> at = {};
+  };
+
+  Result search(bool is_at_rest) {
+    Arguments<double> best;
     EntryLoss worst;
     for (std::size_t i = 0; i < drawn_starts; ++i) {
       Arguments<double> at = draw_in_ranges(subject_, ranges_, draw_);
@@ -62,13 +73,12 @@ class LossSearch {
         for (auto* rates : {&at.v, &at.a, &at.u, &at.momenta}) std::ranges::fill(*rates, 0.0);
       }
       const EntryLoss found = worst_entry(at);
-      if (best && found.loss <= worst.loss) continue;
+      if (found.loss <= worst.loss) continue;
       worst = found;
       best = std::move(at);
     }
-    if (worst.loss == 0) return std::nullopt;
-    climb(*best, worst, is_at_rest);
-    return best;
+    if (worst.loss > 0) climb(best, worst, is_at_rest);
+    return {worst.loss, std::move(best)};
   }
 
  private:
@@ -99,7 +109,7 @@ class LossSearch {
     return worst;
   }
 
-  void climb(Arguments<double>& best, EntryLoss worst, bool is_at_rest) {
+  void climb(Arguments<double>& best, EntryLoss& worst, bool is_at_rest) {
     double reach = 0.25;  // of the range
     for (std::size_t i = 0; i < steps; ++i) {
       Arguments<double> at = best;
@@ -160,16 +170,22 @@ std::vector<SampledState<Scalar>> lossy_states(const SystemUnderTest& subject,
   const std::vector<Function>& functions = subject.program.functions;
   if (functions.empty() || !subject.model.constraints.empty()) return states;
   Sampler draw(sampling.seed);
-  const std::size_t most = std::min(sampling.count, most_searches);
+  const std::size_t most = std::min(sampling.count, most_lossy_states);
   std::size_t work_left = sampling.count * work_per_state;
-  for (std::size_t i = 0; i < most; ++i) {
-    const Function& function = functions[i % functions.size()];
+  for (const Function& function : functions) {
     const std::size_t work = function.instructions.size() * (drawn_starts + steps);
-    if (output_row(function.kind).is_summary || work > work_left) continue;
-    work_left -= work;
-    const bool is_at_rest = i / functions.size() % 2 != 0;
-    const auto found = LossSearch(subject, function, draw).search(is_at_rest);
-    if (found) states.push_back({Region::near_zero, {}, round_to_finite<Scalar>(*found)});
+    LossSearch search(subject, function, draw);
+    std::vector<LossSearch::Result> results;
+    for (std::size_t i = 0; i < searches && work <= work_left; ++i) {
+      if (output_row(function.kind).is_summary) break;
+      work_left -= work;
+      results.push_back(search.search(i % 2 != 0));
+    }
+    std::ranges::stable_sort(results, std::ranges::greater(), &LossSearch::Result::loss);
+    for (std::size_t i = 0; i < std::min(results.size(), kept_results); ++i) {
+      if (states.size() == most || results[i].loss <= explained_loss) break;
+      states.push_back({Region::near_zero, {}, round_to_finite<Scalar>(results[i].at)});
+    }
   }
   return states;
 }
