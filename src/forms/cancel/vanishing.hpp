@@ -7,10 +7,9 @@
 
 namespace elgen {
 
-/// The indices of the instructions whose value x vanishes at one random point, in 64 digits: |x| is
-/// at most 1e-40 E, with E the running error of x, and 1e-40 E is at most 1e-20 of the largest
-/// operand. Leaves are excluded, and so are operands of values that are undefined at this point. A
-/// value that vanishes here need not vanish elsewhere: a root may have another sign there.
+/// The indices of the instructions whose value is 0 at one random point (sampled_values.hpp).
+/// Leaves are excluded, and so are operands of values that are undefined at this point. A value
+/// that vanishes here need not vanish elsewhere: a root may have another sign there.
 [[nodiscard]] std::vector<std::uint32_t> find_vanishing_values(const Program& program,
                                                                const Function& function);
 
