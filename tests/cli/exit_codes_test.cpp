@@ -170,4 +170,17 @@ TEST_CASE("the program stops at memory errors") {
 }
 #endif
 
+#ifdef ELGEN_LINKS_JEMALLOC
+TEST_CASE("the program allocates with jemalloc, and programs that link its libraries do not") {
+  const Outcome linked = Workspace().run("readelf -W --dynamic \"$ELGEN\" | grep NEEDED");
+  REQUIRE(linked.status == 0);
+  // The loader takes `malloc` and `operator new` from the first library that defines them.
+  const std::size_t place = linked.output.find("libjemalloc");
+  REQUIRE(place != std::string::npos);
+  CHECK(place < linked.output.find("libstdc++"));
+  CHECK(place < linked.output.find("libc.so"));
+  CHECK_FALSE(mentions(read_text("/proc/self/maps"), "jemalloc"));
+}
+#endif
+
 }  // namespace elgen::test

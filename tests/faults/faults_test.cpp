@@ -94,8 +94,10 @@ class FaultScenario {
   }
 
  private:
+  /// The program may be linked with jemalloc, whose `free` and `operator new` do not fit the malloc
+  /// of the preloaded library. The standard libraries are preloaded to take their place.
   static std::string preload(const std::string& variables) {
-    return variables + "LD_PRELOAD='" ELGEN_PRELOAD "' ";
+    return variables + "LD_PRELOAD='" ELGEN_PRELOAD " libstdc++.so.6 libc.so.6' ";
   }
 
   void prepare_in(const Workspace& workspace) const {
