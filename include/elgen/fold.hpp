@@ -47,10 +47,11 @@ template <class Rules, class Values>
 template <class Value, class Rules>
 [[nodiscard]] std::vector<Value> fold(Rules&& rules, const Program& program,
                                       const Function& function) {
-  std::vector<Value> values;
-  values.reserve(function.instructions.size());
+  std::vector<Value> values(function.instructions.size());
+  Value* const all = values.data();  // no checks of indices: half of the time with doubles
+  Value* next = all;
   for (const Instruction& i : function.instructions) {
-    values.push_back(fold_instruction(rules, program, i, values));
+    *next++ = fold_instruction(rules, program, i, all);
   }
   return values;
 }

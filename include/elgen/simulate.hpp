@@ -36,6 +36,12 @@ struct SimulationOptions {
   std::string path = {};                        ///< the point whose path is drawn; "": none
   /// Called repeatedly with the time in s that the run has reached.
   std::function<void(double)> on_progress = {};
+  /// Called once, after the interpreter has computed `most_interpreted` instructions. The run
+  /// continues with the returned functions, whose results have the same bits, and times only these.
+  /// Not set: the interpreter computes the whole run.
+  std::function<Result<const CompiledModel*>()> compile = {};
+  /// Less than two seconds of the interpreter, as long as compilers take for a robot.
+  std::size_t most_interpreted = 1 << 28;
 };
 
 /// The deviation of a conserved quantity from its initial value, relative to `scale`.

@@ -95,17 +95,20 @@ Result<Trajectory> run_simulation(const GlobalOptions& global, const SimulateOpt
   if (!refused.empty()) return refused;
   const Progress progress(options.input);
   Result<CompiledHeaders> headers = CompiledHeaders();
-  if (!step_for_run(run)) {
+  const auto compile = [&]() -> Result<const CompiledModel*> {
     progress.show_stage("compile");
     headers = compile_for_run(products, global.limits);
     if (!headers) return headers.diagnostics;
-  }
-  const CompiledModel* const compiled =
-      headers->empty() ? nullptr : headers->front().functions.get();
+    progress.show_stage("simulate");
+    renew_time_limit(global.limits);
+    return headers->front().functions.get();
+  };
+  // A program with a `step` is always interpreted.
+  if (!step_for_run(run)) run.compile = compile;
   progress.show_stage("simulate");
   renew_time_limit(global.limits);
   run.on_progress = make_duration_estimator(global, progress, run.from, run.duration);
-  return simulate(*products.checked, *products.program, compiled, run);
+  return simulate(*products.checked, *products.program, nullptr, run);
 }
 
 bool writes_page(const SimulateOptions& options) { return options.output.file.ends_with(".html"); }

@@ -1,6 +1,6 @@
 // Nanoseconds per state of the inverse dynamics and the mass matrix of panda7: one state at a time
-// in double, and in batches of double and of float, whose arrays have the default stride or that of
-// padded. Prints rows of a Markdown table.
+// in double, and in batches of double and of float, whose arrays have the default stride or
+// padded(count). Prints rows of a Markdown table.
 #include <cmath>
 #include <cstdio>
 #include <string>

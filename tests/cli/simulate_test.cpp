@@ -6,7 +6,7 @@
 
 namespace elgen::test {
 
-TEST_CASE("a run by a method of `step` needs no compiler and prints its last state and drifts") {
+TEST_CASE("a short run needs no compiler and prints its last state and drifts") {
   const Outcome outcome =
       run("CXX=/nowhere elgen simulate -q --time 2 --method midpoint --step 0.01 --state theta=1 " +
           models + "/simple_pendulum.toml");
@@ -75,7 +75,7 @@ TEST_CASE("rows have multipliers, and rates, multipliers and paths are drawn on 
   };
   const Outcome table = run("-o x.csv");
   CHECK(table.status == 0);
-  CHECK(mentions(table.output, " ns per step of the emitted C++\n"));
+  CHECK(mentions(table.output, " ns per step in the evaluator\n"));
   CHECK(starts_with(workspace.read("x.csv"), "t,x,y,dot(x),dot(y),lambda_rod,E\n0,"));
   REQUIRE(run("-o x.json").status == 0);
   const auto columns = nlohmann::json::parse(workspace.read("x.json"))["columns"];

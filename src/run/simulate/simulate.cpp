@@ -18,6 +18,7 @@
 #include "model/symbols.hpp"
 #include "numbers/exact_number.hpp"
 #include "program/evaluate/subject.hpp"
+#include "run/simulate/instants.hpp"
 #include "run/simulate/ranks.hpp"
 #include "run/simulate/recorder.hpp"
 #include "run/simulate/start.hpp"
@@ -28,31 +29,12 @@ namespace {
 
 constexpr std::size_t block_size = 256;
 
+constexpr const char* of_compiled_code = "of the emitted C++";
+
 constexpr const char* singular_remedy =
     "`--through singular` continues with a fixed `--step`, and E - E0 shows its accuracy; another "
     "start or "
     "other coordinates may avoid the place";
-
-/// Equidistant instants after `begin`, up to `end`; without a period only `end`.
-class Instants {
- public:
-  Instants(double begin, double end, std::optional<double> period)
-      : begin_(begin), end_(end), period_(period.value_or(end - begin)) {}
-
-  /// The first instant after the last pass(). An instant that differs from the end only by rounding
-  /// is replaced by the end.
-  [[nodiscard]] double next() const {
-    const double instant = begin_ + static_cast<double>(passed_ + 1) * period_;
-    return instant > end_ - 1e-9 * period_ ? end_ : instant;
-  }
-  void pass() { ++passed_; }
-
- private:
-  double begin_;
-  double end_;
-  double period_;
-  std::uint64_t passed_ = 0;
-};
 
 class SimulationRun {
  public:
@@ -77,7 +59,8 @@ class SimulationRun {
     if (!wrong.empty()) return wrong;
     Trajectory trajectory;
     trajectory.steps = steps_;
-    trajectory.nanoseconds = elapsed_.count() * 1e9 / static_cast<double>(steps_);
+    trajectory.nanoseconds = elapsed_.count() * 1e9 / static_cast<double>(steps_ - untimed_steps_);
+    trajectory.timed_code = uses_compiled_ ? of_compiled_code : "in the evaluator";
     Diagnostics warnings = std::move(recorder_).move_results(trajectory);
     return {std::move(trajectory), std::move(warnings)};
   }
@@ -115,6 +98,7 @@ class SimulationRun {
       block_.push_back(current_);
       if (block_.size() < block_size && current_.t < target) continue;
       if (Diagnostics wrong = record_block(); !wrong.empty()) return wrong;
+      if (Diagnostics wrong = compile_if_long(); !wrong.empty()) return wrong;
       if (options_.on_progress) options_.on_progress(current_.t);
     }
     if (row <= target) row_instants_.pass();
@@ -149,6 +133,21 @@ class SimulationRun {
     return ranks_.check_ranks(sample.state, sample.t);
   }
 
+  /// Continues with compiled functions if the interpreter has computed many instructions. Then only
+  /// the steps with compiled functions are timed.
+  Diagnostics compile_if_long() {
+    const bool is_long = system_.interpreted_instructions() >= options_.most_interpreted;
+    if (!is_long || uses_compiled_ || !options_.compile || current_.t >= end_) return {};
+    const Result<const CompiledModel*> compiled = options_.compile();
+    if (!compiled) return compiled.diagnostics;
+    system_.use_compiled(**compiled);
+    uses_compiled_ = true;
+    untimed_steps_ = steps_;
+    elapsed_ = {};
+    restart_clock();
+    return {};
+  }
+
   void restart_clock() { resumed_ = Clock::now(); }
 
   SimulatedSystem& system_;
@@ -162,6 +161,8 @@ class SimulationRun {
   RankWatch ranks_;
   std::vector<TrajectorySample> block_ = {};
   std::uint64_t steps_ = 0;
+  std::uint64_t untimed_steps_ = 0;  ///< before the change to compiled code
+  bool uses_compiled_ = false;
   Clock::time_point resumed_ = {};
   std::chrono::duration<double> elapsed_ = {};
 };
@@ -382,8 +383,7 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
     trajectory->method += fmt::format(" of order {}", *options.order);
   }
   trajectory->title = checked.model.title;
-  // For a method with a `step`, `compiled` is null: the program is evaluated, never compiled.
-  trajectory->timed_code = compiled == nullptr ? "in the evaluator" : "of the emitted C++";
+  if (compiled != nullptr) trajectory->timed_code = of_compiled_code;
   trajectory->from = options.from;
   trajectory->columns = std::move(columns);
   trajectory->path = options.path;

@@ -64,11 +64,10 @@ SimulatedSystem::SimulatedSystem(const CheckedModel& checked, const Program& pro
                                  const CompiledModel* compiled, bool projects)
     : model_(checked.model),
       program_(program),
-      compiled_(compiled),
       sines_(checked.scene, SineArithmetic::numbers),
       arguments_(arguments_at<double>(nominal_state(checked.model, checked.scene))),
       laws_(make_input_laws(checked, arguments_)),
-      callees_(callees()),
+      callees_(callees(compiled)),
       projection_output_(projects && !model_.constraints.empty() ? OutputKind::projected
                                                                  : OutputKind::normalized),
       first_acceleration_(first_entry_of(*function(OutputKind::forward_dynamics), "acceleration")),
@@ -104,13 +103,15 @@ void SimulatedSystem::add_conserved(const Expectation& expectation) {
   conserved_values_.resize(conserved_.size());
 }
 
-std::vector<SimulatedSystem::Callee> SimulatedSystem::callees() const {
+void SimulatedSystem::use_compiled(const CompiledModel& compiled) { callees_ = callees(&compiled); }
+
+std::vector<SimulatedSystem::Callee> SimulatedSystem::callees(const CompiledModel* compiled) const {
   std::vector<Callee> all;
   for (const OutputRow& row : output_table()) {
     const auto found = std::ranges::find(program_.functions, row.kind, &Function::kind);
     Callee& callee = all.emplace_back();
     if (found == program_.functions.end()) continue;
-    callee = {&*found, compiled_ == nullptr ? nullptr : compiled_->find(found->name)};
+    callee = {&*found, compiled == nullptr ? nullptr : compiled->find(found->name)};
   }
   return all;
 }
@@ -180,6 +181,7 @@ void SimulatedSystem::call_output(OutputKind kind, const double* q, const double
   std::copy_n(q, position_count(), arguments_.q.begin());
   std::copy_n(v, velocity_count(), arguments_.v.begin());
   arguments_.t = t;
+  interpreted_ += called.function->instructions.size();
   std::ranges::copy(evaluate_as_emitted(program_, *called.function, arguments_, sines_), result);
 }
 

@@ -71,6 +71,11 @@ class SimulatedSystem {
   SimulatedSystem(const SimulatedSystem&) = delete;
   SimulatedSystem& operator=(const SimulatedSystem&) = delete;
 
+  /// Calls the functions of `compiled` from now on.
+  void use_compiled(const CompiledModel& compiled);
+  /// The number of instructions that the interpreter has computed.
+  [[nodiscard]] std::size_t interpreted_instructions() const { return interpreted_; }
+
   [[nodiscard]] const Model& model() const { return model_; }
   /// One element per input, including inputs without a law.
   [[nodiscard]] const std::vector<InputLaw>& laws() const { return laws_; }
@@ -173,7 +178,7 @@ class SimulatedSystem {
   };
 
   void add_conserved(const Expectation& expectation);
-  [[nodiscard]] std::vector<Callee> callees() const;
+  [[nodiscard]] std::vector<Callee> callees(const CompiledModel* compiled) const;
   [[nodiscard]] const Function* function(OutputKind kind) const {
     return callees_[static_cast<std::size_t>(kind)].function;
   }
@@ -186,13 +191,13 @@ class SimulatedSystem {
 
   const Model& model_;
   const Program& program_;
-  const CompiledModel* compiled_;
   const SineEvaluator<double> sines_;
   /// The arguments of all calls. u has the last inputs; a, p and E are set only by
   /// conserved_values().
   Arguments<double> arguments_;
   std::vector<InputLaw> laws_;
-  std::vector<Callee> callees_;   ///< indexed by OutputKind
+  std::vector<Callee> callees_;  ///< indexed by OutputKind
+  std::size_t interpreted_ = 0;
   OutputKind projection_output_;  ///< `projected` or `normalized`, which project_state() calls
   bool holds_inputs_ = false;
   bool is_driven_ = false;

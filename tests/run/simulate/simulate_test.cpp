@@ -204,3 +204,27 @@ TEST_CASE("if M is singular, the pivot is named") {
   const std::string broken = start_refusal("theta=0", "");
   CHECK(broken.starts_with("M is singular at the start: the relative pivot of `dot(phi)` is "));
 }
+
+TEST_CASE("a run that continues in compiled functions has the bits of an interpreted run") {
+  const CompiledSystem arm(read_model("two_link_arm"));
+  SimulationOptions options{.duration = 5, .row_interval = 0.5};
+  const Result<Trajectory> interpreted = simulate(arm.checked(), arm.program(), nullptr, options);
+  std::size_t compilations = 0;
+  options.compile = [&]() -> Result<const CompiledModel*> {
+    ++compilations;
+    return &arm.functions();
+  };
+  options.most_interpreted = 10'000;
+  const Result<Trajectory> changed = simulate(arm.checked(), arm.program(), nullptr, options);
+  REQUIRE(interpreted);
+  REQUIRE(changed);
+  CHECK(compilations == 1);
+  CHECK(interpreted->timed_code == "in the evaluator");
+  CHECK(changed->timed_code == "of the emitted C++");
+  CHECK(changed->rows == interpreted->rows);
+  options.compile = []() -> Result<const CompiledModel*> {
+    return Diagnostics{{Code::E704, {}, "no compiler", ""}};
+  };
+  CHECK(simulate(arm.checked(), arm.program(), nullptr, options).diagnostics.front().code ==
+        Code::E704);
+}
