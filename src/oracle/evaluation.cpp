@@ -2,6 +2,9 @@
 // that a caller requested.
 #include "oracle/evaluation.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "elgen/references.hpp"
 #include "oracle/rotations.hpp"
 
@@ -23,6 +26,16 @@ Jet elapsed_time(unsigned order) {
   Jet s;
   for (unsigned k = 0; k < order; ++k) s = s + Jet(time_generator(k), 1);
   return s;
+}
+
+/// True if two motions at the same parameters are equal.
+bool is_same_motion(const Motion& x, const Motion& y) {
+  bool result = true;
+  const auto compare = [&](Opcode kind, std::uint32_t, const Jet& of_x, const Jet& of_y) {
+    result = result && (kind == Opcode::parameter || is_same(of_x, of_y));
+  };
+  for_each_leaf(compare, x, y);
+  return result;
 }
 
 }  // namespace
@@ -181,6 +194,24 @@ Jet Evaluation::function_value(const Expression& e, unsigned time_order) {
   const Jet x = memoised_value(e.operands[0], time_order);
   const Jet y = e.operands.size() > 1 ? memoised_value(e.operands[1], time_order) : Jet();
   return functions_->value(e.function, x, y);
+}
+
+RecentEvaluations::Entry::Entry(const Model& model, Motion of,
+                                const std::shared_ptr<JetFunctions>& functions)
+    : motion(std::move(of)), evaluation(model, motion, functions) {}
+
+RecentEvaluations::RecentEvaluations(const Model& model, std::size_t count)
+    : model_(model), count_(count) {}
+
+Evaluation& RecentEvaluations::at(const Motion& motion) {
+  const auto known = std::ranges::find_if(
+      entries_, [&](const Entry& entry) { return is_same_motion(entry.motion, motion); });
+  if (known != entries_.end()) {
+    entries_.splice(entries_.begin(), entries_, known);
+    return known->evaluation;
+  }
+  if (entries_.size() == count_) entries_.pop_back();
+  return entries_.emplace_front(model_, motion, functions_).evaluation;
 }
 
 }  // namespace elgen::oracle

@@ -13,6 +13,7 @@
 // f_i and f_ij.
 #pragma once
 
+#include <list>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -65,6 +66,32 @@ class Evaluation {
   const Motion& motion_;
   std::shared_ptr<JetFunctions> functions_;
   std::vector<std::optional<MemoisedValue>> memoised_values_;  ///< indexed by expression
+};
+
+/// The evaluations at the latest `count` motions of one model; all motions have the same
+/// parameters. Energies and forces at one motion share an evaluation, which computes common
+/// subexpressions once.
+class RecentEvaluations {
+ public:
+  RecentEvaluations(const Model& model, std::size_t count);
+
+  /// The evaluation at `motion`, valid until `count` other motions follow.
+  [[nodiscard]] Evaluation& at(const Motion& motion);
+
+ private:
+  struct Entry {
+    Entry(const Model& model, Motion of, const std::shared_ptr<JetFunctions>& functions);
+    Entry(const Entry&) = delete;
+    Entry& operator=(const Entry&) = delete;
+
+    Motion motion;
+    Evaluation evaluation;  ///< refers to `motion`
+  };
+
+  const Model& model_;
+  std::size_t count_;
+  std::shared_ptr<JetFunctions> functions_ = std::make_shared<JetFunctions>();
+  std::list<Entry> entries_ = {};  ///< the latest first
 };
 
 }  // namespace elgen::oracle

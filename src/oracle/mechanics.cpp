@@ -85,11 +85,12 @@ Motion scale_towards(const ExpansionPoint& point, const Motion& motion, unsigned
   return result;
 }
 
-Mechanics::Mechanics(const Model& model, const State& state)
+Mechanics::Mechanics(const Model& model, const State& state, std::size_t evaluations)
     : model_(model),
       state_(shorten_rationals(state)),
       expansion_point_(expansion_point(model, state_)),
-      base_(make_motion(state_)) {
+      base_(make_motion(state_)),
+      evaluations_(model, evaluations) {
   base_.a.assign(model.velocities.size(), Jet());
   base_.u.assign(model.inputs.size(), Jet());
 }
@@ -109,10 +110,7 @@ Jet Mechanics::evaluate_expanded(unsigned order, const Motion& motion,
 
 Jet Mechanics::energy_at(EnergyFunction energy, const Motion& motion) {
   return evaluate_expanded(expansion_point_ ? expansion_point_->order + 1 : 0, motion,
-                           [&](const Motion& moved) {
-                             Evaluation evaluation(model_, moved, functions_);
-                             return energy(evaluation);
-                           });
+                           [&](const Motion& moved) { return energy(evaluations_.at(moved)); });
 }
 
 Jet Mechanics::potential_at(const Motion& motion) {
@@ -206,11 +204,11 @@ Jet Mechanics::residual(const Motion& at, const Direction& w, const Direction& a
   displace(moving.v, w, first_generator);
   Motion displaced = at;
   displace_position(model_, displaced, w, first_generator);
-  Motion resisted = at;
-  displace(resisted.v, w, first_generator);
-  Jet sum = energy_at(lagrangian, moving).tangent(first_generator).tangent(second_generator) -
-            energy_at(lagrangian, displaced).tangent(first_generator) +
-            energy_at(dissipation, resisted).tangent(first_generator) - force_along(at, w);
+  const Jet momentum_rate =
+      energy_at(lagrangian, moving).tangent(first_generator).tangent(second_generator);
+  const Jet gradient = energy_at(lagrangian, displaced).tangent(first_generator);
+  const Jet force = force_along(at, w);  // shares the evaluation at `displaced`
+  const Jet sum = momentum_rate - gradient + friction_along(at, w) - force;
   if (model_.rotations.empty()) return sum;
   Motion turning = at;
   displace(turning.v, cross_on_rotations(model_, to_jets(w), at.v), first_generator);
@@ -240,11 +238,15 @@ cl_R Mechanics::gravity(const Direction& w) {
   return potential_at(motion).coefficient(first_generator);
 }
 
-cl_R Mechanics::dissipation_force(const Direction& w) {
-  Motion motion = base_;
-  displace(motion.v, w, first_generator);
-  return energy_at(dissipation, motion).coefficient(first_generator);
+/// w.dD/dv
+Jet Mechanics::friction_along(const Motion& motion, const Direction& w) {
+  if (!model_.energies.D) return {};
+  Motion resisted = motion;
+  displace(resisted.v, w, first_generator);
+  return energy_at(dissipation, resisted).tangent(first_generator);
 }
+
+cl_R Mechanics::dissipation_force(const Direction& w) { return friction_along(base_, w).real(); }
 
 /// If no expansion point exists, exact_force_along(). Otherwise the force, expanded to the order of
 /// the equations along small coordinates, and to one order more along all others.
@@ -260,16 +262,26 @@ Jet Mechanics::force_along(const Motion& motion, const Direction& w) {
   return along(expansion_point_->order, small) + along(expansion_point_->order + 1, others);
 }
 
+/// w.(Q + B u), exact in all leaves.
+Jet Mechanics::exact_force_along(const Motion& motion, const Direction& w) {
+  Jet sum;
+  if (!model_.forces.empty()) sum = work_of_forces(motion, w);
+  for (std::size_t k = 0; k < model_.inputs.size(); ++k) {
+    if (model_.inputs[k].velocity) sum = sum + motion.u[k] * Jet(w[*model_.inputs[k].velocity]);
+  }
+  return sum;
+}
+
 /// sum Q_i w_i + sum F.(dp/dq w) + sum N.turn. The displacement along w is in generator e0; turn is
 /// the rotation of the frame by this displacement.
-Jet Mechanics::exact_force_along(const Motion& motion, const Direction& w) {
+Jet Mechanics::work_of_forces(const Motion& motion, const Direction& w) {
   Motion displaced = motion;
   displace_position(model_, displaced, w, first_generator);
-  Evaluation moving(model_, displaced, functions_);
+  Evaluation& moving = evaluations_.at(displaced);
   // The spin is linear in the rates, so the spin at the rates w is the rotation along w.
   Motion turned = motion;
   for (std::size_t i = 0; i < turned.v.size(); ++i) turned.v[i] = Jet(first_generator, w[i]);
-  Evaluation turning(model_, turned, functions_);
+  Evaluation& turning = evaluations_.at(turned);
   const auto work = [&](Evaluation& at, const auto& place, const std::vector<ExpressionId>& force) {
     Jet sum;
     for (std::size_t c = 0; c < force.size(); ++c) {
@@ -288,9 +300,6 @@ Jet Mechanics::exact_force_along(const Motion& motion, const Direction& w) {
     if (f.point) sum = sum + work(moving, model_.points[*f.point].position, f.value);
     if (f.reaction_point)
       sum = sum - work(moving, model_.points[*f.reaction_point].position, f.value);
-  }
-  for (std::size_t k = 0; k < model_.inputs.size(); ++k) {
-    if (model_.inputs[k].velocity) sum = sum + motion.u[k] * Jet(w[*model_.inputs[k].velocity]);
   }
   return sum;
 }

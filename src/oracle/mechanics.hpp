@@ -83,7 +83,8 @@ struct ExpansionPoint {
 
 class Mechanics {
  public:
-  Mechanics(const Model& model, const State& state);
+  /// Keeps the evaluations at the latest `evaluations` motions, at least two.
+  Mechanics(const Model& model, const State& state, std::size_t evaluations = 2);
 
   [[nodiscard]] std::size_t size() const { return model_.velocities.size(); }
   [[nodiscard]] Direction unit(std::size_t i) const { return unit_direction(size(), i); }
@@ -160,7 +161,9 @@ class Mechanics {
   Jet evaluate_expanded(unsigned order, const Motion& motion, const Quantity& quantity) const;
   Jet energy_at(EnergyFunction energy, const Motion& motion);
   Jet potential_at(const Motion& motion);
+  Jet friction_along(const Motion& motion, const Direction& w);
   Jet exact_force_along(const Motion& motion, const Direction& w);
+  Jet work_of_forces(const Motion& motion, const Direction& w);
   Jet force_along(const Motion& motion, const Direction& w);
   Jet residual(const Motion& at, const Direction& w, const Direction& a);
   Motion motion_at_rest() const;
@@ -169,7 +172,7 @@ class Mechanics {
   State state_;
   std::optional<ExpansionPoint> expansion_point_;
   Motion base_;  ///< the state with a = 0 and u = 0
-  std::shared_ptr<JetFunctions> functions_ = std::make_shared<JetFunctions>();
+  RecentEvaluations evaluations_;
 };
 
 /// w.([v]x M y + [y]x M v + M [v]x y), v the state's velocity. [.]x acts only on the velocities of

@@ -88,14 +88,14 @@ Values regressor_entries(const OutputQuery& query) {
   const std::size_t count = extent_size(query.model, Extent::inertial);
   std::vector<Direction> units;
   for (std::size_t i = 0; i < n; ++i) units.push_back(unit_direction(n, i));
-  const auto forces_of = [&](const Values& parameters) {
-    return forces_of_parameters(query.model, query.state, parameters, units, has_reference(query));
-  };
-  const Values rest = forces_of(Values(count, 0));
+  std::vector<Values> choices{Values(count, 0)};
+  for (std::size_t k = 0; k < count; ++k) choices.push_back(unit_direction(count, k));
+  const std::vector<Values> forces =
+      forces_of_parameters(query.model, query.state, choices, units, has_reference(query));
+  const Values& rest = forces.front();
   Values all(n * count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const Values forces = forces_of(unit_direction(count, k));
-    for (std::size_t i = 0; i < n; ++i) all[i * count + k] = forces[i] - rest[i];
+  for (std::size_t k = 0; k < n * count; ++k) {
+    all[k] = forces[1 + k % count][k / count] - rest[k / count];
   }
   all.insert(all.end(), rest.begin(), rest.end());
   return all;
@@ -103,12 +103,12 @@ Values regressor_entries(const OutputQuery& query) {
 
 /// w.Y y, or w.rest.
 cl_R contract_regressor(const OutputQuery& query, const Contraction& by) {
-  const auto force = [&](const Values& parameters) {
-    return forces_of_parameters(query.model, query.state, parameters, {by.w}, has_reference(query))
-        .front();
-  };
-  const cl_R rest = force(Values(extent_size(query.model, Extent::inertial), 0));
-  return by.field == 1 ? rest : force(by.y) - rest;
+  std::vector<Values> choices{Values(extent_size(query.model, Extent::inertial), 0)};
+  if (by.field == 0) choices.push_back(by.y);
+  const std::vector<Values> forces =
+      forces_of_parameters(query.model, query.state, choices, {by.w}, has_reference(query));
+  const cl_R& rest = forces.front().front();
+  return by.field == 1 ? rest : forces.back().front() - rest;
 }
 
 Values rates_of_coordinates(const OutputQuery& query) {

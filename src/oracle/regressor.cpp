@@ -11,29 +11,46 @@ namespace {
 using cln::cl_R;
 using Values = std::vector<cl_R>;
 
-/// A copy of `model` at the inertial parameters `values`. In the copy, terms of T and V replace the
-/// masses, the inertias and the armatures.
+/// The number of motions at which a force is evaluated; fewer are enough. All choices of the
+/// parameters use the same motions.
+constexpr std::size_t motions_of_force = 16;
+
+/// A copy of `model` at one of several choices of the inertial parameters. In the copy, terms of T
+/// and V replace the masses, the inertias and the armatures.
 class ParametrisedModel {
  public:
-  ParametrisedModel(const Model& model, const Values& values) : source_(model), model_(model) {
+  ParametrisedModel(const Model& model, const std::vector<Values>& choices)
+      : source_(model), model_(model) {
     for (Body& body : model_.bodies) {
       body.mass.reset();
       body.inertia.clear();
     }
     for (Point& point : model_.points) point.mass.reset();
     for (Coordinate& coordinate : model_.coordinates) coordinate.armature.reset();
-    const std::vector<InertialParameter> parameters = inertial_parameters(model);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      if (!cln::zerop(values[k]))
-        add_parameter(parameters[k], append_number(cln::rational(values[k])));
-    }
-    add_terms(model_.energies.T, kinetic_);
-    add_terms(model_.energies.V, potential_);
+    for (const Values& values : choices) energies_.push_back(energies_of(values));
   }
 
   [[nodiscard]] const Model& model() const { return model_; }
 
+  /// Sets the energies of model() to those of a choice. Evaluations of the model stay valid,
+  /// because no expression changes.
+  void select(std::size_t choice) { model_.energies = energies_[choice]; }
+
  private:
+  Energies energies_of(const Values& values) {
+    const std::vector<InertialParameter> parameters = inertial_parameters(source_);
+    kinetic_.clear();
+    potential_.clear();
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (!cln::zerop(values[k]))
+        add_parameter(parameters[k], append_number(cln::rational(values[k])));
+    }
+    Energies energies = source_.energies;
+    add_terms(energies.T, kinetic_);
+    add_terms(energies.V, potential_);
+    return energies;
+  }
+
   void add_parameter(const InertialParameter& parameter, ExpressionId value) {
     value_ = value;
     switch (parameter.owner) {
@@ -124,10 +141,16 @@ class ParametrisedModel {
 
   const Model& source_;
   Model model_;
-  ExpressionId value_ = 0;  ///< value of the parameter whose terms are being added
+  std::vector<Energies> energies_ = {};  ///< of each choice
+  ExpressionId value_ = 0;               ///< value of the parameter whose terms are being added
   std::vector<ExpressionId> kinetic_ = {};
   std::vector<ExpressionId> potential_ = {};
 };
+
+/// The values of Model::affine_parameters, which are the last inertial parameters.
+Values affine_values(const Model& model, const Values& choice) {
+  return {choice.end() - static_cast<std::ptrdiff_t>(model.affine_parameters.size()), choice.end()};
+}
 
 /// w.(M a + C(q, v) r + drift(r) + g + dD/dv(r) - Q(v)), r the reference velocity
 cl_R force_by_reference(Mechanics& at, Mechanics& at_reference, const Direction& w) {
@@ -164,21 +187,29 @@ cl_R parameter_of_body(Evaluation& at, const Body& body, const InertialParameter
 
 }  // namespace
 
-Values forces_of_parameters(const Model& model, State state, const Values& values,
-                            const std::vector<Direction>& directions, bool uses_reference) {
-  const ParametrisedModel given(model, values);
-  const std::size_t first = values.size() - model.affine_parameters.size();
-  for (std::size_t k = 0; k < model.affine_parameters.size(); ++k) {
-    state.parameters[model.affine_parameters[k]] = values[first + k];
-  }
-  Mechanics at(given.model(), state);
-  State moving = state;
-  moving.v = state.reference;
-  Mechanics at_reference(given.model(), moving);
-  Values forces;
-  for (const Direction& w : directions) {
-    forces.push_back(uses_reference ? force_by_reference(at, at_reference, w)
-                                    : inverse_dynamics(at, w));
+std::vector<Values> forces_of_parameters(const Model& model, const State& state,
+                                         const std::vector<Values>& choices,
+                                         const std::vector<Direction>& directions,
+                                         bool uses_reference) {
+  ParametrisedModel given(model, choices);
+  std::vector<Values> forces(choices.size());
+  for (std::size_t first = 0, end = 0; first < choices.size(); first = end) {
+    const Values affine = affine_values(model, choices[first]);
+    while (end < choices.size() && affine_values(model, choices[end]) == affine) ++end;
+    State own = state;
+    for (std::size_t k = 0; k < affine.size(); ++k) {
+      own.parameters[model.affine_parameters[k]] = affine[k];
+    }
+    Mechanics at(given.model(), own, motions_of_force);
+    own.v = own.reference;
+    Mechanics at_reference(given.model(), own, motions_of_force);
+    for (std::size_t k = 0; k < directions.size() * (end - first); ++k) {
+      const Direction& w = directions[k / (end - first)];
+      const std::size_t choice = first + k % (end - first);
+      given.select(choice);
+      forces[choice].push_back(uses_reference ? force_by_reference(at, at_reference, w)
+                                              : inverse_dynamics(at, w));
+    }
   }
   return forces;
 }

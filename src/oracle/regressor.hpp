@@ -14,12 +14,12 @@
 
 namespace elgen::oracle {
 
-/// d.tau = d.(Y pi + rest) for each direction d, at inertial parameters pi = `values`. If
-/// `uses_reference`, C(q, v) r, drift and friction use the reference velocity r of the state.
-[[nodiscard]] std::vector<cln::cl_R> forces_of_parameters(const Model& model, State state,
-                                                          const std::vector<cln::cl_R>& values,
-                                                          const std::vector<Direction>& directions,
-                                                          bool uses_reference);
+/// d.tau = d.(Y pi + rest) for each direction d, at the inertial parameters pi of each choice. If
+/// `uses_reference`, C(q, v) r, drift and friction use the reference velocity r of the state. The
+/// choices share the values of everything that does not depend on pi.
+[[nodiscard]] std::vector<std::vector<cln::cl_R>> forces_of_parameters(
+    const Model& model, const State& state, const std::vector<std::vector<cln::cl_R>>& choices,
+    const std::vector<Direction>& directions, bool uses_reference);
 
 /// pi at the parameters of the state. For a body in a frame the moments of inertia are about the
 /// frame's origin: I + m (c.c 1 - c c^T).

@@ -126,3 +126,19 @@ V = "V"
   CHECK(at.value(potential).coefficient(generator(0) | generator(1)) == 7);
   CHECK_THROWS_AS(at.second_rate(potential), OutsideDomain);
 }
+
+TEST_CASE("evaluations at the latest motions are kept, the oldest goes first") {
+  Fixture f;
+  const ExpressionId id = f.b.expression("x*u");
+  RecentEvaluations recent(f.b.model, 2);
+  Motion second = f.motion;
+  second.q[0] = 4;
+  Motion third = f.motion;
+  third.u[0] = Jet(generator(0), 1);
+  const Evaluation* const first = &recent.at(f.motion);
+  CHECK(recent.at(second).value(id).real() == 28);
+  CHECK(&recent.at(f.motion) == first);
+  CHECK(recent.at(third).value(id).coefficient(generator(0)) == 2);
+  CHECK(&recent.at(f.motion) == first);
+  CHECK(recent.at(second).value(id).real() == 28);
+}

@@ -215,4 +215,30 @@ TEST_CASE("the lower halves of A and B are derivatives of forward dynamics") {
   }
 }
 
+TEST_CASE("columns of the regressor: closed forms of cart and pole, and contractions") {
+  const ModelBuilder b = cart_pole();
+  State state = random_state(b.model, 6);
+  state.reference = state.v;
+  const cl_R l = state.parameters[2];
+  const cl_R g = state.parameters[3];
+  const cl_R s = cln::sin(as_float(state.q[1]));
+  const cl_R c = cln::cos(as_float(state.q[1]));
+  const cl_R v = state.v[1];
+  const cl_R& x = state.a[0];
+  const cl_R& th = state.a[1];
+  for (const OutputKind kind : {OutputKind::regressor, OutputKind::regressor_reference}) {
+    const OutputRequest output{.kind = kind};
+    const Values found = output_values(b.model, output, state);
+    const Values expected{x, x + l * (c * th - s * v * v), 0, l * (c * x + l * th - g * s), 0, 0};
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) CHECK(agree(found[k], expected[k], 60, 1));
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Contraction by{unit_direction(2, k / 2), unit_direction(2, k % 2)};
+      CHECK(agree(contract_output(b.model, output, state, by), found[k], 60, 1));
+    }
+    const Contraction rest{{2, 3}, {}, 1};
+    CHECK(agree(contract_output(b.model, output, state, rest), 0, 60, 1));
+  }
+}
+
 }  // namespace elgen::test
