@@ -85,12 +85,20 @@ struct Contraction {
 };
 
 /// The contraction of one field of an output, for self-checks of large models. Cost: a few
-/// directional derivatives; for energies, forward_dynamics, constraints and user outputs, all
-/// entries of the output.
+/// directional derivatives, or all entries of the output if oracle_needs_entries().
 [[nodiscard]] std::optional<cln::cl_R> oracle_contraction(const Model& model,
                                                           const OutputRequest& output,
                                                           const State& state,
                                                           const Contraction& by);
+
+/// True for energies, forward_dynamics, constraints, steps and user outputs: no directional
+/// derivatives give their contractions.
+[[nodiscard]] bool oracle_needs_entries(const OutputRequest& output);
+
+/// The contraction of one field, from the oracle_values() of the output.
+[[nodiscard]] cln::cl_R contract_entries(const Model& model, const OutputRequest& output,
+                                         const std::vector<cln::cl_R>& values,
+                                         const Contraction& by);
 
 /// The sum of |E| and the magnitudes of the terms of V, in J: the scale of rounding errors in L.
 [[nodiscard]] std::optional<cln::cl_R> oracle_energy_magnitude(const Model& model,

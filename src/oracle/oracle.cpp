@@ -4,6 +4,7 @@
 
 #include "elgen/leaf_names.hpp"
 #include "elgen/references.hpp"
+#include "model/requests.hpp"
 #include "oracle/mechanics.hpp"
 #include "oracle/output_values.hpp"
 #include "oracle/solved_dynamics.hpp"
@@ -53,6 +54,20 @@ std::optional<cl_R> oracle_contraction(const Model& model, const OutputRequest& 
   return attempt_with_enough_digits(
       [&] { return oracle::contract_output(model, output, state, by); });
 }
+
+cl_R contract_entries(const Model& model, const OutputRequest& output,
+                      const std::vector<cl_R>& values, const Contraction& by) {
+  const std::size_t first = first_entry_index(model, output, by.field);
+  const std::size_t columns = by.y.empty() ? 1 : by.y.size();
+  cl_R sum = 0;
+  for (std::size_t k = 0; k < by.w.size() * columns; ++k) {
+    const cl_R& factor = by.w[k / columns];
+    sum = sum + values[first + k] * (by.y.empty() ? factor : factor * by.y[k % columns]);
+  }
+  return sum;
+}
+
+bool oracle_needs_entries(const OutputRequest& output) { return oracle::needs_entries(output); }
 
 std::optional<cl_R> oracle_energy_magnitude(const Model& model, const State& state) {
   return attempt_with_enough_digits(

@@ -37,7 +37,7 @@ std::vector<cl_R> reaction_forces(const Model& model, const State& state) {
 
 struct OracleRow {
   Values (*values)(const OutputQuery&);
-  /// w.x of a column or w.X y of a matrix. Null: contract the entries of `values`.
+  /// w.x of a column or w.X y of a matrix. Null: needs_entries().
   cl_R (*contraction)(const OutputQuery&, const Contraction&) = nullptr;
 };
 
@@ -173,16 +173,6 @@ Values canonical_rates(const OutputQuery& query) {
   return values;
 }
 
-/// w.x for the column x of field `by.field`.
-template <Values (*values)(const OutputQuery&)>
-cl_R contract_field(const OutputQuery& query, const Contraction& by) {
-  const Values all = values(query);
-  const std::size_t first = first_entry_index(query.model, query.output, by.field);
-  cl_R sum = 0;
-  for (std::size_t i = 0; i < by.w.size(); ++i) sum = sum + by.w[i] * all[first + i];
-  return sum;
-}
-
 Values step_entries(const OutputQuery& query) {
   return oracle::take_step(query.model, query.output, query.state);
 }
@@ -260,8 +250,7 @@ constexpr OracleRow kinetic_energy{all_entries<&Mechanics::kinetic_energy>};
 constexpr OracleRow total_energy{all_entries<total_energy_of>};
 constexpr OracleRow energy_function{all_entries<&Mechanics::energy_function>};
 
-constexpr OracleRow forward_dynamics{all_entries<forward_dynamics_entries>,
-                                     contract_field<all_entries<forward_dynamics_entries>>};
+constexpr OracleRow forward_dynamics{all_entries<forward_dynamics_entries>};
 constexpr OracleRow linearization{all_entries<state_matrices>, contract<state_contraction>};
 constexpr OracleRow inverse_dynamics_derivatives{all_entries<inverse_derivatives>,
                                                  contract<inverse_contraction>};
@@ -276,7 +265,7 @@ constexpr OracleRow hamiltonian{hamiltonian_of};
 constexpr OracleRow velocities_of_momenta{[](const OutputQuery& of) {
   return oracle::velocities_of_momenta(of.model, of.state, of.state.momenta);
 }};
-constexpr OracleRow hamilton_equations{canonical_rates, contract_field<canonical_rates>};
+constexpr OracleRow hamilton_equations{canonical_rates};
 
 constexpr OracleRow coordinate_rates{rates_of_coordinates};
 constexpr OracleRow normalized{
@@ -289,18 +278,14 @@ Values constraint_entries(const OutputQuery& query) {
   return values(query.model, query.state);
 }
 
-template <Values (*values)(const Model&, const State&)>
-constexpr OracleRow constraint_columns{constraint_entries<values>,
-                                       contract_field<constraint_entries<values>>};
-
-constexpr OracleRow constraint_residual = constraint_columns<oracle::constraint_residual>;
+constexpr OracleRow constraint_residual{constraint_entries<oracle::constraint_residual>};
 constexpr OracleRow constraint_jacobian{constraint_entries<oracle::constraint_jacobian>};
-constexpr OracleRow constraint_bias = constraint_columns<oracle::constraint_bias>;
-constexpr OracleRow projected = constraint_columns<oracle::project_state>;
-constexpr OracleRow constrained_inverse_dynamics =
-    constraint_columns<oracle::constrained_inverse_dynamics>;
+constexpr OracleRow constraint_bias{constraint_entries<oracle::constraint_bias>};
+constexpr OracleRow projected{constraint_entries<oracle::project_state>};
+constexpr OracleRow constrained_inverse_dynamics{
+    constraint_entries<oracle::constrained_inverse_dynamics>};
 
-constexpr OracleRow completed{completed_values, contract_field<completed_values>};
+constexpr OracleRow completed{completed_values};
 
 constexpr OracleRow regressor{regressor_entries, contract_regressor};
 constexpr OracleRow regressor_reference = regressor;
@@ -310,10 +295,10 @@ constexpr OracleRow regressor_parameters{
 constexpr OracleRow user_value{user_output_values};
 constexpr OracleRow user_jacobian{user_output_jacobian};
 constexpr OracleRow user_bias{user_output_bias};
-constexpr OracleRow user_derivatives{user_output_derivatives, contract_user_derivatives};
-constexpr OracleRow user_operational{user_operational_dynamics, contract_operational_dynamics};
+constexpr OracleRow user_derivatives{user_output_derivatives};
+constexpr OracleRow user_operational{user_operational_dynamics};
 
-constexpr OracleRow step{step_entries, contract_field<step_entries>};
+constexpr OracleRow step{step_entries};
 constexpr OracleRow step_derivatives{
     [](const OutputQuery& of) { return oracle::step_derivatives(of.model, of.output, of.state); },
     [](const OutputQuery& of, const Contraction& by) {
@@ -343,8 +328,12 @@ Values output_values(const Model& model, const OutputRequest& output, const Stat
 cl_R contract_output(const Model& model, const OutputRequest& output, const State& state,
                      const Contraction& by) {
   const OutputQuery of{model, output, state};
-  if (oracle_row(output).contraction != nullptr) return oracle_row(output).contraction(of, by);
-  return contract_entries(oracle_row(output).values(of), by);
+  return needs_entries(output) ? contract_entries(model, output, oracle_row(output).values(of), by)
+                               : oracle_row(output).contraction(of, by);
+}
+
+bool needs_entries(const OutputRequest& output) {
+  return oracle_row(output).contraction == nullptr;
 }
 
 }  // namespace elgen::oracle

@@ -19,6 +19,9 @@ namespace elgen::oracle {
 [[nodiscard]] cln::cl_R contract_output(const Model& model, const OutputRequest& output,
                                         const State& state, const Contraction& by);
 
+/// True if no directional derivatives give the contractions of the output.
+[[nodiscard]] bool needs_entries(const OutputRequest& output);
+
 /// One step of a method by its definition: q and v at t + h, then the residual of an implicit
 /// method. u is constant; quaternions have length 1. Throws OutsideDomain. Cost in linear solves:
 /// rk4 four; verlet two per substep; midpoint one per iteration and one more.

@@ -139,15 +139,6 @@ Values concatenate_fields(const std::array<Values, 4>& fields) {
 
 }  // namespace
 
-cl_R contract_entries(const Values& values, const Contraction& by) {
-  const std::size_t columns = by.y.empty() ? 1 : by.y.size();
-  cl_R sum = 0;
-  for (std::size_t k = 0; k < by.w.size() * columns; ++k) {
-    sum = sum + by.w[k / columns] * values[k] * (by.y.empty() ? cl_R(1) : by.y[k % columns]);
-  }
-  return sum;
-}
-
 Values user_output_values(const OutputQuery& query) {
   const Motion motion = make_user_motion(query);
   Evaluation at(query.model, motion);
@@ -177,16 +168,8 @@ Values user_output_derivatives(const OutputQuery& query) {
                              user_output_derivative(query, 2), user_output_derivative(query, 3)});
 }
 
-cl_R contract_user_derivatives(const OutputQuery& query, const Contraction& by) {
-  return contract_entries(user_output_derivative(query, by.field), by);
-}
-
 Values user_operational_dynamics(const OutputQuery& query) {
   return concatenate_fields(operational_fields(query));
-}
-
-cl_R contract_operational_dynamics(const OutputQuery& query, const Contraction& by) {
-  return contract_entries(operational_fields(query).at(by.field), by);
 }
 
 }  // namespace elgen::oracle

@@ -22,9 +22,6 @@ struct OutputQuery {
   }
 };
 
-/// w.x, or w.X y of a matrix.
-[[nodiscard]] cln::cl_R contract_entries(const Values& values, const Contraction& by);
-
 /// The values y of the output.
 [[nodiscard]] Values user_output_values(const OutputQuery& query);
 
@@ -36,12 +33,9 @@ struct OutputQuery {
 
 /// dy/dq along N, dy/dv, dy/da, dy/du, one after another.
 [[nodiscard]] Values user_output_derivatives(const OutputQuery& query);
-[[nodiscard]] cln::cl_R contract_user_derivatives(const OutputQuery& query, const Contraction& by);
 
 /// Operational-space dynamics: Lambda = (J M^-1 J^T)^-1, M^-1 J^T Lambda, Lambda (J M^-1 bias -
 /// bias of y), and the relative pivots of J M^-1 J^T.
 [[nodiscard]] Values user_operational_dynamics(const OutputQuery& query);
-[[nodiscard]] cln::cl_R contract_operational_dynamics(const OutputQuery& query,
-                                                      const Contraction& by);
 
 }  // namespace elgen::oracle

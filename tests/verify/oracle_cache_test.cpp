@@ -83,3 +83,22 @@ TEST_CASE(
   CHECK(agrees_with_oracle({Real(), Real()}, power_of_ten(-14), oracle));
   CHECK_FALSE(agrees_with_oracle({Real(), Real()}, power_of_ten(-8), oracle));
 }
+
+TEST_CASE("contractions of entries are those of the oracle") {
+  const System system = cart_pole_system();
+  const SystemUnderTest subject = system.subject();
+  OracleCache cache(subject, random_state(system.model, 3));
+  const OutputRequest dynamics{.kind = OutputKind::forward_dynamics};
+  CHECK(oracle_needs_entries(dynamics));
+  for (const std::size_t field : {std::size_t{0}, std::size_t{1}}) {
+    const Contraction by{{2, -3}, {}, field};
+    const auto found = cache.contraction(dynamics, by);
+    REQUIRE(found);
+    const std::vector<cln::cl_R>& all = *cache.values(dynamics);
+    CHECK(*found == 2 * all[2 * field] - 3 * all[2 * field + 1]);
+    CHECK(found == oracle_contraction(system.model, dynamics, cache.state(), by));
+  }
+  const OutputRequest mass{.kind = OutputKind::mass_matrix};
+  CHECK_FALSE(oracle_needs_entries(mass));
+  CHECK(cache.contraction(mass, {{1, 0}, {0, 1}}) == (*cache.values(mass))[1]);
+}

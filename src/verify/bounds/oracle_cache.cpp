@@ -25,14 +25,22 @@ const OracleValues& OracleCache::values(const OutputRequest& request) {
   return known_[key] = oracle_values(subject_.model, request, state_);
 }
 
+std::optional<cln::cl_R> OracleCache::contraction(const OutputRequest& request,
+                                                  const Contraction& by) {
+  if (!oracle_needs_entries(request))
+    return oracle_contraction(subject_.model, request, state_, by);
+  const OracleValues& entries = values(request);
+  if (!entries) return std::nullopt;
+  return contract_entries(subject_.model, request, *entries, by);
+}
+
 const std::vector<cln::cl_R>& OracleCache::diagonal_of_mass() {
   if (diagonal_) return *diagonal_;
   diagonal_.emplace();
   for (std::size_t i = 0; i < state_.v.size(); ++i) {
     std::vector<cln::cl_R> axis(state_.v.size(), cln::cl_R(0));
     axis[i] = 1;
-    const auto entry =
-        oracle_contraction(subject_.model, {.kind = OutputKind::mass_matrix}, state_, {axis, axis});
+    const auto entry = contraction({.kind = OutputKind::mass_matrix}, {axis, axis});
     diagonal_->push_back(entry.value_or(0));
   }
   return *diagonal_;

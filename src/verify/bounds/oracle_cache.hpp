@@ -22,6 +22,10 @@ class OracleCache {
 
   [[nodiscard]] const OracleValues& values(const OutputRequest& request);
 
+  /// oracle_contraction() at the state. The fields of an output share entries that it computes.
+  [[nodiscard]] std::optional<cln::cl_R> contraction(const OutputRequest& request,
+                                                     const Contraction& by);
+
   /// The diagonal of M; 0 for an undefined entry.
   [[nodiscard]] const std::vector<cln::cl_R>& diagonal_of_mass();
 

@@ -1,5 +1,5 @@
-// Compares projections with oracle_contraction(). With up to four coordinates, relative pivots and
-// accelerations come from the oracle's own solution. With more coordinates, they come from the
+// Compares projections with the oracle's contractions. With up to four coordinates, relative pivots
+// and accelerations come from the oracle's own solution. With more coordinates, they come from the
 // program's mass matrix and accelerations, which other rows of the certificate compare. With
 // constraints the oracle solves the equations, because few outputs return the multipliers.
 #include "verify/bounds/projection.hpp"
@@ -107,7 +107,7 @@ class ProjectionComparison {
     const bool is_matrix = is_matrix_field(row()) || field.columns > 1;
     if (is_matrix) by.y = sampler_.vector(field.columns);
     const RunningValue<Real> sum = contract(by);
-    const auto truth = oracle_contraction(subject_.model, place_.request, state(), by);
+    const auto truth = oracle_.contraction(place_.request, by);
     if (!truth || agrees_with_oracle(sum, *truth, oracle_)) return {};
     const std::string of_field = field.name.empty() ? "" : " of " + field.name;
     return make_mismatch((is_matrix ? "w.X y" : "w.x") + of_field, sum.value, *truth);
@@ -122,7 +122,7 @@ class ProjectionComparison {
   /// w.B y; 0 if y is empty.
   [[nodiscard]] std::optional<cl_R> input_force(const RealNumbers& w, const RealNumbers& y) const {
     if (y.empty()) return cl_R(0);
-    return oracle_contraction(subject_.model, {.kind = OutputKind::input_matrix}, state(), {w, y});
+    return oracle_.contraction({.kind = OutputKind::input_matrix}, {w, y});
   }
 
   Mismatch compare_acceleration() {
@@ -195,7 +195,7 @@ class ProjectionComparison {
     const auto z = contracted_response(y);
     if (!z) return compare_undefined("a derivative");
     const OutputRequest mass{.kind = OutputKind::mass_matrix};
-    const auto left = oracle_contraction(subject_.model, mass, state(), {w, *z});
+    const auto left = oracle_.contraction(mass, {w, *z});
     const auto right = response_force(w, y);
     if (!left || !right) return {};
     const Mismatch wrong = compare_forces("w.M (X y) of " + field.name, *left, *right, oracle_);
