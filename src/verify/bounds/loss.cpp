@@ -37,9 +37,29 @@ std::vector<Real> jacobian_row_norms(const std::vector<Real>& roots, OracleCache
 
 /// In u of the entry: an error of 2 u, or 0.3 digits, counts as no loss.
 constexpr double negligible_loss = 2;
-/// Each K costs one sweep over the function. At most 16 sweeps per field, so that the cost stays
-/// linear in the length of the function.
-constexpr std::size_t most_sweeps = 16;
+/// Each K costs one sweep over the function. At most this many entries of a group have a K, and
+/// this many groups of a field: 16 in functions of up to 2^13 instructions, then fewer, but at
+/// least 4. So the cost stays linear in the length of the function.
+std::size_t most_sweeps(const Function& function) {
+  constexpr std::size_t most_instructions = 1 << 17;  // of 16 sweeps
+  return std::clamp<std::size_t>(most_instructions / (function.instructions.size() + 1), 4, 16);
+}
+
+/// The positions in the column of the largest |w_i x_i|, at most `most` of them.
+std::vector<std::size_t> largest_entries(const SolvedColumn& column,
+                                         const std::vector<Real>& values, std::size_t most) {
+  std::vector<Real> sizes;
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < column.entries.size(); ++i) {
+    sizes.push_back(abs(values[column.entries[i]] * column.weights[i]));
+    positions.push_back(i);
+  }
+  if (positions.size() <= most) return positions;
+  std::ranges::stable_sort(positions,
+                           [&](std::size_t i, std::size_t j) { return sizes[j] < sizes[i]; });
+  positions.resize(most);
+  return positions;
+}
 
 /// True for each constant of the program that may depend on parameters fixed by the scene: the
 /// rounding of such a constant counts in K. False for literals of the model, powers of two, and
@@ -123,7 +143,8 @@ bool LossMeter::has_accurate_angles() const {
   return true;
 }
 
-/// The groups of a field: single entries, and solved columns if a loss may exceed negligible_loss.
+/// The groups of a field: single entries, and solved columns if a loss may exceed negligible_loss
+/// and min_loss_.
 auto LossMeter::group_entries(const ComparedField& place, const std::vector<Real>& errors,
                               const std::vector<Real>& exact) -> std::vector<LossGroup> {
   std::vector<double> most;
@@ -131,7 +152,8 @@ auto LossMeter::group_entries(const ComparedField& place, const std::vector<Real
     most.push_back(error_in_roundoffs(errors[i], abs(exact[i]), rounding_));
   }
   std::vector<SolvedColumn> columns;
-  if (std::ranges::any_of(most, [](double figure) { return figure > negligible_loss; })) {
+  const double counted = std::max(negligible_loss, min_loss_);
+  if (std::ranges::any_of(most, [=](double figure) { return figure > counted; })) {
     columns = solved_columns(place, oracle_);
   }
   std::vector<bool> is_solved(errors.size());
@@ -151,7 +173,8 @@ auto LossMeter::group_entries(const ComparedField& place, const std::vector<Real
 }
 
 /// The loss of a group in u R, or group.max_loss if this bound is negligible; 0 if R is undefined.
-/// None if R is at most 1e-45 of E, because such an R may be a rounding error of the exact values.
+/// In long columns, K of the largest entries only makes it an upper bound. None if R is at most
+/// 1e-45 of E, because such an R may be a rounding error of the exact values.
 std::optional<double> LossMeter::group_loss(const ComparedField& place, const ExactRun& run,
                                             const LossGroup& group, const std::vector<Real>& errors,
                                             const std::vector<Real>& exact) {
@@ -159,8 +182,12 @@ std::optional<double> LossMeter::group_loss(const ComparedField& place, const Ex
   if (group.max_loss <= negligible_loss) return group.max_loss;
   std::vector<Real> references(errors.size());
   std::vector<Real> roundings(errors.size());
+  for (const std::size_t i : largest_entries(group.column, exact, most_sweeps(*place.function))) {
+    const std::size_t entry = group.column.entries[i];
+    references[entry] = conditioning(place, run, entry);
+  }
   for (const std::size_t entry : group.column.entries) {
-    references[entry] = abs(exact[entry]) + conditioning(place, run, entry);
+    references[entry] = references[entry] + abs(exact[entry]);
     roundings[entry] = run.entries[place.first_entry + entry].error;
   }
   const Real reference = weighted_norm(group.column, references);
@@ -188,7 +215,7 @@ Loss LossMeter::field_loss(const ComparedField& place, const ExactRun& run,
   for (const LossGroup& group : all) {
     if (group.max_loss <= std::max(loss.relative_to_entry.loss, min_loss_)) break;
     // Without K, R is |x*|, so the figure is an upper bound of the loss.
-    if (std::isfinite(group.max_loss) && sweeps++ >= most_sweeps) {
+    if (std::isfinite(group.max_loss) && sweeps++ >= most_sweeps(*place.function)) {
       loss.relative_to_entry = {group.max_loss, group.entry};
       break;
     }

@@ -33,7 +33,7 @@ struct SolvedColumn {
 };
 
 /// The columns of a field; empty if the field is not a solution, or if an entry of the diagonal of
-/// M is not positive. Cost: n contractions of M.
+/// M is not positive. Cost: OracleCache::diagonal_of_mass().
 [[nodiscard]] std::vector<SolvedColumn> solved_columns(const ComparedField& place,
                                                        OracleCache& oracle);
 
