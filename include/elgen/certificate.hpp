@@ -136,8 +136,9 @@ struct Verification {
 [[nodiscard]] std::string to_json(const Certificate& certificate);
 
 /// The result of the check before files are written. The check compares random rational projections
-/// of every output with the oracle at 4 to 32 states, fewer for long programs. States outside the
-/// domain are drawn again, with at most eight draws per state.
+/// of every output with the oracle at 4 to 32 states, fewer for long programs; beyond 20
+/// velocities, relative pivots at one state. States outside the domain are drawn again, with at
+/// most eight draws per state.
 struct SelfCheck {
   std::size_t states = 0;  ///< number of states at which an output was compared
   /// The most decimal digits that an entry loses inside the ranges; none if no state determines the
@@ -153,7 +154,17 @@ struct SelfCheck {
   /// Number of states inside the ranges with a value that overflows double.
   std::size_t overflowing_states = 0;
 };
-[[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program);
+
+/// The check of `program`. `unrequested`: the functions of outputs_for_self_check(). Without them
+/// the oracle computes M, at the cost of n^2/18 energies for n velocities.
+[[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
+                                   const Program& unrequested = {});
+
+/// Inverse dynamics, from which self_check() computes M to compare relative pivots. None if the
+/// program has M or inverse dynamics, or if the oracle computes M: up to four velocities, or with
+/// constraints.
+[[nodiscard]] std::vector<OutputRequest> outputs_for_self_check(const Model& model,
+                                                                const Program& program);
 
 /// "at most 0.4 digits lost", "no digit lost".
 [[nodiscard]] std::string lost_digits_text(double digits);

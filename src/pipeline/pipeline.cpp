@@ -101,8 +101,13 @@ Result<CheckedModel> check_inputs(const ParsedFiles& syntaxes, const PipelineOpt
   return {std::move(*result), std::move(all)};
 }
 
-Result<SelfCheck> run_self_check(const CheckedModel& checked, const Program& program) {
-  SelfCheck check = self_check(checked.model, checked.scene, program);
+/// Also derives outputs_for_self_check(). If they exceed the limits, the check does without them.
+Result<SelfCheck> run_self_check(const Lagrangian& lagrangian, const CheckedModel& checked,
+                                 const Program& program, const Limits& limits) {
+  const std::vector<OutputRequest> requests = outputs_for_self_check(checked.model, program);
+  Result<Program> more = Program();
+  if (!requests.empty()) more = derive_recursive_program(lagrangian, requests, limits);
+  SelfCheck check = self_check(checked.model, checked.scene, program, more ? *more : Program());
   if (check.failure.empty()) return check;
   if (check.has_undefined_output) {
     return Diagnostic{Code::E521, check.place.value_or(Span{}), check.failure, check.remedy};
@@ -231,10 +236,9 @@ class Compilation {
       }};
 
   Stage<SelfCheck> self_check_{
-      run_, Goal::self_check, std::tie(checked_, choice_, files_),
-      [](const CheckedModel& c, const FormChoice& chosen, const EmittedFiles&) {
-        return run_self_check(c, chosen.program);
-      }};
+      run_, Goal::self_check, std::tie(lagrangian_, checked_, choice_, files_),
+      [](const Lagrangian& l, const CheckedModel& c, const FormChoice& chosen, const EmittedFiles&,
+         const Limits& limits) { return run_self_check(l, c, chosen.program, limits); }};
 };
 
 }  // namespace

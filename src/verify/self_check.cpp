@@ -11,6 +11,7 @@
 #include "elgen/references.hpp"
 #include "elgen/scalars.hpp"
 #include "elgen/wording.hpp"
+#include "verify/bounds/projection.hpp"
 #include "verify/bounds/visit.hpp"
 
 namespace elgen {
@@ -117,6 +118,7 @@ class SelfChecker {
   Regime check_function(StateCheck<double>& visit, std::size_t index) {
     Regime regime = Regime::regular;
     for (const ComparedField& place : compared_fields(subject_, index)) {
+      if (!is_projected_at(place, subject_.model, result_.states)) continue;
       const Finding finding = visit.check_field(place, sampler_);
       regime = worse_regime(regime, finding.regime);
       if (finding.regime == Regime::overflow && !finding.is_finite) is_infinite_ = true;
@@ -189,8 +191,9 @@ class SelfChecker {
 
 }  // namespace
 
-SelfCheck self_check(const Model& model, const Scene& scene, const Program& program) {
-  const SystemUnderTest subject{model, scene, program};
+SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
+                     const Program& unrequested) {
+  const SystemUnderTest subject{model, scene, program, &unrequested};
   SelfChecker checking(subject);
   const std::size_t wanted = checked_state_count(subject);
   StateSequence<double> states(subject, {draws_per_state * wanted, 1, false});

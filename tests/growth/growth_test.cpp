@@ -14,6 +14,7 @@
 #include "elgen/oracle.hpp"
 #include "elgen/pipeline.hpp"
 #include "growth/operations.hpp"
+#include "support/links.hpp"
 #include "support/shell.hpp"
 
 using namespace elgen;
@@ -137,6 +138,28 @@ TEST_CASE("operations of a stage grow no faster than the chain") {
       check_growth(before.blocks, count.blocks, std::pow(growth, 1.1 + excess));
     }
   }
+}
+
+TEST_CASE("the self-check of forward dynamics grows slower than M") {
+  // One state of M has n^2 entries; all other work is linear in n.
+  const auto count_of = [](int links) {
+    PipelineOptions options;
+    options.scene.outputs = {option("forward_dynamics")};
+    Count count;
+    options.on_stage = [&](const std::string& stage) { count.begin(stage); };
+    const Products products =
+        run_pipeline({make_source("links.toml", links_text(links)), nullptr}, options);
+    REQUIRE(products.self_check);
+    CHECK(products.self_check->failure.empty());
+    return count.end().at("self-check");
+  };
+  count_of(10);
+  const Operations few = count_of(40);
+  const Operations many = count_of(100);
+  INFO(few.bytes << " and " << many.bytes << " bytes, " << few.blocks << " and " << many.blocks
+                 << " blocks");
+  check_growth(few.bytes, many.bytes, std::pow(100.0 / 40, 1.5));
+  check_growth(few.blocks, many.blocks, std::pow(100.0 / 40, 1.5));
 }
 
 TEST_CASE("pages of nested sums do not double with every sum") {

@@ -102,3 +102,30 @@ TEST_CASE("contractions of entries are those of the oracle") {
   CHECK_FALSE(oracle_needs_entries(mass));
   CHECK(cache.contraction(mass, {{1, 0}, {0, 1}}) == (*cache.values(mass))[1]);
 }
+
+TEST_CASE("M comes from inverse dynamics, if it agrees with the energies") {
+  const System system = masses_in_a_row(5);
+  const State state = random_state(system.model, 1);
+  const auto mass_by = [&](const Program& unrequested) {
+    const SystemUnderTest subject{system.model, system.scene, system.program, &unrequested};
+    OracleCache cache(subject, state);
+    CHECK(cache.diagonal_of_mass() == std::vector<cln::cl_R>(5, 3));
+    return cache.mass_of_program();
+  };
+  const OracleValues mass = mass_by(forces_of_masses(5));
+  REQUIRE(mass);
+  for (std::size_t k = 0; k < 25; ++k) CHECK((*mass)[k] == (k % 6 == 0 ? 3 : 0));
+  CHECK_FALSE(mass_by({}));
+  const System few = masses_in_a_row(4);
+  const Program forces = forces_of_masses(4);
+  const SystemUnderTest solved{few.model, few.scene, few.program, &forces};
+  CHECK_FALSE(OracleCache(solved, random_state(few.model, 1)).mass_of_program());
+}
+
+TEST_CASE("wrong inverse dynamics gives no M") {
+  const System system = masses_in_a_row(5);
+  const Program wrong = forces_of_masses(5, true);
+  const SystemUnderTest subject{system.model, system.scene, system.program, &wrong};
+  OracleCache cache(subject, random_state(system.model, 1));
+  CHECK_FALSE(cache.mass_of_program());
+}

@@ -21,8 +21,9 @@ std::string compare(const System& system, OutputKind kind) {
     const ExactRun run =
         run_exactly(system.program, *place.function, oracle.state(), rounding_constants<double>());
     REQUIRE(run.regime == Regime::regular);
-    const std::string differs = compare_projection(subject, place, run, oracle, draw).text;
-    if (!differs.empty()) return differs;
+    const auto differs = compare_projection(subject, place, run, oracle, draw);
+    REQUIRE(differs);
+    if (!differs->text.empty()) return differs->text;
   }
   return {};
 }

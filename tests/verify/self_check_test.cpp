@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "elgen/certificate.hpp"
+#include "verify/bounds/projection.hpp"
 #include "verify/systems.hpp"
 
 using namespace elgen;
@@ -215,4 +216,37 @@ TEST_CASE("the receipt states what was checked and what was found") {
   CHECK(self_check_text({.states = 32, .states_in_ranges = 20, .overflowing_states = 3}) ==
         "compared with 60-digit arithmetic at 32 states; not finite in double at 3 of 20 states "
         "inside the ranges");
+}
+
+TEST_CASE("pivots are compared with M from inverse dynamics, and from the energies without it") {
+  System system = masses_in_a_row(6);
+  const std::vector<OutputRequest> requests = outputs_for_self_check(system.model, system.program);
+  REQUIRE(requests.size() == 1);
+  CHECK(requests[0].kind == OutputKind::inverse_dynamics);
+  CHECK(outputs_for_self_check(system.model, forces_of_masses(6)).empty());
+  const System few = masses_in_a_row(4);
+  CHECK(outputs_for_self_check(few.model, few.program).empty());
+  const auto failure = [&](const Program& unrequested) {
+    return self_check(system.model, system.scene, system.program, unrequested).failure;
+  };
+  CHECK(failure(forces_of_masses(6)).empty());
+  CHECK(failure(forces_of_masses(6, true)).empty());
+  CHECK(failure({}).empty());
+  system.program.functions[0].fields[1].entries[5] = 0;  // the last pivot is 0
+  for (const Program& program : {forces_of_masses(6), forces_of_masses(6, true), Program()}) {
+    CHECK(failure(program).find("`forward_dynamics`: a relative pivot is 0, the oracle says 1") ==
+          0);
+  }
+}
+
+TEST_CASE("beyond 20 velocities, pivots are compared at the first state only") {
+  for (const int n : {20, 21}) {
+    const System system = masses_in_a_row(n);
+    const auto places = field_places(system.subject());
+    REQUIRE(places.size() == 2);
+    for (const std::size_t state : {std::size_t{0}, std::size_t{1}}) {
+      CHECK(is_projected_at(places[0], system.model, state));
+      CHECK(is_projected_at(places[1], system.model, state) == (n == 20 || state == 0));
+    }
+  }
 }

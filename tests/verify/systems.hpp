@@ -192,6 +192,49 @@ inline std::string oscillator_program() {
                        "  result by_input 1 1 = 5\n");
 }
 
+/// n masses m on a line without forces: M = m 1. The program has a = 0 with pivots 1.
+inline System masses_in_a_row(int n) {
+  ModelBuilder b;
+  b.parameter("m", "3");
+  std::string squares;
+  std::string coordinates;
+  std::string zeros;
+  std::string ones;
+  for (int i = 1; i <= n; ++i) {
+    const std::string name = "x" + std::to_string(i);
+    b.coordinate(name, "m");
+    squares += (i == 1 ? "m*" : " + m*") + name + "_d^2";
+    coordinates += " " + name;
+    zeros += " 0";
+    ones += " 1";
+  }
+  b.T("(" + squares + ")/2");
+  const std::string rows = std::to_string(n) + " 1 =";
+  return system_of(b.model,
+                   "parameters m\ncoordinates" + coordinates + "\n" +
+                       function_text("forward_dynamics", "  0 = constant 0\n  1 = constant 1\n",
+                                     "  result acceleration " + rows + zeros +
+                                         "\n  result relative_pivots " + rows + ones + "\n"));
+}
+
+/// The inverse dynamics m a of masses_in_a_row(n), or m + a if `is_wrong`.
+inline Program forces_of_masses(int n, bool is_wrong = false) {
+  std::string coordinates;
+  std::string body = "  0 = parameter m\n";
+  std::string forces;
+  for (int i = 1; i <= n; ++i) {
+    const std::string name = " x" + std::to_string(i);
+    coordinates += name;
+    body += "  " + std::to_string(2 * i - 1) + " = acceleration" + name + "\n  " +
+            std::to_string(2 * i) + (is_wrong ? " = add 0 " : " = multiply 0 ") +
+            std::to_string(2 * i - 1) + "\n";
+    forces += " " + std::to_string(2 * i);
+  }
+  return read_program("parameters m\ncoordinates" + coordinates + "\n" +
+                      function_text("inverse_dynamics", body,
+                                    "  result " + std::to_string(n) + " 1 =" + forces + "\n"));
+}
+
 inline Model oscillator_model() {
   ModelBuilder b;
   b.coordinate("x", "m").input("u", 0).parameter("m", "2").parameter("c", "0.3");

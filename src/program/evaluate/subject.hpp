@@ -18,6 +18,9 @@ struct SystemUnderTest {
   const Model& model;
   const Scene& scene;
   const Program& program;
+  /// Functions that the scene does not request, but that save work of the oracle; may be null.
+  /// Their values are compared with the oracle's before they are used.
+  const Program* unrequested = nullptr;
 
   operator StateSpace() const { return {model, scene, program.leaves}; }
 };

@@ -2,9 +2,14 @@
 // values. Decides by two constants if a value agrees with the oracle's.
 #include "verify/bounds/oracle_cache.hpp"
 
+#include <cmath>
+#include <limits>
+
+#include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
 #include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
+#include "sample/points.hpp"
 
 namespace elgen {
 namespace {
@@ -16,7 +21,56 @@ constexpr int digits_of_error = 50;
 /// as projections and the oracle's own derivatives.
 constexpr int digits_of_scale = 52;
 
+/// A function of the program, or an unrequested function, that gives M.
+struct MassSource {
+  const Program& program;
+  const Function& function;
+};
+
+/// Prefers the mass matrix to inverse dynamics. None if the oracle solves the equations itself.
+std::optional<MassSource> find_mass_source(const SystemUnderTest& subject) {
+  if (is_solved_by_oracle(subject.model)) return std::nullopt;
+  for (const OutputKind kind : {OutputKind::mass_matrix, OutputKind::inverse_dynamics}) {
+    for (const Program* const program : {&subject.program, subject.unrequested}) {
+      const Function* const found = program == nullptr ? nullptr : find_function(*program, kind);
+      if (found != nullptr) return MassSource{*program, *found};
+    }
+  }
+  return std::nullopt;
+}
+
+/// M, n x n row-major. From inverse dynamics tau as a function of a: M e_j = tau(e_j) - tau(0).
+template <class Number>
+std::vector<Number> evaluate_mass(const MassSource& source, const Model& model,
+                                  const State& state) {
+  const std::size_t n = state.v.size();
+  Arguments<Number> at = arguments_at<Number>(state);
+  if (source.function.kind == OutputKind::mass_matrix)
+    return evaluate(source.program, source.function, at);
+  at.a.assign(n, Number());
+  if (model.is_quadratic) at.v = at.a;  // fewer digits cancel
+  const std::vector<Number> rest = evaluate(source.program, source.function, at);
+  std::vector<Number> mass(n * n);
+  for (std::size_t j = 0; j < n; ++j) {
+    at.a[j] = Number(1);
+    const std::vector<Number> forces = evaluate(source.program, source.function, at);
+    for (std::size_t i = 0; i < n; ++i) mass[i * n + j] = forces[i] - rest[i];
+    at.a[j] = Number();
+  }
+  return mass;
+}
+
 }  // namespace
+
+bool is_solved_by_oracle(const Model& model) {
+  constexpr std::size_t most_velocities = 4;
+  return !model.constraints.empty() || model.velocities.size() <= most_velocities;
+}
+
+void add_product(const RunningValue<Real>& x, const cln::cl_R& factor, RunningValue<Real>& sum) {
+  sum.value = sum.value + x.value * Real(factor);
+  sum.error = sum.error + x.error * Real(cln::abs(factor));
+}
 
 const OracleValues& OracleCache::values(const OutputRequest& request) {
   const auto key = std::make_pair(request.kind, request.user);
@@ -34,11 +88,37 @@ std::optional<cln::cl_R> OracleCache::contraction(const OutputRequest& request,
   return contract_entries(subject_.model, request, *entries, by);
 }
 
+const OracleValues& OracleCache::mass_of_program() {
+  if (mass_of_program_) return *mass_of_program_;
+  OracleValues& values = mass_of_program_.emplace();
+  const std::optional<MassSource> source = find_mass_source(subject_);
+  if (!source) return values;
+  const std::vector<Real> mass = evaluate_mass<Real>(*source, subject_.model, state_);
+  const std::size_t n = state_.v.size();
+  Sampler draw(1);
+  const Contraction by{draw.vector(n), draw.vector(n)};
+  RunningValue<Real> sum;
+  for (std::size_t k = 0; k < n * n; ++k) {
+    add_product({mass[k], abs(mass[k])}, by.w[k / n] * by.y[k % n], sum);
+  }
+  const auto truth = contraction({.kind = OutputKind::mass_matrix}, by);
+  if (truth && agrees_with_oracle(sum, *truth, *this)) values = to_oracle_values(mass);
+  return values;
+}
+
 const std::vector<cln::cl_R>& OracleCache::diagonal_of_mass() {
   if (diagonal_) return *diagonal_;
   diagonal_.emplace();
-  for (std::size_t i = 0; i < state_.v.size(); ++i) {
-    std::vector<cln::cl_R> axis(state_.v.size(), cln::cl_R(0));
+  const std::size_t n = state_.v.size();
+  std::vector<double> mass(n * n, std::numeric_limits<double>::quiet_NaN());
+  if (const auto source = find_mass_source(subject_))
+    mass = evaluate_mass<double>(*source, subject_.model, state_);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (std::isfinite(mass[i * n + i]) && mass[i * n + i] > 0) {
+      diagonal_->push_back(exact_value(mass[i * n + i]));
+      continue;
+    }
+    std::vector<cln::cl_R> axis(n, cln::cl_R(0));
     axis[i] = 1;
     const auto entry = contraction({.kind = OutputKind::mass_matrix}, {axis, axis});
     diagonal_->push_back(entry.value_or(0));

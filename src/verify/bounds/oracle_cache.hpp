@@ -26,7 +26,13 @@ class OracleCache {
   [[nodiscard]] std::optional<cln::cl_R> contraction(const OutputRequest& request,
                                                      const Contraction& by);
 
-  /// The diagonal of M; 0 for an undefined entry.
+  /// M from a function of the program or from an unrequested function, at less cost than M from the
+  /// energies: from the mass matrix or from inverse dynamics. None without these functions, if w.M
+  /// y differs from the oracle's, or if is_solved_by_oracle().
+  [[nodiscard]] const OracleValues& mass_of_program();
+
+  /// The diagonal of M, in double if a function gives M; 0 for an undefined entry. Only weights of
+  /// losses use it.
   [[nodiscard]] const std::vector<cln::cl_R>& diagonal_of_mass();
 
   /// |E| plus the magnitudes of the terms of V; 0 if E is undefined. If an entry is 0 in exact
@@ -45,6 +51,7 @@ class OracleCache {
   const SystemUnderTest& subject_;
   State state_;
   std::map<std::pair<OutputKind, std::uint32_t>, OracleValues> known_ = {};
+  std::optional<OracleValues> mass_of_program_ = {};
   std::optional<std::vector<cln::cl_R>> diagonal_ = {};
   std::optional<cln::cl_R> energy_ = {};
   std::optional<cln::cl_R> rounding_scale_ = {};
@@ -52,6 +59,13 @@ class OracleCache {
   [[nodiscard]] cln::cl_R largest_force();
   [[nodiscard]] cln::cl_R largest_inertial_force();
 };
+
+/// True if the oracle's own solutions serve as reference: up to four velocities, or with
+/// constraints.
+[[nodiscard]] bool is_solved_by_oracle(const Model& model);
+
+/// sum += x factor
+void add_product(const RunningValue<Real>& x, const cln::cl_R& factor, RunningValue<Real>& sum);
 
 /// True if |value - truth| <= 1e-50 (E + |truth|) + 1e-52 `scale`, E = number.error. `scale` is the
 /// scale of rounding errors of values that are exactly 0; E of such a value is too small. False if

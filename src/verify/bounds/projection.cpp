@@ -1,13 +1,15 @@
 // Compares projections with the oracle's contractions. With up to four coordinates, relative pivots
 // and accelerations come from the oracle's own solution. With more coordinates, they come from the
-// program's mass matrix and accelerations, which other rows of the certificate compare. With
-// constraints the oracle solves the equations, because few outputs return the multipliers.
+// program: from OracleCache::mass_of_program(), and from its accelerations, which other rows of the
+// certificate compare. With constraints the oracle solves the equations, because few outputs return
+// the multipliers.
 #include "verify/bounds/projection.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "elgen/certificate.hpp"
 #include "elgen/outputs.hpp"
 #include "model/elimination.hpp"
 #include "model/requests.hpp"
@@ -17,9 +19,6 @@ namespace {
 
 using cln::cl_R;
 using RealNumbers = std::vector<cl_R>;
-
-/// The largest number of coordinates for which the oracle solves the equations itself.
-constexpr std::size_t max_oracle_coordinates = 4;
 
 Mismatch make_mismatch(const std::string& what, const Real& value, const cl_R& truth) {
   return {fmt::format("{} is {}, the oracle says {}", what, short_text(value),
@@ -35,25 +34,13 @@ Mismatch compare_forces(const std::string& what, const cl_R& left, const cl_R& r
   return make_mismatch(what, sum.value, right);
 }
 
-/// The values of an output: the program's if it has this function and the model has more than
-/// max_oracle_coordinates coordinates, otherwise the oracle's.
-OracleValues values_for_projection(const SystemUnderTest& subject, OutputKind kind,
-                                   OracleCache& oracle) {
-  const Function* function = find_function(subject.program, kind);
-  const State& state = oracle.state();
-  if (function == nullptr || state.v.size() <= max_oracle_coordinates)
-    return oracle.values({.kind = kind});
-  return to_oracle_values(evaluate(subject.program, *function, arguments_at<Real>(state)));
-}
-
-/// The relative pivots of M in the model's order of elimination; none if M is undefined or
+/// The relative pivots of M = `mass` in the model's order of elimination; none if M is undefined or
 /// singular.
-OracleValues pivots_of_mass(const SystemUnderTest& subject, OracleCache& oracle) {
-  OracleValues m = values_for_projection(subject, OutputKind::mass_matrix, oracle);
-  if (!m) return std::nullopt;
-  const bool last_first = eliminates_backward(subject.model);
-  if (last_first) std::ranges::reverse(*m);
-  OracleValues pivots = oracle_relative_pivots(std::move(*m), oracle.state().v.size());
+OracleValues pivots_of_mass(const Model& model, OracleValues mass) {
+  if (!mass) return std::nullopt;
+  const bool last_first = eliminates_backward(model);
+  if (last_first) std::ranges::reverse(*mass);
+  OracleValues pivots = oracle_relative_pivots(std::move(*mass), model.velocities.size());
   if (last_first && pivots) std::ranges::reverse(*pivots);
   return pivots;
 }
@@ -65,7 +52,7 @@ class ProjectionComparison {
                        const ExactRun& run, OracleCache& oracle, Sampler& draw)
       : subject_(subject), place_(place), run_(run), oracle_(oracle), sampler_(draw) {}
 
-  Mismatch compare() {
+  std::optional<Mismatch> compare() {
     const OutputRow& output = output_row(place_.request.kind);
     const bool is_motion =
         output.solves_mass_matrix && (output.gives_pivots || output.differentiates);
@@ -90,33 +77,42 @@ class ProjectionComparison {
     RunningValue<Real> sum;
     const std::size_t columns = by.y.empty() ? 1 : by.y.size();
     for (std::size_t i = 0; i < by.w.size() * columns; ++i) {
-      const cl_R factor = by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns];
-      const Real size(cln::abs(factor));
-      sum.value = sum.value + entry(i).value * Real(factor);
-      sum.error = sum.error + entry(i).error * size;
+      add_product(entry(i), by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns], sum);
     }
     return sum;
   }
 
   /// Compares the contraction of the first `rows` rows of the field.
-  Mismatch compare_contraction(std::size_t rows) {
+  std::optional<Mismatch> compare_contraction(std::size_t rows) {
     const Field& field = place_.field();
-    if (field.entries.empty()) return {};
+    if (field.entries.empty()) return Mismatch();
     Contraction by{sampler_.vector(rows), {}, place_.request_field_index};
     by.w.resize(field.rows, cl_R(0));
     const bool is_matrix = is_matrix_field(row()) || field.columns > 1;
     if (is_matrix) by.y = sampler_.vector(field.columns);
     const RunningValue<Real> sum = contract(by);
     const auto truth = oracle_.contraction(place_.request, by);
-    if (!truth || agrees_with_oracle(sum, *truth, oracle_)) return {};
+    if (!truth) return std::nullopt;
+    if (agrees_with_oracle(sum, *truth, oracle_)) return Mismatch();
     const std::string of_field = field.name.empty() ? "" : " of " + field.name;
     return make_mismatch((is_matrix ? "w.X y" : "w.x") + of_field, sum.value, *truth);
   }
 
-  /// The mismatch of an undefined entry, called `what`; no mismatch if the oracle has no value.
-  Mismatch compare_undefined(const std::string& what) {
+  /// The mismatch of an undefined entry, called `what`; none if the oracle has no value.
+  std::optional<Mismatch> compare_undefined(const std::string& what) {
     const OracleValues& truth = oracle_.values(place_.request);
-    return truth ? make_mismatch(what, Real::undefined(), truth->front()) : Mismatch();
+    if (!truth) return std::nullopt;
+    return make_mismatch(what, Real::undefined(), truth->front());
+  }
+
+  /// The accelerations, which come first in forward dynamics: the program's, which other rows
+  /// compare, or the oracle's.
+  OracleValues accelerations() {
+    constexpr OutputKind kind = OutputKind::forward_dynamics;
+    const Function* const function = find_function(subject_.program, kind);
+    if (function == nullptr || is_solved_by_oracle(subject_.model))
+      return oracle_.values({.kind = kind});
+    return to_oracle_values(evaluate(subject_.program, *function, arguments_at<Real>(state())));
   }
 
   /// w.B y; 0 if y is empty.
@@ -125,7 +121,7 @@ class ProjectionComparison {
     return oracle_.contraction({.kind = OutputKind::input_matrix}, {w, y});
   }
 
-  Mismatch compare_acceleration() {
+  std::optional<Mismatch> compare_acceleration() {
     const std::size_t n = state().v.size();
     State moving = state();
     for (std::size_t i = 0; i < n; ++i) {
@@ -136,13 +132,15 @@ class ProjectionComparison {
     const auto force =
         oracle_contraction(subject_.model, {.kind = OutputKind::inverse_dynamics}, moving, {w});
     const auto driven = input_force(w, state().u);
-    if (!force || !driven) return {};
+    if (!force || !driven) return std::nullopt;
     return compare_forces("w.(M a + bias)", *force, *driven, oracle_);
   }
 
-  Mismatch compare_pivots() {
-    const OracleValues pivots = pivots_of_mass(subject_, oracle_);
-    if (!pivots) return {};
+  std::optional<Mismatch> compare_pivots() {
+    const OracleValues& mass = oracle_.mass_of_program();
+    const OracleValues pivots = pivots_of_mass(
+        subject_.model, mass ? mass : oracle_.values({.kind = OutputKind::mass_matrix}));
+    if (!pivots) return std::nullopt;
     for (std::size_t i = 0; i < pivots->size(); ++i) {
       const Real truth((*pivots)[i]);
       // The scale of rounding errors is 1, because a pivot is relative to a diagonal entry. The
@@ -150,7 +148,7 @@ class ProjectionComparison {
       if (agrees({entry(i).value, abs(truth)}, truth, Real(1))) continue;
       return make_mismatch("a relative pivot", entry(i).value, (*pivots)[i]);
     }
-    return {};
+    return Mismatch();
   }
 
   /// X y, without the rows above the accelerations; none if an entry is undefined.
@@ -172,7 +170,7 @@ class ProjectionComparison {
   std::optional<cl_R> response_force(const RealNumbers& w, const RealNumbers& y) {
     const std::optional<FieldLine> column = line_at(subject_.model, row().columns, 0);
     if (column && column->leaf == Opcode::input) return input_force(w, y);
-    const auto solution = values_for_projection(subject_, OutputKind::forward_dynamics, oracle_);
+    const OracleValues solution = accelerations();
     if (!solution) return std::nullopt;
     State moving = state();
     std::copy_n(solution->begin(), w.size(), moving.a.begin());
@@ -186,9 +184,9 @@ class ProjectionComparison {
     return slope ? std::optional<cl_R>(-*slope) : std::nullopt;
   }
 
-  Mismatch compare_response() {
+  std::optional<Mismatch> compare_response() {
     const Field& field = place_.field();
-    if (field.entries.empty()) return {};
+    if (field.entries.empty()) return Mismatch();
     const std::size_t n = state().v.size();
     const RealNumbers w = sampler_.vector(n);
     const RealNumbers y = sampler_.vector(field.columns);
@@ -197,10 +195,11 @@ class ProjectionComparison {
     const OutputRequest mass{.kind = OutputKind::mass_matrix};
     const auto left = oracle_.contraction(mass, {w, *z});
     const auto right = response_force(w, y);
-    if (!left || !right) return {};
+    if (!left || !right) return std::nullopt;
     const Mismatch wrong = compare_forces("w.M (X y) of " + field.name, *left, *right, oracle_);
     // The rows above the accelerations are not solved for, so they are compared directly.
-    return wrong.text.empty() && field.rows > n ? compare_contraction(n) : wrong;
+    if (wrong.text.empty() && field.rows > n) return compare_contraction(n);
+    return wrong;
   }
 
   const SystemUnderTest& subject_;
@@ -212,9 +211,28 @@ class ProjectionComparison {
 
 }  // namespace
 
-Mismatch compare_projection(const SystemUnderTest& subject, const ComparedField& place,
-                            const ExactRun& run, OracleCache& oracle, Sampler& draw) {
+std::optional<Mismatch> compare_projection(const SystemUnderTest& subject,
+                                           const ComparedField& place, const ExactRun& run,
+                                           OracleCache& oracle, Sampler& draw) {
   return ProjectionComparison(subject, place, run, oracle, draw).compare();
+}
+
+bool is_projected_at(const ComparedField& place, const Model& model, std::size_t state) {
+  constexpr std::size_t most_velocities = 20;
+  const bool is_costly = model.velocities.size() > most_velocities;
+  return !is_costly || place.row().rows != Extent::pivots || state == 0;
+}
+
+std::vector<OutputRequest> outputs_for_self_check(const Model& model, const Program& program) {
+  const auto compares_pivots = [](const Function& function) {
+    return output_row(function.kind).gives_pivots && has_pivots(function);
+  };
+  const bool needs_mass =
+      !is_solved_by_oracle(model) && std::ranges::any_of(program.functions, compares_pivots);
+  const bool has_mass = find_function(program, OutputKind::mass_matrix) != nullptr ||
+                        find_function(program, OutputKind::inverse_dynamics) != nullptr;
+  if (!needs_mass || has_mass) return {};
+  return available_requests(model, {OutputKind::inverse_dynamics});
 }
 
 }  // namespace elgen

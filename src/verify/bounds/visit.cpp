@@ -158,7 +158,7 @@ Mismatch StateCheck<Scalar>::compare_by_projection(const ComparedField& place, S
                                              place.closed_form.first_entry, "its closed form");
     if (!differs.text.empty()) return differs;
   }
-  return compare_projection(subject_, place, *exact_, oracle_, draw);
+  return compare_projection(subject_, place, *exact_, oracle_, draw).value_or(Mismatch());
 }
 
 template <class Scalar>

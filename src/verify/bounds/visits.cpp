@@ -14,6 +14,7 @@
 #include "elgen/outputs.hpp"
 #include "toolchain/forked.hpp"
 #include "verify/bounds/accuracy.hpp"
+#include "verify/bounds/projection.hpp"
 
 namespace elgen {
 namespace {
@@ -91,13 +92,14 @@ class FindingsFile {
   std::unique_ptr<std::FILE, FileCloser> file_;
 };
 
-/// True if the output is compared at this sample. The oracle's derivatives of the dynamics cost
+/// True if the field is compared at this sample. The oracle's derivatives of the dynamics cost
 /// `velocities` times as much as all other outputs together. With ComparisonMode::entries and more
 /// than three velocities, these derivatives are compared at every sixteenth sample.
-bool is_compared_at(OutputKind kind, std::size_t velocities, std::size_t sample,
+bool is_compared_at(const ComparedField& place, const Model& model, std::size_t sample,
                     ComparisonMode comparison) {
-  const bool is_costly = comparison == ComparisonMode::entries && velocities > 3;
-  return !is_costly || !output_row(kind).differentiates || sample % 16 == 0;
+  if (comparison == ComparisonMode::projections) return is_projected_at(place, model, sample);
+  const bool is_costly = model.velocities.size() > 3;
+  return !is_costly || !output_row(place.request.kind).differentiates || sample % 16 == 0;
 }
 
 template <class Scalar>
@@ -120,11 +122,10 @@ class StateCheckRunner {
   [[nodiscard]] Findings findings_at(std::size_t i) const {
     StateCheck<Scalar> visit(subject_, states_[i], options_.check_options);
     Sampler draw(i + 1);
-    const std::size_t velocities = visit.state().v.size();
     Findings findings;
     for (const ComparedField& place : places_) {
       const bool looks =
-          is_compared_at(place.request.kind, velocities, i, options_.check_options.comparison);
+          is_compared_at(place, subject_.model, i, options_.check_options.comparison);
       findings.push_back(looks ? std::optional(visit.check_field(place, draw)) : std::nullopt);
     }
     return findings;
