@@ -1,8 +1,10 @@
 // Values: the values of outputs at states, in decimal digits, for people and for tests of foreign
-// code. The oracle computes them from the defining equations, independently of the derivation.
+// code. The oracle computes or confirms them from the defining equations, independently of the
+// derivation.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -68,6 +70,8 @@ inline constexpr int max_value_digits = 60;
 struct TestVectorOptions {
   std::size_t samples = 16;  ///< number of states, common to all functions
   std::uint64_t seed = 1;
+  /// Called before each value, with a text: "gravity, state 3 of 16".
+  std::function<void(const std::string&)> on_step = {};
 };
 
 /// The values of each function at several states, whose numbers are doubles: the start of the
@@ -76,6 +80,9 @@ struct TestVectorOptions {
 /// measure the violation of constraints. A function has no record at a state at which its value is
 /// undefined or not known to enough digits. E521: a function has no record. E633: a function
 /// contains an open function.
+///
+/// The functions of `program` compute the values in 64 digits, and the oracle confirms every field
+/// by a random projection. The oracle computes the values that are not confirmed.
 [[nodiscard]] Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& program,
                                               const TestVectorOptions& options);
 

@@ -29,9 +29,10 @@ constexpr std::array vector_formats{DataFormat<ValueTable>{"csv", &to_csv},
 Result<ValueTable> compute_vectors(const GlobalOptions& global, const VectorsOptions& options,
                                    const Products& products) {
   const Progress progress(options.input);
-  progress.show_stage("vectors");
   renew_time_limit(global.limits);
-  return test_vectors(*products.checked, *products.program, options.vectors);
+  TestVectorOptions vectors = options.vectors;
+  vectors.on_step = [&progress](const std::string& step) { progress.show_stage(step); };
+  return test_vectors(*products.checked, *products.program, vectors);
 }
 
 ExitCode make_vectors(const GlobalOptions& global, const VectorsOptions& options) {

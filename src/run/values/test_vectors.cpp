@@ -1,5 +1,5 @@
-// Test vectors: draws states of several kinds in turn; finds how many digits of each value a double
-// keeps.
+// Test vectors: draws states of several kinds in turn; finds the values of the emitted functions,
+// and how many digits of each value a double keeps.
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "program/evaluate/subject.hpp"
 #include "run/values/records.hpp"
 #include "sample/states.hpp"
+#include "verify/bounds/confirmed_values.hpp"
 #include "verify/bounds/exact_run.hpp"
 
 namespace elgen {
@@ -84,12 +85,8 @@ int correct_digits(const RunningValue<Real>& value, const cl_R& size) {
 }
 
 /// The correct digits of all values in double, by the running errors of the emitted function.
-std::vector<int> record_digits(const SystemUnderTest& subject, const ValueFunction& function,
-                               const ValueRecord& record) {
-  const Function& emitted =
-      *find_function(subject.program, function.output.kind, function.output.user);
-  const ExactRun run =
-      run_exactly(subject.program, emitted, record.state, rounding_constants<double>());
+std::vector<int> record_digits(const ValueFunction& function, const ValueRecord& record,
+                               const ExactRun& run) {
   std::vector<int> digits;
   for (const ValueField& field : function.fields) {
     const auto first = record.values.begin() + static_cast<std::ptrdiff_t>(digits.size());
@@ -101,6 +98,23 @@ std::vector<int> record_digits(const SystemUnderTest& subject, const ValueFuncti
     }
   }
   return digits;
+}
+
+/// The values of table.functions[index] at the state, and their digits in double. Errors of
+/// make_value_record().
+Result<ValueRecord> make_vector(const SystemUnderTest& subject, const ValueTable& table,
+                                std::size_t index, std::string place, const State& state) {
+  const ValueFunction& function = table.functions[index];
+  const Function* const emitted =
+      find_function(subject.program, function.output.kind, function.output.user);
+  const ExactRun run = run_exactly(subject.program, *emitted, state, rounding_constants<double>());
+  const auto number = static_cast<std::size_t>(emitted - subject.program.functions.data());
+  auto confirmed = confirmed_values(subject, number, state, run);
+  Result<ValueRecord> record =
+      confirmed ? ValueRecord{index, std::move(place), state, std::move(*confirmed)}
+                : make_value_record(table, index, std::move(place), state);
+  if (record) record->digits = record_digits(function, *record, run);
+  return record;
 }
 
 /// E633 for each function that the program calls although it has no expression.
@@ -139,19 +153,20 @@ Result<ValueTable> test_vectors(const CheckedModel& checked, const Program& prog
   }
   for (std::size_t i = 0; i < table.functions.size(); ++i) {
     const std::size_t known = table.records.size();
-    for (const TestVectorState& at : states) {
-      const auto state = evaluation_state(subject, table.functions[i].output.kind, at);
+    const OutputRequest& output = table.functions[i].output;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      if (options.on_step) {
+        options.on_step(fmt::format("{}, state {} of {}", output.name, k + 1, states.size()));
+      }
+      const auto state = evaluation_state(subject, output.kind, states[k]);
       if (!state) continue;
-      Result<ValueRecord> record = make_value_record(table, i, at.label, *state);
-      if (!record) continue;
-      record->digits = record_digits(subject, table.functions[i], *record);
-      table.records.push_back(std::move(*record));
+      Result<ValueRecord> record = make_vector(subject, table, i, states[k].label, *state);
+      if (record) table.records.push_back(std::move(*record));
     }
     if (table.records.size() > known) continue;
-    errors.push_back(
-        {Code::E521, table.functions[i].output.span,
-         fmt::format("{} has no value at {}", quote_text(table.functions[i].output.name),
-                     count_text(states.size(), "state that was drawn"))});
+    errors.push_back({Code::E521, output.span,
+                      fmt::format("{} has no value at {}", quote_text(output.name),
+                                  count_text(states.size(), "state that was drawn"))});
   }
   if (!errors.empty()) return errors;
   return table;

@@ -139,6 +139,10 @@ const cln::cl_R& OracleCache::rounding_scale() {
   return *rounding_scale_;
 }
 
+cln::cl_R OracleCache::used_scale() const {
+  return rounding_scale_ ? *rounding_scale_ : energy_.value_or(cln::cl_R(0));
+}
+
 cln::cl_R OracleCache::largest_force() {
   cln::cl_R largest = 0;
   for (const OutputKind kind :

@@ -47,6 +47,9 @@ class OracleCache {
   ///     |v|^2 + |a|              accelerations of points and frames, also without energies
   [[nodiscard]] const cln::cl_R& rounding_scale();
 
+  /// The largest of these scales that was needed; 0 if none was needed.
+  [[nodiscard]] cln::cl_R used_scale() const;
+
  private:
   const SystemUnderTest& subject_;
   State state_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "numbers/exact_number.hpp"
 #include "run/values/values_testing.hpp"
 
 using namespace elgen;
@@ -143,4 +144,27 @@ TEST_CASE("vectors of outputs with an open function are refused with its name") 
   CHECK(refused.table.diagnostics[0].message ==
         "`V` is left open, but vectors of `bias`, `gravity` need its values");
   CHECK(Vectors(open, {}, "mass_matrix").table);
+}
+
+TEST_CASE("values of vectors are the oracle's, and each is announced") {
+  std::vector<std::string> steps;
+  const Vectors vectors(
+      model_file("double_pendulum"),
+      {.samples = 2, .on_step = [&](const std::string& step) { steps.push_back(step); }},
+      "gravity,linearization");
+  REQUIRE(vectors.table);
+  CHECK(steps == std::vector<std::string>{"gravity, state 1 of 2", "gravity, state 2 of 2",
+                                          "linearization, state 1 of 2",
+                                          "linearization, state 2 of 2"});
+  for (const ValueRecord& record : vectors.table->records) {
+    const ValueTable& table = *vectors.table;
+    const StableValues expected =
+        stable_values(table.model, table.functions[record.function].output, record.state);
+    REQUIRE(expected.values);
+    REQUIRE(record.values.size() == expected.values->size());
+    for (std::size_t i = 0; i < record.values.size(); ++i) {
+      CHECK(cln::abs(record.values[i] - (*expected.values)[i]) <=
+            cln::abs(record.values[i]) * power_of_ten(-20));
+    }
+  }
 }
