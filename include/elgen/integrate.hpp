@@ -31,15 +31,26 @@ namespace elgen {
 [[nodiscard]] std::vector<OutputRequest> outputs_for_step(const Model& model,
                                                           const OutputRequest& step);
 
+/// The output whose parts (elgen/compose.hpp) a step calls, because the parts give the
+/// accelerations and their derivatives together; none if the step calls only outputs.
+[[nodiscard]] std::vector<OutputRequest> parts_for_step(const Model& model,
+                                                        const OutputRequest& step);
+
+/// The functions that a step calls.
+struct StepCallees {
+  Program outputs = {};             ///< of outputs_for_step(), in chosen forms
+  Program acceleration_parts = {};  ///< of parts_for_step(), as the stage cancel returns them
+};
+
 /// The reason why verlet is not symplectic or not explicit for this system; "" if verlet is
 /// symplectic and explicit. The decision depends on the leaves that the instructions of
 /// mass_matrix, momentum and bias load; `program` must contain these outputs. The model must not
 /// have rotations (E622).
 [[nodiscard]] std::string nonseparable_reason(const CheckedModel& checked, const Program& program);
 
-/// Appends the function of the request `step` to `program`. `calls` contains the outputs of
-/// outputs_for_step() in chosen forms. E622: the method does not apply to the system.
+/// Appends the function of the request `step` to `program`. E622: the method does not apply to the
+/// system.
 [[nodiscard]] Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step,
-                                   const Program& calls, Program& program);
+                                   const StepCallees& calls, Program& program);
 
 }  // namespace elgen

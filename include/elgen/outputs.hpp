@@ -77,7 +77,7 @@ enum class Need : std::uint8_t {
   few_inputs,             ///< at most as many inputs as degrees of freedom
   no_cyclic_coordinates,  ///< an [[output]] without coordinates that [routh] eliminates
   smooth_forces,          ///< forces without kinks
-  few_velocities,         ///< few enough velocities for straight-line derivatives of a step
+  few_velocities,         ///< few enough velocities for derivatives of a step
   closed_functions,       ///< no open function without an expression in the scene
   jacobian,               ///< `jacobian = true` of the [[output]]
   position_values,        ///< an [[output]] over positions only

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <compare>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,15 @@ enum class StepDomain : std::uint8_t { any, separable, quadratic };
 /// The most iterations of an implicit step. A step that has not converged after 20 iterations needs
 /// a shorter h, not more iterations.
 inline constexpr std::uint32_t max_step_iterations = 20;
+
+/// For more velocities, derivatives of a step call the parts of derivatives of accelerations
+/// (elgen/compose.hpp), and interpreted languages loop over columns: straight-line code would have
+/// megabytes.
+inline constexpr std::size_t max_differentiated_velocities = 10;
+
+/// The most velocities of derivatives of a step. The program lists every repetition: for 40
+/// velocities and inputs, 3.5 million instructions.
+inline constexpr std::size_t max_step_velocities = 40;
 
 struct StepMethodRow {
   StepMethod id;

@@ -6,6 +6,7 @@
 #include "base/reason.hpp"
 #include "elgen/inertial_parameters.hpp"
 #include "elgen/references.hpp"
+#include "elgen/step_methods.hpp"
 #include "model/requests.hpp"
 
 namespace elgen {
@@ -116,11 +117,9 @@ MaybeUnmetNeed check_no_cyclic_coordinates(const Model& model, const OutputReque
 }
 
 MaybeUnmetNeed check_velocity_count(const Model& model) {
-  // Derivatives of a step are straight-line code: 12 MB for solo12 with its 18 velocities.
-  constexpr std::size_t most = 10;
   const std::size_t count = model.velocities.size();
-  return unmet_need_if(count > most, Reason::too_many_velocities,
-                       "supports at most " + std::to_string(most) +
+  return unmet_need_if(count > max_step_velocities, Reason::too_many_velocities,
+                       "supports at most " + std::to_string(max_step_velocities) +
                            " velocities, but the model has " + std::to_string(count) +
                            "; `linearization` at the states of a step has no limit");
 }

@@ -110,17 +110,37 @@ Result<FormChoice> choose_program_forms(const ChoiceInput& input, const Program&
   return choice;
 }
 
-/// The functions that `step` calls, in the forms that a scene with only these functions would have.
-Result<Program> derive_step_callees(const Lagrangian& lagrangian, const CheckedModel& checked,
-                                    const OutputRequest& step, const Limits& limits) {
+/// The equations of `outputs` as a program without terms that cancel, before compose_outputs().
+Result<Program> derive_parts(const Lagrangian& lagrangian,
+                             const std::vector<OutputRequest>& outputs, const Limits& limits) {
+  const Result<EquationsOfMotion> equations = derive(lagrangian, outputs, limits);
+  if (!equations) return equations.diagnostics;
+  Result<Program> lowered = lower(*equations, outputs, limits);
+  if (!lowered) return lowered.diagnostics;
+  return cancel(std::move(*lowered));
+}
+
+/// The functions that `step` calls; outputs in the forms that a scene with only these outputs would
+/// have.
+Result<StepCallees> derive_step_callees(const Lagrangian& lagrangian, const CheckedModel& checked,
+                                        const OutputRequest& step, const Limits& limits) {
+  StepCallees calls;
   Scene scene = checked.scene;
   scene.outputs = outputs_for_step(checked.model, step);
-  const Result<Program> recursive = derive_recursive_program(lagrangian, scene.outputs, limits);
-  if (!recursive) return recursive.diagnostics;
-  Result<FormChoice> choice = choose_program_forms({lagrangian, checked.model, scene, limits},
-                                                   *recursive, present(*recursive));
-  if (!choice) return choice.diagnostics;
-  return std::move(choice->program);
+  if (!scene.outputs.empty()) {
+    const Result<Program> recursive = derive_recursive_program(lagrangian, scene.outputs, limits);
+    if (!recursive) return recursive.diagnostics;
+    Result<FormChoice> choice = choose_program_forms({lagrangian, checked.model, scene, limits},
+                                                     *recursive, present(*recursive));
+    if (!choice) return choice.diagnostics;
+    calls.outputs = std::move(choice->program);
+  }
+  const std::vector<OutputRequest> derivatives = parts_for_step(checked.model, step);
+  if (derivatives.empty()) return calls;
+  Result<Program> parts = derive_parts(lagrangian, derivatives, limits);
+  if (!parts) return parts.diagnostics;
+  calls.acceleration_parts = std::move(*parts);
+  return calls;
 }
 
 /// Adds the costs of the step, which is the last function and has only one form.
@@ -242,11 +262,9 @@ Result<Program> solve_on_paper(const Lagrangian& lagrangian, const CheckedModel&
 Result<Program> derive_recursive_program(const Lagrangian& lagrangian,
                                          const std::vector<OutputRequest>& outputs,
                                          const Limits& limits) {
-  const Result<EquationsOfMotion> equations = derive(lagrangian, outputs, limits);
-  if (!equations) return equations.diagnostics;
-  Result<Program> lowered = lower(*equations, outputs, limits);
-  if (!lowered) return lowered.diagnostics;
-  return compose_outputs(cancel(std::move(*lowered)));
+  Result<Program> parts = derive_parts(lagrangian, outputs, limits);
+  if (!parts) return parts.diagnostics;
+  return compose_outputs(std::move(*parts));
 }
 
 Result<FormChoice> choose_forms(const Lagrangian& lagrangian, const Program& recursive,
@@ -257,7 +275,7 @@ Result<FormChoice> choose_forms(const Lagrangian& lagrangian, const Program& rec
   if (!choice) return choice;
   for (const OutputRequest& output : checked.scene.outputs) {
     if (!output_row(output.kind).is_step) continue;
-    const Result<Program> calls = derive_step_callees(lagrangian, checked, output, limits);
+    const Result<StepCallees> calls = derive_step_callees(lagrangian, checked, output, limits);
     if (!calls) return calls.diagnostics;
     Diagnostics errors = add_step(checked, output, *calls, choice->program);
     if (!errors.empty()) return errors;

@@ -50,6 +50,41 @@ unit = "N"
 on = "x"
 )toml";
 
+/// Twelve equal masses on springs, x1 to x12, the first on a spring to a wall.
+std::string masses_text() {
+  std::string coordinates;
+  std::string kinetic = "0";
+  std::string potential = "1/2*k*x1^2";
+  for (int i = 1; i <= 12; ++i) {
+    const std::string x = "x" + std::to_string(i);
+    coordinates += "[[coordinate]]\nname = \"" + x + "\"\nunit = \"m\"\n";
+    kinetic += " + 1/2*m*dot(" + x + ")^2";
+    if (i > 1) potential += " + 1/2*k*(" + x + " - x" + std::to_string(i - 1) + ")^2";
+  }
+  return "format = 1\n[model]\nname = \"masses\"\n" + coordinates +
+         "[parameters]\nm = { value = 2, unit = \"kg\" }\nk = { value = 3, unit = \"N/m\" }\n"
+         "[energy]\nT = \"" +
+         kinetic.substr(4) + "\"\nV = \"" + potential + "\"\n";
+}
+
+/// free_body.toml with an arm of five links: eleven velocities, three of them of a rotation.
+std::string floating_arm_text() {
+  std::string text = model_file("free_body");
+  text.resize(text.find("[[expect]]"));
+  std::string parent = "body";
+  for (int i = 1; i <= 5; ++i) {
+    const std::string number = std::to_string(i);
+    text += "[[coordinate]]\nname = \"j" + number + "\"\nunit = \"rad\"\n[[frame]]\nname = \"link" +
+            number + "\"\nparent = \"" + parent +
+            "\"\ntranslate = [\"sqrt(A/m)\", \"0\", \"0\"]\nrotate = [[\"" +
+            (i % 2 == 0 ? "y" : "z") + "\", \"j" + number + "\"]]\n[[body]]\nname = \"load" +
+            number + "\"\nframe = \"link" + number +
+            "\"\nmass = \"m\"\ninertia = [\"A\", \"B\", \"C\"]\n";
+    parent = "link" + number;
+  }
+  return text;
+}
+
 }  // namespace
 
 TEST_CASE("the derivatives of a linear system's step are a polynomial of its matrix") {
@@ -131,6 +166,68 @@ TEST_CASE("derivatives of steps agree with differences of the oracle's steps") {
   }
 }
 
+TEST_CASE("derivatives of more than ten velocities are polynomials of a linear system's matrix") {
+  const Products products =
+      derived(inputs_of(masses_text(), stepping("\"rk4\"")), {.goals = {Goal::choose}});
+  State state = start_of(products);
+  state.h = cln::cl_RA(1) / 10;
+  // d/dx = sum_0^4 (hA)^k/k!, A = [0 1; -K/m 0], K: 2 k on the diagonal (k at the free end), -k
+  // beside
+  constexpr std::size_t n = 12;
+  using Matrix = std::vector<std::vector<cln::cl_RA>>;
+  Matrix a(2 * n, std::vector<cln::cl_RA>(2 * n, 0));
+  const cln::cl_RA stiffness = cln::cl_RA(3) / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    a[i][n + i] = 1;
+    a[n + i][i] = i + 1 < n ? -2 * stiffness : -stiffness;
+    if (i > 0) a[n + i][i - 1] = a[n + i - 1][i] = stiffness;
+  }
+  Matrix sum(2 * n, std::vector<cln::cl_RA>(2 * n, 0));
+  for (std::size_t i = 0; i < 2 * n; ++i) sum[i][i] = 1;
+  Matrix term = sum;
+  for (int order = 1; order <= 4; ++order) {
+    Matrix next(2 * n, std::vector<cln::cl_RA>(2 * n, 0));
+    for (std::size_t i = 0; i < 4 * n * n; ++i) {
+      cln::cl_RA& entry = next[i / (2 * n)][i % (2 * n)];
+      for (std::size_t l = 0; l < 2 * n; ++l) {
+        entry = entry + term[i / (2 * n)][l] * a[l][i % (2 * n)] / (10 * order);
+      }
+      sum[i / (2 * n)][i % (2 * n)] = sum[i / (2 * n)][i % (2 * n)] + entry;
+    }
+    term = std::move(next);
+  }
+  ExactNumbers expected;
+  for (const std::vector<cln::cl_RA>& row : sum)
+    expected.insert(expected.end(), row.begin(), row.end());
+  check_digits(values_at(products, state), expected, 60);
+}
+
+TEST_CASE("derivatives of more than ten velocities agree with the oracle's steps") {
+  const Products masses = checked_products(masses_text(), stepping("\"verlet\""));
+  INFO(format(masses.diagnostics));
+  CHECK(masses.self_check);
+  for (const std::string& text : {model_file("chain"), floating_arm_text()}) {
+    const bool is_chain = text == model_file("chain");
+    const Products products =
+        checked_products(text, stepping("\"rk4\"") + (is_chain ? "[sizes]\nn = 11\n" : ""));
+    INFO(format(products.diagnostics));
+    REQUIRE(products.self_check);
+    CHECK(find_invariant_violation(*products.program) == "");
+    CHECK(products.program->functions.front().repeated.count >= 16);
+  }
+}
+
+TEST_CASE("derivatives of steps cost a small multiple of the linearization") {
+  const std::string scene = stepping("\"rk4\"") + "linearization = true\n[sizes]\nn = 16\n";
+  const Products products =
+      derived(inputs_of(model_file("chain"), scene), {.goals = {Goal::choose}});
+  std::vector<std::size_t> counts;
+  for (const Function& function : products.program->functions)
+    counts.push_back(operations(function));
+  REQUIRE(counts.size() == 2);
+  CHECK(std::max(counts[0], counts[1]) < 10 * std::min(counts[0], counts[1]));
+}
+
 TEST_CASE("derivatives of steps that do not exist are refused") {
   using Catch::Contains;
   const auto message = [](const std::string& name, const std::string& scene) {
@@ -138,8 +235,11 @@ TEST_CASE("derivatives of steps that do not exist are refused") {
   };
   CHECK_THAT(message("pendulum_xy", stepping("\"rk4\"")),
              Contains("E539") && Contains("`step_derivatives` does not support constraints"));
-  CHECK_THAT(message("chain", stepping("\"rk4\"") + "[sizes]\nn = 11\n"),
-             Contains("E603") && Contains("supports at most 10 velocities, but the model has 11"));
+  CHECK_THAT(message("chain", stepping("\"rk4\"") + "[sizes]\nn = 41\n"),
+             Contains("E603") && Contains("supports at most 40 velocities, but the model has 41"));
+  CHECK_THAT(message("chain", stepping("\"midpoint\"") + "[sizes]\nn = 11\n"),
+             Contains("E622") &&
+                 Contains("derivatives of its steps support at most 10 velocities, not 11"));
   CHECK_THAT(message("cart_pole", "[outputs]\nstep_derivatives = true\n"),
              Contains("E105") && Contains("`step_derivatives` needs a `method`"));
   CHECK_THAT(message("cart_pole", stepping("\"euler\"")),

@@ -1,8 +1,7 @@
-// compose_outputs: calls the function of the parts (compose.hpp), first for M and the forces, then
-// for the derivatives at the resulting accelerations.
+// compose_outputs: solves for the columns of the derivatives, which AccelerationParts computes at
+// the accelerations.
 #include "elgen/compose.hpp"
 
-#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -10,12 +9,6 @@
 
 namespace elgen {
 namespace {
-
-/// A matrix of values, row-major.
-struct ValueMatrix {
-  InstructionIndices entries = {};
-  std::size_t columns = 0;
-};
 
 InstructionIndices row_of(const ValueMatrix& matrix, std::size_t row) {
   const auto begin = matrix.entries.begin() + static_cast<std::ptrdiff_t>(row * matrix.columns);
@@ -36,13 +29,12 @@ class DerivativeComposer {
     CallPoint at{.q = compose_.add_leaves(Opcode::coordinate, leaves.q.size()),
                  .v = compose_.add_leaves(Opcode::velocity, leaves.v.size())};
     if (leaves.uses_time) at.t = compose_.add_leaf(Opcode::time);
-    const std::vector<ValueMatrix> dynamics = call_parts({mass_part, force_part}, at);
-    const MassFactorisation mass(compose_, parts_.elimination_order, dynamics[0].entries);
-    at.a = mass.solve(dynamics[1].entries);
-    compose_.name(at.a, "acceleration_");
-    const std::vector<ValueMatrix> rates = call_parts({rate_part}, at);
-    write_fields(solve_responses(mass, call_parts({position_part, velocity_part, input_part}, at)),
-                 rates);
+    const AccelerationParts dynamics(compose_, program_, parts_, at);
+    compose_.name(dynamics.accelerations(), "acceleration_");
+    const std::vector<ValueMatrix> rates = dynamics.call({rate_part});
+    write_fields(
+        solve_responses(dynamics.mass(), dynamics.call({position_part, velocity_part, input_part})),
+        rates);
     if (!parts_.sampled_zeros.empty()) {
       function_.sampled_zeros.resize(entry_count(function_));
       std::iota(function_.sampled_zeros.begin(), function_.sampled_zeros.end(), 0U);
@@ -51,27 +43,6 @@ class DerivativeComposer {
   }
 
  private:
-  /// The values of the parts with these names, by one call; parts that do not exist are omitted.
-  std::vector<ValueMatrix> call_parts(const std::vector<std::string_view>& names,
-                                      const CallPoint& at) {
-    Field all;
-    std::vector<ValueMatrix> result;
-    for (const std::string_view name : names) {
-      const auto field = std::ranges::find(parts_.fields, name, &Field::name);
-      if (field == parts_.fields.end()) continue;
-      all.entries.insert(all.entries.end(), field->entries.begin(), field->entries.end());
-      result.push_back({InstructionIndices(field->entries.size()), field->columns});
-    }
-    if (result.empty()) return result;
-    const InstructionIndices values = compose_.inline_call(program_, parts_, all, at);
-    auto next = values.begin();
-    for (ValueMatrix& matrix : result) {
-      const auto end = next + static_cast<std::ptrdiff_t>(matrix.entries.size());
-      matrix.entries.assign(std::exchange(next, end), end);
-    }
-    return result;
-  }
-
   /// The matrix M^-1 F for each matrix F in `forces`.
   std::vector<ValueMatrix> solve_responses(const MassFactorisation& mass,
                                            std::vector<ValueMatrix> forces) {

@@ -8,8 +8,10 @@
 #include <numeric>
 #include <utility>
 
+#include "elgen/compose.hpp"
 #include "elgen/leaf_names.hpp"
 #include "model/elimination.hpp"
+#include "program/evaluate/subject.hpp"
 
 namespace elgen {
 namespace {
@@ -21,6 +23,16 @@ constexpr std::size_t least_columns = 16;
 std::uint32_t subtract_product(Composition& compose, std::uint32_t value, std::uint32_t x,
                                std::uint32_t y) {
   return compose.add(Opcode::subtract, value, compose.add(Opcode::multiply, x, y));
+}
+
+/// 4 (N e_j).dq
+std::uint32_t rotation_tangent(Composition& compose, const InstructionIndices& move,
+                               const InstructionIndices& dq) {
+  std::uint32_t sum = compose.add_number(0);
+  for (std::size_t c = 0; c < dq.size(); ++c) {
+    sum = compose.add(Opcode::add, sum, compose.add(Opcode::multiply, move[c], dq[c]));
+  }
+  return compose.add(Opcode::multiply, compose.add_number(4), sum);
 }
 
 }  // namespace
@@ -213,6 +225,36 @@ std::vector<InstructionIndices> Composition::repeat_for_columns(
   return results;
 }
 
+std::vector<InstructionIndices> coordinate_directions(Composition& compose, const Model& model,
+                                                      const Program& calls,
+                                                      const InstructionIndices& q) {
+  std::vector<InstructionIndices> result;
+  for (std::size_t j = 0; j < model.velocities.size(); ++j) {
+    InstructionIndices unit(model.velocities.size(), compose.add_number(0));
+    unit[j] = compose.add_number(1);
+    if (model.rotations.empty()) {
+      result.push_back(std::move(unit));
+      continue;
+    }
+    const Function& rates = *find_function(calls, OutputKind::coordinate_rates);
+    result.push_back(
+        compose.inline_call(calls, rates, rates.fields.front(), {.q = q, .v = std::move(unit)}));
+  }
+  return result;
+}
+
+InstructionIndices velocity_tangents(Composition& compose, const Model& model,
+                                     const std::vector<InstructionIndices>& moves,
+                                     const InstructionIndices& dq) {
+  InstructionIndices result;
+  for (std::size_t j = 0; j < model.velocities.size(); ++j) {
+    const Velocity& velocity = model.velocities[j];
+    result.push_back(velocity.rotation ? rotation_tangent(compose, moves[j], dq)
+                                       : dq[velocity.coordinate]);
+  }
+  return result;
+}
+
 InstructionIndices elimination_order(const Model& model) {
   InstructionIndices order(model.velocities.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -278,6 +320,36 @@ std::vector<InstructionIndices> MassFactorisation::solve_columns(
                                        compose.name(x, "response_");
                                        return x;
                                      });
+}
+
+AccelerationParts::AccelerationParts(Composition& compose, const Program& from,
+                                     const Function& parts, CallPoint at)
+    : compose_(compose),
+      from_(from),
+      parts_(parts),
+      at_(std::move(at)),
+      dynamics_(call({mass_part, force_part})),
+      mass_(compose, parts.elimination_order, dynamics_[0].entries) {
+  at_.a = mass_.solve(dynamics_[1].entries);
+}
+
+std::vector<ValueMatrix> AccelerationParts::call(const std::vector<std::string_view>& names) const {
+  Field all;
+  std::vector<ValueMatrix> result;
+  for (const std::string_view name : names) {
+    const auto field = std::ranges::find(parts_.fields, name, &Field::name);
+    if (field == parts_.fields.end()) continue;
+    all.entries.insert(all.entries.end(), field->entries.begin(), field->entries.end());
+    result.push_back({InstructionIndices(field->entries.size()), field->columns});
+  }
+  if (result.empty()) return result;
+  const InstructionIndices values = compose_.inline_call(from_, parts_, all, at_);
+  auto next = values.begin();
+  for (ValueMatrix& matrix : result) {
+    const auto end = next + static_cast<std::ptrdiff_t>(matrix.entries.size());
+    matrix.entries.assign(std::exchange(next, end), end);
+  }
+  return result;
 }
 
 }  // namespace elgen

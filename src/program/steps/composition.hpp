@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "elgen/model.hpp"
@@ -42,6 +43,8 @@ class Composition {
   [[nodiscard]] InstructionIndices add_leaves(Opcode kind, std::size_t count);
   [[nodiscard]] std::uint32_t add_number(const cln::cl_RA& value);
   [[nodiscard]] std::uint32_t add(Opcode opcode, std::uint32_t a, std::uint32_t b = 0);
+  /// The instruction, whose operands are values of this composition.
+  [[nodiscard]] std::uint32_t add(const Instruction& instruction);
 
   /// f(x), or f(x, y).
   [[nodiscard]] std::uint32_t add_call(FunctionId function, std::uint32_t x, std::uint32_t y);
@@ -81,7 +84,6 @@ class Composition {
   [[nodiscard]] std::optional<std::uint32_t> simplified_value(const Instruction& instruction);
   [[nodiscard]] bool is_zero(std::uint32_t place) const;
   [[nodiscard]] bool is_one(std::uint32_t place) const;
-  [[nodiscard]] std::uint32_t add(const Instruction& instruction);
   /// The columns for which `body` needs more than two thirds of `length` instructions; none if
   /// there are fewer than 16 of these columns.
   [[nodiscard]] std::vector<std::size_t> columns_to_repeat(
@@ -108,7 +110,11 @@ class MassFactorisation {
 
   /// x with M x = r.
   [[nodiscard]] InstructionIndices solve(const InstructionIndices& r) const {
-    return back_substitute(compose_, forward_substitute(compose_, r));
+    return solve(compose_, r);
+  }
+  /// As above, by operations that are added to `compose`, which may be a copy of the composition.
+  [[nodiscard]] InstructionIndices solve(Composition& compose, const InstructionIndices& r) const {
+    return back_substitute(compose, forward_substitute(compose, r));
   }
 
   /// x with M x = r for every column r, by Composition::repeat_for_columns().
@@ -126,6 +132,45 @@ class MassFactorisation {
   std::vector<InstructionIndices> lower_ = {};  ///< L below its diagonal, rows in order_
   InstructionIndices reciprocals_ = {};         ///< 1 / D
 };
+
+/// A matrix of values, row-major.
+struct ValueMatrix {
+  InstructionIndices entries = {};
+  std::size_t columns = 0;
+};
+
+/// A call of the parts of derivatives of accelerations (elgen/compose.hpp) at a point: first of M
+/// and the forces, then of the other parts, at the resulting accelerations.
+class AccelerationParts {
+ public:
+  /// `parts`: a function of `from`. All arguments except `at` must outlive this object.
+  AccelerationParts(Composition& compose, const Program& from, const Function& parts, CallPoint at);
+
+  [[nodiscard]] const MassFactorisation& mass() const { return mass_; }
+  [[nodiscard]] const InstructionIndices& accelerations() const { return at_.a; }
+  /// The values of the parts with these names; parts that do not exist are omitted.
+  [[nodiscard]] std::vector<ValueMatrix> call(const std::vector<std::string_view>& names) const;
+
+ private:
+  Composition& compose_;
+  const Program& from_;
+  const Function& parts_;
+  CallPoint at_;
+  std::vector<ValueMatrix> dynamics_;  ///< M, B u - bias
+  MassFactorisation mass_;
+};
+
+/// N(q) e_j for each velocity. `calls` needs coordinate_rates for rotations.
+[[nodiscard]] std::vector<InstructionIndices> coordinate_directions(Composition& compose,
+                                                                    const Model& model,
+                                                                    const Program& calls,
+                                                                    const InstructionIndices& q);
+
+/// The tangent in the components of velocities, with rotation vectors, of a tangent `dq` at a
+/// position with the coordinate_directions() `moves`.
+[[nodiscard]] InstructionIndices velocity_tangents(Composition& compose, const Model& model,
+                                                   const std::vector<InstructionIndices>& moves,
+                                                   const InstructionIndices& dq);
 
 /// The velocities of a model in the order of elimination.
 [[nodiscard]] InstructionIndices elimination_order(const Model& model);

@@ -4,6 +4,7 @@
 //
 //     da = (da/dq) dq + (da/dv) dv + (da/du) du
 #include <algorithm>
+#include <utility>
 
 #include "program/evaluate/subject.hpp"
 #include "program/steps/methods.hpp"
@@ -41,15 +42,6 @@ DualValues sum(Composition& compose, const DualValues& x, const DualValues& y) {
   return result;
 }
 
-NextState to_next_state(const DualState& end) {
-  NextState next{end.q.value, end.v.value};
-  for (std::size_t j = 0; j < end.q.tangents.size(); ++j) {
-    InstructionIndices& column = next.columns.emplace_back(end.q.tangents[j]);
-    column.insert(column.end(), end.v.tangents[j].begin(), end.v.tangents[j].end());
-  }
-  return next;
-}
-
 /// q with every quaternion divided by its length.
 InstructionIndices normalise_quaternions(const StepContext& step, InstructionIndices q) {
   for (const Rotation& rotation : step.model.rotations) {
@@ -82,7 +74,7 @@ class ExplicitStepComposer {
     DualState end{add_scaled(compose_, start.q, sixth, weighted_rates(k, &DualState::q))};
     end.q.value = normalise_quaternions(step_, std::move(end.q.value));
     end.v = add_scaled(compose_, start.v, sixth, weighted_rates(k, &DualState::v));
-    return to_next_state(end);
+    return next_state(end);
   }
 
   /// The state after a step. A single kick ends a part of the step and begins the next part.
@@ -105,11 +97,20 @@ class ExplicitStepComposer {
     }
     const std::uint32_t kick = step_.step_multiple(before / 2);
     x.v = add_scaled(compose_, x.v, kick, acceleration(at, x));
-    return to_next_state(x);
+    return next_state(x);
   }
 
  private:
   [[nodiscard]] std::size_t size() const { return step_.model.velocities.size(); }
+
+  [[nodiscard]] NextState next_state(const DualState& end) const {
+    NextState next{.q = end.q.value, .v = end.v.value, .stages = stages_};
+    for (std::size_t j = 0; j < end.q.tangents.size(); ++j) {
+      InstructionIndices& column = next.columns.emplace_back(end.q.tangents[j]);
+      column.insert(column.end(), end.v.tangents[j].begin(), end.v.tangents[j].end());
+    }
+    return next;
+  }
 
   /// The state at the start of the step; its directions are q, v and u.
   DualState initial_dual_state() {
@@ -131,6 +132,15 @@ class ExplicitStepComposer {
   }
 
   DualValues acceleration(const CallPoint& at, const DualState& x) {
+    if (step_.has_open_accelerations) {
+      InstructionIndices a;
+      for (std::size_t i = 0; i < size(); ++i) {
+        const std::size_t number = stages_.size() * size() + i;
+        a.push_back(compose_.add_leaf(Opcode::acceleration, static_cast<std::uint32_t>(number)));
+      }
+      stages_.push_back(at);
+      return {std::move(a)};
+    }
     DualValues a{call_output(OutputKind::forward_dynamics, at, step_.has_float_accelerations)};
     compose_.set_name(a.value, Opcode::acceleration, at.number);
     if (step_.direction_count > 0) a.tangents = tangents_of_acceleration(at, x);
@@ -200,6 +210,7 @@ class ExplicitStepComposer {
 
   const StepContext& step_;
   Composition& compose_;
+  std::vector<CallPoint> stages_ = {};  ///< if the accelerations are open
 };
 
 }  // namespace

@@ -38,9 +38,13 @@ void add_field(Function& function, std::string name, InstructionIndices entries)
 
 /// The indices of all entries of `step`, if a called function has zeros found only by sampling;
 /// otherwise none.
-std::vector<std::uint32_t> sampled_zeros(const Program& calls, const Function& step) {
-  const bool is_sampled = std::ranges::any_of(
-      calls.functions, [](const Function& f) { return !f.sampled_zeros.empty(); });
+std::vector<std::uint32_t> sampled_zeros(const StepCallees& calls, const Function& step) {
+  const auto has_sampled_zeros = [](const Program& program) {
+    return std::ranges::any_of(program.functions,
+                               [](const Function& f) { return !f.sampled_zeros.empty(); });
+  };
+  const bool is_sampled =
+      has_sampled_zeros(calls.outputs) || has_sampled_zeros(calls.acceleration_parts);
   std::vector<std::uint32_t> entries(is_sampled ? entry_count(step) : 0);
   std::iota(entries.begin(), entries.end(), 0U);
   return entries;
@@ -54,15 +58,29 @@ bool carries_tangents(const Model& model, const OutputRequest& step) {
          model.rotations.empty() && model.velocities.size() < min_composed_velocities;
 }
 
-/// `function` with the fields A and B from `columns`; if `columns` is empty, from derivatives of
-/// the instructions of the step.
-Function differentiate_step(const Model& model, const Program& calls, Function function,
-                            std::vector<InstructionIndices> columns, Program& program) {
+/// True if derivatives of the instructions of the step would be too long.
+bool is_long_derivative(const Model& model, const OutputRequest& step) {
+  return output_row(step.kind).differentiates &&
+         model.velocities.size() > max_differentiated_velocities;
+}
+
+/// True if an explicit method calls the parts of derivatives of accelerations at its stages.
+bool calls_parts(const Model& model, const OutputRequest& step) {
+  return is_long_derivative(model, step) && domain_of(step) != StepDomain::quadratic;
+}
+
+/// `function` with the fields A and B from the columns of `moved`, or if there are none, from the
+/// derivatives of its open accelerations or of its instructions.
+Function differentiate_step(const Model& model, const StepCallees& calls, Function function,
+                            const NextState& moved, Program& program) {
+  std::vector<InstructionIndices> columns = moved.columns;
   if (columns.empty()) {
-    const Function step = eliminate_dead_code(function);
-    function = step;
+    const bool is_open = !moved.stages.empty();
+    const Function step = is_open ? function : eliminate_dead_code(function);
+    function = is_open ? without_body(step) : step;
     Composition compose(program, function);
-    columns = step_jacobian_columns(model, calls, step, compose);
+    columns = is_open ? stage_jacobian_columns(model, calls, step, moved.stages, compose)
+                      : step_jacobian_columns(model, calls.outputs, step, compose);
   }
   function.fields.clear();
   std::size_t first = 0;
@@ -118,7 +136,12 @@ std::string inapplicable_reason(const CheckedModel& checked, const OutputRequest
     case StepDomain::separable:
       return nonseparable_reason(checked, calls);
     case StepDomain::quadratic:  // p is M v + b
-      return checked.model.is_quadratic ? "" : "L is not quadratic in the rates";
+      if (!checked.model.is_quadratic) return "L is not quadratic in the rates";
+      if (is_long_derivative(checked.model, step)) {
+        return fmt::format("derivatives of its steps support at most {} velocities, not {}",
+                           max_differentiated_velocities, checked.model.velocities.size());
+      }
+      return {};
     case StepDomain::any:
       break;
   }
@@ -151,11 +174,12 @@ bool has_linear_terms(const CheckedModel& checked, const Program& program) {
 }  // namespace
 
 StepContext::StepContext(const CheckedModel& checked, const OutputRequest& request,
-                         const Program& the_calls, Composition& the_composition)
+                         const StepCallees& the_calls, Composition& the_composition)
     : model(checked.model),
-      callees(the_calls),
+      callees(the_calls.outputs),
       composition(the_composition),
       has_float_accelerations(checked.scene.numerics.has_mixed_precision()),
+      has_open_accelerations(calls_parts(model, request)),
       direction_count(
           carries_tangents(model, request) ? 2 * model.velocities.size() + model.inputs.size() : 0),
       iterations(request.step->iterations),
@@ -204,15 +228,25 @@ std::vector<OutputRequest> outputs_for_step(const Model& model, const OutputRequ
     needed.push_back(std::move(request));
   };
   for (const OutputKind kind : applicability_outputs(step)) add(kind, std::nullopt);
-  for (const OutputKind kind : called_kinds(step)) add(kind, step.form);
+  for (const OutputKind kind : called_kinds(step)) {
+    const bool is_part = output_row(kind).solves_mass_matrix && calls_parts(model, step);
+    if (!is_part) add(kind, step.form);
+  }
   if (carries_tangents(model, step)) add(OutputKind::forward_dynamics_derivatives, step.form);
   if (step.step->projects) add(OutputKind::projected, step.form);
   return needed;
 }
 
-Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, const Program& calls,
-                     Program& program) {
-  const std::string reason = inapplicable_reason(checked, step, calls);
+std::vector<OutputRequest> parts_for_step(const Model& model, const OutputRequest& step) {
+  if (!calls_parts(model, step)) return {};
+  OutputRequest request = make_request(model, OutputKind::forward_dynamics_derivatives, 0);
+  request.span = step.span;
+  return {request};
+}
+
+Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step,
+                     const StepCallees& calls, Program& program) {
+  const std::string reason = inapplicable_reason(checked, step, calls.outputs);
   if (!reason.empty()) {
     return {{Code::E622, step.span,
              fmt::format("`{}` does not apply to this system: {}",
@@ -228,8 +262,7 @@ Diagnostics add_step(const CheckedModel& checked, const OutputRequest& step, con
   add_field(function, "coordinates", std::move(moved.q));
   add_field(function, "rates", std::move(moved.v));
   if (output_row(step.kind).differentiates) {
-    function =
-        differentiate_step(checked.model, calls, std::move(function), moved.columns, program);
+    function = differentiate_step(checked.model, calls, std::move(function), moved, program);
   } else {
     add_field(function, "residual", std::move(moved.residual));
   }

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "elgen/integrate.hpp"
 #include "elgen/scene.hpp"
 #include "program/steps/composition.hpp"
 
@@ -10,10 +11,9 @@ namespace elgen {
 
 /// The model, the called outputs, and the values from which a step is composed.
 struct StepContext {
-  /// `the_calls` contains the outputs that outputs_for_step returns for `request`. All arguments
-  /// must outlive this object.
-  StepContext(const CheckedModel& checked, const OutputRequest& request, const Program& the_calls,
-              Composition& the_composition);
+  /// All arguments must outlive this object.
+  StepContext(const CheckedModel& checked, const OutputRequest& request,
+              const StepCallees& the_calls, Composition& the_composition);
 
   /// t + c; 0 and unused if the model does not contain t.
   [[nodiscard]] std::uint32_t time_after(std::uint32_t c) const;
@@ -28,6 +28,7 @@ struct StepContext {
   const Program& callees;
   Composition& composition;
   bool has_float_accelerations;   ///< accelerations are computed in float
+  bool has_open_accelerations;    ///< those of stage k are the leaves a_(k n), a_(k n + 1), ...
   std::size_t direction_count;    ///< number of tangents of explicit methods; 0: none
   std::uint32_t iterations;       ///< of an implicit method
   std::vector<cln::cl_RA> parts;  ///< steps of a composed symmetric method, in units of h
@@ -43,6 +44,7 @@ struct NextState {
   InstructionIndices residual = {};  ///< of an implicit method; otherwise empty
   /// The tangents of (q, v) for each direction of q, v, u; empty if the method has no tangents.
   std::vector<InstructionIndices> columns = {};
+  std::vector<CallPoint> stages = {};  ///< the points of open accelerations, in order
 };
 
 /// The columns of A, then the columns of B: dx(t + h) = A dx + B du, dx = (dq, dv) with rotation
@@ -53,6 +55,14 @@ struct NextState {
                                                                     const Program& calls,
                                                                     const Function& step,
                                                                     Composition& compose);
+
+/// The same columns, if the accelerations of `step` at `stages` are open. Its instructions and the
+/// parts `calls.acceleration_parts` are added to `compose`. Cost: at each stage one call of the
+/// parts; per column and stage one solution with M and, for rk4, at most two products with n x n
+/// matrices.
+[[nodiscard]] std::vector<InstructionIndices> stage_jacobian_columns(
+    const Model& model, const StepCallees& calls, const Function& step,
+    const std::vector<CallPoint>& stages, Composition& compose);
 
 #define ELGEN_STEP_METHOD(name, domain, order, iterations, doc, equation) \
   [[nodiscard]] NextState compose_##name(const StepContext& step);

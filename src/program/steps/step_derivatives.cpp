@@ -7,10 +7,24 @@
 // Directions of a rotation are rotation vectors in body axes, before and after the step:
 //
 //     dq = N(q) dx,    dx' = 4 N(q')^T dq'
+//
+// stage_jacobian_columns: one pass over the step for each direction and for each entry of its
+// accelerations, which are open. Every tangent is a sum, because it is linear in both: of a part
+// that is mostly zeros and ones if all da are 0, and of a part for each da. From the parts of their
+// derivatives (elgen/compose.hpp), each direction has a force at each stage:
+//
+//     f_k = f_k0 + sum_(l<k) F_kl da_l,   M_k da_k = f_k,   d(x, v)(t + h) = e_0 + sum_l E_l da_l
+//
+// These equations are the same instructions for every direction, and become the repetitions of the
+// function. M^-1 multiplies only forces, not the matrices F_kl.
+#include <fmt/format.h>
+
+#include <numeric>
 #include <optional>
 #include <utility>
 
 #include "base/function_slopes.hpp"
+#include "elgen/compose.hpp"
 #include "program/evaluate/subject.hpp"
 #include "program/steps/methods.hpp"
 
@@ -71,16 +85,21 @@ struct LeafTangents {
   InstructionIndices q;
   InstructionIndices v;
   InstructionIndices u;
+  InstructionIndices a = {};  ///< of the open accelerations
 };
 
-/// The tangents of all instructions of a step along a direction. The composed function must begin
-/// with these instructions.
+/// The tangents of all instructions of a step along a direction.
 class TangentPass {
  public:
-  TangentPass(Composition& compose, const Function& step, const LeafTangents& seeds)
+  /// `places`: the values of the instructions in the composition.
+  TangentPass(Composition& compose, const Function& step, const InstructionIndices& places,
+              const LeafTangents& seeds)
       : compose_(compose), zero_(compose.add_number(0)) {
-    for (std::uint32_t at = 0; at < step.instructions.size(); ++at) {
-      tangents_.push_back(compute_tangent(step.instructions[at], at, seeds));
+    for (std::size_t at = 0; at < step.instructions.size(); ++at) {
+      const Instruction& i = step.instructions[at];
+      tangents_.push_back(operand_count(i) == 0
+                              ? leaf_tangent(i, seeds)
+                              : compute_tangent(i, renumber_operands(i, places), places[at]));
     }
   }
 
@@ -95,10 +114,11 @@ class TangentPass {
     return compose_.add(opcode, a, b);
   }
 
-  std::uint32_t compute_tangent(const Instruction& i, std::uint32_t at, const LeafTangents& seeds) {
-    if (operand_count(i) == 0) return leaf_tangent(i, seeds);
-    const std::uint32_t da = tangents_[i.a];
-    const std::uint32_t db = operand_count(i) > 1 ? tangents_[i.b] : zero_;
+  /// The tangent of the value `at` of the instruction `i`, whose operands are the instructions of
+  /// the step in `own`.
+  std::uint32_t compute_tangent(const Instruction& own, const Instruction& i, std::uint32_t at) {
+    const std::uint32_t da = tangents_[own.a];
+    const std::uint32_t db = operand_count(i) > 1 ? tangents_[own.b] : zero_;
     if (da == zero_ && db == zero_) return zero_;
     switch (i.opcode) {
       case Opcode::negate:
@@ -131,6 +151,7 @@ class TangentPass {
   [[nodiscard]] std::uint32_t leaf_tangent(const Instruction& i, const LeafTangents& seeds) const {
     if (i.opcode == Opcode::coordinate) return seeds.q[i.a];
     if (i.opcode == Opcode::velocity) return seeds.v[i.a];
+    if (i.opcode == Opcode::acceleration) return seeds.a[i.a];
     return i.opcode == Opcode::input ? seeds.u[i.a] : zero_;
   }
 
@@ -157,14 +178,17 @@ class StepDifferentiator {
  public:
   StepDifferentiator(const Model& model, const Program& calls, const Function& step,
                      Composition& compose)
-      : model_(model), calls_(calls), step_(step), compose_(compose) {}
+      : model_(model), calls_(calls), step_(step), compose_(compose) {
+    places_.resize(step.instructions.size());
+    std::iota(places_.begin(), places_.end(), 0U);
+  }
 
   /// The columns of A, then the columns of B.
   [[nodiscard]] std::vector<InstructionIndices> compose_columns() {
-    const std::vector<InstructionIndices> moves =
-        coordinate_directions(compose_.add_leaves(Opcode::coordinate, coordinate_count()));
+    const std::vector<InstructionIndices> moves = coordinate_directions(
+        compose_, model_, calls_, compose_.add_leaves(Opcode::coordinate, coordinate_count()));
     const std::vector<InstructionIndices> moves_after =
-        coordinate_directions(step_.fields[0].entries);
+        coordinate_directions(compose_, model_, calls_, step_.fields[0].entries);
     std::vector<InstructionIndices> directions = moves;
     for (InstructionIndices& direction : directions)
       direction.resize(coordinate_count() + velocity_count() + input_count(), zero());
@@ -185,23 +209,6 @@ class StepDifferentiator {
   [[nodiscard]] std::size_t input_count() const { return model_.inputs.size(); }
   [[nodiscard]] std::uint32_t zero() const { return compose_.add_number(0); }
 
-  /// N e_j at a position, for each velocity.
-  [[nodiscard]] std::vector<InstructionIndices> coordinate_directions(const InstructionIndices& q) {
-    std::vector<InstructionIndices> result;
-    for (std::size_t j = 0; j < velocity_count(); ++j) {
-      InstructionIndices unit(velocity_count(), zero());
-      unit[j] = compose_.add_number(1);
-      if (model_.rotations.empty()) {
-        result.push_back(std::move(unit));
-        continue;
-      }
-      const Function& rates = *find_function(calls_, OutputKind::coordinate_rates);
-      result.push_back(compose_.inline_call(calls_, rates, rates.fields.front(),
-                                            {.q = q, .v = std::move(unit)}));
-    }
-    return result;
-  }
-
   /// dx', then dv', along one direction of q, v, u.
   [[nodiscard]] InstructionIndices tangent(Composition& compose,
                                            const std::vector<InstructionIndices>& moves_after,
@@ -213,37 +220,166 @@ class StepDifferentiator {
     const LeafTangents seeds{part(0, coordinate_count()),
                              part(coordinate_count(), velocity_count()),
                              part(coordinate_count() + velocity_count(), input_count())};
-    const TangentPass tangents(compose, step_, seeds);
-    const InstructionIndices of_q = tangents.tangents_of(step_.fields[0].entries);
-    InstructionIndices result;
-    for (std::size_t j = 0; j < velocity_count(); ++j) {
-      const bool turns = model_.velocities[j].rotation.has_value();
-      result.push_back(turns ? rotation_tangent(compose, moves_after[j], of_q)
-                             : of_q[model_.velocities[j].coordinate]);
-    }
+    const TangentPass tangents(compose, step_, places_, seeds);
+    InstructionIndices result = velocity_tangents(compose, model_, moves_after,
+                                                  tangents.tangents_of(step_.fields[0].entries));
     const InstructionIndices of_v = tangents.tangents_of(step_.fields[1].entries);
     result.insert(result.end(), of_v.begin(), of_v.end());
     return result;
-  }
-
-  /// 4 (N e_j).dq
-  [[nodiscard]] static std::uint32_t rotation_tangent(Composition& compose,
-                                                      const InstructionIndices& move,
-                                                      const InstructionIndices& dq) {
-    std::uint32_t sum = compose.add_number(0);
-    for (std::size_t c = 0; c < dq.size(); ++c) {
-      sum = compose.add(Opcode::add, sum, compose.add(Opcode::multiply, move[c], dq[c]));
-    }
-    return compose.add(Opcode::multiply, compose.add_number(4), sum);
   }
 
   const Model& model_;
   const Program& calls_;
   const Function& step_;
   Composition& compose_;
+  InstructionIndices places_ = {};  ///< the composed function begins with the instructions of step_
+};
+
+/// Appends `more` to `all`.
+void append(InstructionIndices& all, const InstructionIndices& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// sum + m x
+InstructionIndices add_product(Composition& compose, InstructionIndices sum, const ValueMatrix& m,
+                               const InstructionIndices& x) {
+  for (std::size_t at = 0; at < m.entries.size(); ++at) {
+    std::uint32_t& entry = sum[at / m.columns];
+    const std::uint32_t term = compose.add(Opcode::multiply, m.entries[at], x[at % m.columns]);
+    entry = compose.add(Opcode::add, entry, term);
+  }
+  return sum;
+}
+
+class StageDifferentiator {
+ public:
+  /// Adds the instructions of `step` to `compose`, with accelerations from the parts.
+  StageDifferentiator(const Model& model, const StepCallees& calls, const Function& step,
+                      const std::vector<CallPoint>& stages, Composition& compose)
+      : model_(model),
+        step_(step),
+        stages_(stages),
+        compose_(compose),
+        zeros_(model.velocities.size(), compose.add_number(0)) {
+    for (std::size_t at = 0; at < step.instructions.size(); ++at) {
+      const Instruction& i = step.instructions[at];
+      if (i.opcode == Opcode::acceleration) {
+        if (i.a == accelerations_.size()) call_parts(calls.acceleration_parts);
+        places_.push_back(accelerations_[i.a]);
+        continue;
+      }
+      places_.push_back(compose.add(renumber_operands(i, places_)));
+      compose.name(places_.back(), step.names[at]);
+    }
+    for (const CallPoint& stage : stages)
+      moves_.push_back(coordinate_directions(compose, model, calls.outputs, values_of(stage.q)));
+    moves_.push_back(
+        coordinate_directions(compose, model, calls.outputs, values_of(step.fields[0].entries)));
+  }
+
+  [[nodiscard]] std::vector<InstructionIndices> compose_columns() const {
+    const std::uint32_t one = compose_.add_number(1);
+    std::vector<InstructionIndices> directions;
+    for (std::size_t j = 0; j < 2 * size() + model_.inputs.size(); ++j) {
+      LeafTangents seeds = zero_seeds();
+      if (j < size()) seeds.q = moves_.front()[j];
+      if (j >= size()) (j < 2 * size() ? seeds.v[j - size()] : seeds.u[j - 2 * size()]) = one;
+      directions.push_back(forces_and_end(seeds));
+    }
+    std::vector<InstructionIndices> effects;
+    for (std::size_t i = 0; i < accelerations_.size(); ++i) {
+      LeafTangents seeds = zero_seeds();
+      seeds.a[i] = one;
+      effects.push_back(forces_and_end(seeds));
+    }
+    return compose_.repeat_for_columns(
+        directions, [&](Composition& compose, const InstructionIndices& direction) {
+          return add_accelerations(compose, direction, effects);
+        });
+  }
+
+ private:
+  [[nodiscard]] std::size_t size() const { return model_.velocities.size(); }
+
+  [[nodiscard]] InstructionIndices values_of(const InstructionIndices& instructions) const {
+    InstructionIndices values;
+    for (const std::uint32_t at : instructions) values.push_back(places_[at]);
+    return values;
+  }
+
+  /// The accelerations and the derivatives of the forces at the next stage.
+  void call_parts(const Program& parts) {
+    const CallPoint& stage = stages_[dynamics_.size()];
+    const CallPoint at{.q = values_of(stage.q),
+                       .v = values_of(stage.v),
+                       .t = model_.uses_time ? places_[stage.t] : 0,
+                       .number = stage.number};
+    dynamics_.emplace_back(compose_, parts, parts.functions.front(), at);
+    compose_.set_name(dynamics_.back().accelerations(), Opcode::acceleration, at.number);
+    append(accelerations_, dynamics_.back().accelerations());
+    forces_.push_back(dynamics_.back().call({position_part, velocity_part, input_part}));
+  }
+
+  [[nodiscard]] LeafTangents zero_seeds() const {
+    const auto zeros = [&](std::size_t count) { return InstructionIndices(count, zeros_.front()); };
+    return {zeros(model_.coordinates.size()), zeros_, zeros(model_.inputs.size()),
+            zeros(accelerations_.size())};
+  }
+
+  /// f_k0 or F_kl for all stages, then e_0 or E_l, along one direction.
+  [[nodiscard]] InstructionIndices forces_and_end(const LeafTangents& seeds) const {
+    const TangentPass tangents(compose_, step_, places_, seeds);
+    const auto dx_of = [&](std::size_t k, const InstructionIndices& q) {
+      return velocity_tangents(compose_, model_, moves_[k], tangents.tangents_of(q));
+    };
+    InstructionIndices result;
+    for (std::size_t k = 0; k < stages_.size(); ++k) {
+      const std::vector<ValueMatrix>& by = forces_[k];
+      InstructionIndices force = add_product(compose_, zeros_, by[0], dx_of(k, stages_[k].q));
+      force = add_product(compose_, force, by[1], tangents.tangents_of(stages_[k].v));
+      if (by.size() > 2) force = add_product(compose_, force, by[2], seeds.u);
+      append(result, force);
+    }
+    append(result, dx_of(stages_.size(), step_.fields[0].entries));
+    append(result, tangents.tangents_of(step_.fields[1].entries));
+    return result;
+  }
+
+  /// A column. `sums`: f_k0 for all stages, then e_0; `effects`: F_kl and E_l for each da.
+  [[nodiscard]] InstructionIndices add_accelerations(
+      Composition& compose, InstructionIndices sums,
+      const std::vector<InstructionIndices>& effects) const {
+    const std::size_t n = size();
+    for (std::size_t k = 0; k < stages_.size(); ++k) {
+      const auto force = sums.begin() + static_cast<std::ptrdiff_t>(k * n);
+      const InstructionIndices a =
+          dynamics_[k].mass().solve(compose, {force, force + static_cast<std::ptrdiff_t>(n)});
+      compose.name(a, fmt::format("response_{}_", k + 1));
+      for (std::size_t j = 0; j < n; ++j) sums = compose.add_scaled(sums, a[j], effects[k * n + j]);
+    }
+    return {sums.end() - static_cast<std::ptrdiff_t>(2 * n), sums.end()};
+  }
+
+  const Model& model_;
+  const Function& step_;
+  const std::vector<CallPoint>& stages_;
+  Composition& compose_;
+  InstructionIndices zeros_;                           ///< one for each velocity
+  InstructionIndices places_ = {};                     ///< the values of the instructions of step_
+  std::vector<AccelerationParts> dynamics_ = {};       ///< of each stage
+  std::vector<std::vector<ValueMatrix>> forces_ = {};  ///< -dr/dq, -dr/dv, B of each stage
+  InstructionIndices accelerations_ = {};              ///< of all stages
+  std::vector<std::vector<InstructionIndices>> moves_ = {};  ///< of each stage and of the end
 };
 
 }  // namespace
+
+std::vector<InstructionIndices> stage_jacobian_columns(const Model& model, const StepCallees& calls,
+                                                       const Function& step,
+                                                       const std::vector<CallPoint>& stages,
+                                                       Composition& compose) {
+  return StageDifferentiator(model, calls, step, stages, compose).compose_columns();
+}
 
 std::vector<InstructionIndices> step_jacobian_columns(const Model& model, const Program& calls,
                                                       const Function& step, Composition& compose) {
