@@ -40,6 +40,13 @@ struct UnpackingSpelling {
   std::string_view block;       ///< the assignments {0}, with the error of a wrong length
 };
 
+/// A loop over the columns of a function.
+struct LoopSpelling {
+  std::string_view results;  ///< a list for {0} results, before the loop
+  std::string_view opening;  ///< first line, for {0} columns; defines `at`, the column
+  std::string_view closing;  ///< last line
+};
+
 /// A row of spellings.def, which also explains the placeholders {0} and {1} of patterns.
 struct SourceSpelling {
   LanguageId language;
@@ -47,6 +54,7 @@ struct SourceSpelling {
   std::uint32_t first_index;
   UnpackingSpelling unpacking = {};
   std::string_view definition;
+  LoopSpelling loop;
   std::size_t indent;        ///< number of spaces before a statement
   std::string_view local;    ///< text before the name in the definition of a local variable
   std::string_view library;  ///< a library function in a call; {0}: its name in the library

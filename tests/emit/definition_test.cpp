@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "elgen/step_methods.hpp"
 #include "emit/code/statements.hpp"
 #include "emit/cpp/cpp_dialect.hpp"
+#include "emit/source/source_dialect.hpp"
 #include "fixture.hpp"
 
 using namespace elgen;
@@ -147,6 +149,39 @@ TEST_CASE("repetitions are a loop over columns") {
   }
   return {{solved[0], solved[1]}};
 )");
+}
+
+TEST_CASE("interpreted languages loop over the columns of models with many velocities") {
+  Subject subject = repeating_function();
+  const auto body_in = [&subject](LanguageId language) {
+    subject.scene.emission.language = language;
+    return source_dialect(subject.model, subject.scene, subject.program)
+        ->function_definition(subject.program.functions.front(), Storage::row_major)
+        .whole.body;
+  };
+  CHECK(mentions(body_in(LanguageId::matlab), "  result = [square * q(1); square * q(2)];\n"));
+  subject.model.velocities.resize(max_differentiated_velocities + 1);
+  CHECK(mentions(body_in(LanguageId::python), R"(    given = [q_0, q_1]
+    solved = [0.0] * 2
+    for at in range(2):
+        solved_1 = square * given[at]
+        solved[at] = solved_1
+    return [solved[0], solved[1]]
+)"));
+  CHECK(mentions(body_in(LanguageId::matlab), R"(  given = [q(1); q(2)];
+  solved = given(1) + zeros(2, 1);
+  for at = 1:2
+    solved_1 = square * given(at);
+    solved(at) = solved_1;
+  end
+  result = [solved(1); solved(2)];
+)"));
+  CHECK(mentions(body_in(LanguageId::javascript), R"(  const solved = [];
+  for (let at = 0; at < 2; ++at) {
+    const solved_1 = square * given[at];
+    solved[at] = solved_1;
+  }
+)"));
 }
 
 TEST_CASE("parts share the arrays of a loop") {

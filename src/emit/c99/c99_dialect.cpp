@@ -43,8 +43,8 @@ ColumnLoopTexts make_loop_texts(const std::string& prefix, std::uint32_t count) 
   return {fmt::format("  for (int first = 0; first < {0}; first += {1}) {{\n"
                       "    const int at = first + {1} < {0} ? first : {0} - {1};\n",
                       count, width),
-          fmt::format("const {}columns", prefix), prefix + "load_columns",
-          prefix + "store_columns"};
+          fmt::format("const {}columns ", prefix), prefix + "load_columns({0} + {1}at)",
+          fmt::format("    {}store_columns({{2}}, {{0}} + {{1}}at);\n", prefix), "  }\n"};
 }
 
 class C99Dialect final : public CompiledDialect {

@@ -10,8 +10,6 @@
 #include <set>
 #include <utility>
 
-#include "emit/text/layout.hpp"
-
 namespace elgen {
 namespace {
 
@@ -36,16 +34,17 @@ void add_unique(InstructionNumbers& places, std::uint32_t at) {
   if (std::ranges::find(places, at) == places.end()) places.push_back(at);
 }
 
-/// " + 60": the offset of a row in its array; "" for row 0.
+/// "60 + ": the offset of a row in its array; "" for row 0.
 std::string row_offset(std::size_t row, std::uint32_t count) {
-  return row == 0 ? "" : fmt::format(" + {}", row * count);
+  return row == 0 ? "" : fmt::format("{} + ", row * count);
 }
 
 class LoopBody {
  public:
-  LoopBody(const CompiledDialect& dialect, const Program& program, const Function& function,
+  LoopBody(const Dialect& dialect, const Program& program, const Function& function,
            const ColumnLoop& loop, const std::vector<std::string>& names)
-      : function_(function),
+      : dialect_(dialect),
+        function_(function),
         loop_(loop),
         outer_names_(names),
         words_(dialect.column_loop_texts(loop.count)),
@@ -61,12 +60,12 @@ class LoopBody {
       const std::uint32_t place = add_instruction(translate_instruction(at, arrays), name);
       body_indices_.push_back(place);
       if (name.empty()) continue;
-      text += assignment(fmt::format("  {} {}", words_.value, name), formulas_.formula(place).text);
+      text += dialect_.loop_assignment(words_.value + name, formulas_.formula(place).text);
       if (!is_stored) continue;
-      text += fmt::format("    {}({}, {}{} + at);\n", words_.store, name, arrays.solved,
-                          row_offset(row, loop_.count));
+      text += fmt::format(fmt::runtime(words_.store), arrays.solved, row_offset(row, loop_.count),
+                          name);
     }
-    return text + "  }\n";
+    return text + words_.closing;
   }
 
  private:
@@ -97,7 +96,7 @@ class LoopBody {
     auto row = loop_.varying_operands.begin();
     while (!std::equal(all.begin(), all.end(), row)) row += count;
     const auto start = static_cast<std::size_t>(row - loop_.varying_operands.begin());
-    return add_instruction({}, fmt::format("{}({}{} + at)", words_.load, arrays.given,
+    return add_instruction({}, fmt::format(fmt::runtime(words_.load), arrays.given,
                                            row_offset(start / loop_.count, loop_.count)));
   }
 
@@ -114,6 +113,7 @@ class LoopBody {
     return shared_[at] = add_instruction(is_named ? Instruction{} : instruction, outer_names_[at]);
   }
 
+  const Dialect& dialect_;
   const Function& function_;
   const ColumnLoop& loop_;
   const std::vector<std::string>& outer_names_;
@@ -151,17 +151,17 @@ ColumnLoop column_loop(const Function& function) {
   return loop;
 }
 
-std::string solved_array_element(const ColumnLoop& loop, const Function& function,
-                                 std::uint32_t at) {
+std::optional<std::size_t> solved_index(const ColumnLoop& loop, const Function& function,
+                                        std::uint32_t at) {
   const std::uint32_t length = function.repeated.length;
   const std::uint32_t inside = at - loop.first;
   const auto row = std::ranges::find(loop.stored_instructions, loop.first + inside % length);
-  if (row == loop.stored_instructions.end()) return {};
-  return fmt::format("solved[{}]",
-                     (row - loop.stored_instructions.begin()) * loop.count + inside / length);
+  if (row == loop.stored_instructions.end()) return std::nullopt;
+  const auto stored = static_cast<std::size_t>(row - loop.stored_instructions.begin());
+  return stored * loop.count + inside / length;
 }
 
-std::string column_loop_text(const CompiledDialect& dialect, const Program& program,
+std::string column_loop_text(const Dialect& dialect, const Program& program,
                              const Function& function, const ColumnLoop& loop,
                              const ColumnLoopNames& names) {
   return LoopBody(dialect, program, function, loop, names.values).write_lines(names);

@@ -7,11 +7,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "elgen/program.hpp"
-#include "emit/code/compiled_dialect.hpp"
+#include "emit/code/dialect.hpp"
 
 namespace elgen {
 
@@ -31,10 +32,10 @@ struct ColumnLoop {
 
 [[nodiscard]] ColumnLoop column_loop(const Function& function);
 
-/// "solved[3]": the name by which code after the loop reads the value of instruction `at`; "" if
+/// The index in `solved` at which code after the loop reads the value of instruction `at`; none if
 /// the loop does not store this value.
-[[nodiscard]] std::string solved_array_element(const ColumnLoop& loop, const Function& function,
-                                               std::uint32_t at);
+[[nodiscard]] std::optional<std::size_t> solved_index(const ColumnLoop& loop,
+                                                      const Function& function, std::uint32_t at);
 
 /// Names that the loop body uses. `values`: names of the instructions before the loop and of the
 /// first column. `given`, `solved`: the arrays, which a function in parts keeps in its workspace.
@@ -44,7 +45,7 @@ struct ColumnLoopNames {
   std::string solved = "solved";
 };
 
-[[nodiscard]] std::string column_loop_text(const CompiledDialect& dialect, const Program& program,
+[[nodiscard]] std::string column_loop_text(const Dialect& dialect, const Program& program,
                                            const Function& function, const ColumnLoop& loop,
                                            const ColumnLoopNames& names);
 

@@ -4,6 +4,7 @@
 
 #include "emit/code/definition.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "emit/text/layout.hpp"
 
 namespace elgen {
 
@@ -17,6 +18,11 @@ std::string CompiledDialect::leaf(Opcode kind, std::uint32_t number) const {
   if (kind == Opcode::parameter) return "p" + access_ + parameters_[number];
   const std::string_view name = leaf_row(kind).symbol;
   return is_single(kind) ? std::string(name) : fmt::format("{}[{}]", name, number);
+}
+
+std::string CompiledDialect::loop_assignment(const std::string& target,
+                                             const std::string& value) const {
+  return assignment("  " + target, value);
 }
 
 FunctionDefinition CompiledDialect::function_definition(const Function& function,

@@ -16,14 +16,6 @@ struct UsedNames {
   std::set<std::string_view> functions = {};  ///< of the standard library: "exp"
 };
 
-/// Texts of a loop over columns. One pass of the loop computes one or more columns.
-struct ColumnLoopTexts {
-  std::string opening = {};  ///< first lines; define `at`, the first column of a pass
-  std::string value = {};    ///< "const double": precedes the name of a new value
-  std::string load = {};     ///< function: address of the first number of a pass -> value
-  std::string store = {};    ///< procedure: (value, address of the first number)
-};
-
 /// Writes the statements of a function in a compiled language, C++ or C99.
 class CompiledDialect : public Dialect {
  public:
@@ -36,6 +28,8 @@ class CompiledDialect : public Dialect {
     return named_call_text(helper_function_name("at_run_time"), {number});
   }
   [[nodiscard]] const CompiledDialect* inner_vocabulary() const override { return nullptr; }
+  [[nodiscard]] std::string loop_assignment(const std::string& target,
+                                            const std::string& value) const override;
   [[nodiscard]] FunctionDefinition function_definition(const Function& function,
                                                        Storage storage) const override;
 
@@ -57,9 +51,6 @@ class CompiledDialect : public Dialect {
 
   /// "double", "Scalar": the type of numbers.
   [[nodiscard]] virtual std::string_view scalar_type() const = 0;
-
-  /// The texts of a loop over `count` columns.
-  [[nodiscard]] virtual ColumnLoopTexts column_loop_texts(std::uint32_t count) const = 0;
 
   /// "result.gravity[1]": the destination of an entry that is not part of a return statement.
   [[nodiscard]] virtual std::string assignment_target(const Function& function, std::uint32_t field,

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <variant>
 
 #include "emit/code/local_names.hpp"
@@ -78,7 +79,8 @@ class DefinitionWriter {
         loop_names_{names_},
         formulas_(program, ordered_, dialect, names_) {
     for (std::uint32_t at = loop_.first; at < names_.size(); ++at) {
-      names_[at] = solved_array_element(loop_, ordered_, at);
+      const std::optional<std::size_t> index = solved_index(loop_, ordered_, at);
+      names_[at] = index ? fmt::format("solved[{}]", *index) : "";
     }
   }
 

@@ -2,6 +2,7 @@
 // statements of compiled languages; emit/source has the interpreted languages.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,6 +47,15 @@ struct FunctionDefinition {
   WorkspaceText workspace = {};            ///< shared by the parts
 };
 
+/// Texts of a loop over columns. One pass of the loop computes one or more columns.
+struct ColumnLoopTexts {
+  std::string opening = {};  ///< first lines; define `at`, the first column of a pass
+  std::string value = {};    ///< "const double ": precedes the name of a new value
+  std::string load = {};     ///< the value of a pass; {0}: array, {1}: "60 + ", before `at`
+  std::string store = {};    ///< the line that stores {2} there
+  std::string closing = {};
+};
+
 class Dialect : public Vocabulary {
  public:
   Dialect(const Model& model, const Program& program, LanguageId language)
@@ -72,6 +82,12 @@ class Dialect : public Vocabulary {
 
   /// "ForwardDynamics": the result struct of a function.
   [[nodiscard]] virtual std::string struct_name(const Function& function) const = 0;
+
+  /// The texts of a loop over `count` columns.
+  [[nodiscard]] virtual ColumnLoopTexts column_loop_texts(std::uint32_t count) const = 0;
+  /// The line of a loop over columns that computes a value.
+  [[nodiscard]] virtual std::string loop_assignment(const std::string& target,
+                                                    const std::string& value) const = 0;
 
   [[nodiscard]] virtual FunctionDefinition function_definition(const Function& function,
                                                                Storage storage) const = 0;

@@ -81,7 +81,8 @@ ColumnLoopTexts make_loop_texts(std::string_view scope, std::uint32_t count) {
                       "    const std::size_t at = first + Columns::size < {1} ? first : {1} - "
                       "Columns::size;\n",
                       scope, count),
-          "const typename Columns::Value", "Columns::load", "Columns::store"};
+          "const typename Columns::Value ", "Columns::load({0} + {1}at)",
+          "    Columns::store({2}, {0} + {1}at);\n", "  }\n"};
 }
 
 class CppDialect : public CompiledDialect {

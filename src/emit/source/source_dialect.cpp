@@ -8,6 +8,8 @@
 
 #include "base/ascii.hpp"
 #include "elgen/leaf_names.hpp"
+#include "elgen/step_methods.hpp"
+#include "emit/code/column_loop.hpp"
 #include "emit/code/local_names.hpp"
 #include "emit/interface/code_interface.hpp"
 #include "emit/source/exact_numbers.hpp"
@@ -124,17 +126,38 @@ class SourceDialect final : public Dialect {
             {spelling_.member_comment, spelling_.member_comment}};
   }
 
-  /// The emitted body unpacks its arguments, assigns the named values, then returns all entries.
+  ColumnLoopTexts column_loop_texts(std::uint32_t count) const override {
+    const std::string margin(spelling_.indent, ' ');
+    const std::string element = fill_spelling(spelling_.element, "{0}", "{1}at");
+    return {fill_spelling(spelling_.loop.opening, std::to_string(count)),
+            std::string(spelling_.local), element,
+            fmt::format("{0}{0}{1} = {{2}}{2}\n", margin, element, spelling_.end),
+            std::string(spelling_.loop.closing)};
+  }
+
+  std::string loop_assignment(const std::string& target, const std::string& value) const override {
+    return statement(fmt::format("{}{} = ", std::string(spelling_.indent, ' '), target), value,
+                     BracketNeed::needed);
+  }
+
+  /// The emitted body unpacks its arguments, assigns the named values, then returns all entries. It
+  /// writes out the repetitions of models with few velocities.
   FunctionDefinition function_definition(const Function& function, Storage storage) const override {
     Function ordered = to_storage_order(function, storage);
-    ordered.repeated = {};  // every repetition is written out
-    const Texts names = local_names(*this, program(), ordered);
+    if (model().velocities.size() <= max_differentiated_velocities) ordered.repeated = {};
+    const ColumnLoop loop = column_loop(ordered);
+    Texts names = local_names(*this, program(), ordered);
     const FunctionFormulas formulas(program(), ordered, *this, names);
     std::string lines = assign_entries(function);
-    for (std::uint32_t at = 0; at < names.size(); ++at) {
+    for (std::uint32_t at = 0; at < loop.first; ++at) {
       if (names[at].empty()) continue;
       lines += statement(fmt::format("{}{} = ", spelling_.local, names[at]),
                          formulas.formula(at).text, BracketNeed::needed);
+    }
+    if (loop.count > 0) lines += loop_lines(ordered, loop, formulas, {names});
+    for (std::uint32_t at = loop.first; at < names.size(); ++at) {
+      const std::optional<std::size_t> index = solved_index(loop, ordered, at);
+      names[at] = index ? element_access("solved", static_cast<std::uint32_t>(*index)) : "";
     }
     FieldTexts entries;
     for (const Field& field : ordered.fields) {
@@ -162,6 +185,23 @@ class SourceDialect final : public Dialect {
   }
 
  private:
+  /// The loop over columns, after its operands and the list of its results.
+  [[nodiscard]] std::string loop_lines(const Function& function, const ColumnLoop& loop,
+                                       const FunctionFormulas& formulas,
+                                       const ColumnLoopNames& names) const {
+    Texts given;
+    for (const std::uint32_t at : loop.varying_operands)
+      given.push_back(formulas.name_or_formula(at).text);
+    const std::size_t solved = loop.stored_instructions.size() * loop.count;
+    const std::string local(spelling_.local);
+    return statement(local + "given = ", source_list(spelling_.vector, given),
+                     BracketNeed::present) +
+           statement(
+               local + "solved = ", fill_spelling(spelling_.loop.results, std::to_string(solved)),
+               BracketNeed::present) +
+           column_loop_text(*this, program(), function, loop, names);
+  }
+
   [[nodiscard]] std::string_view result_type(const Function& function, const Field& field) const {
     if (is_scalar_field(function, field)) return spelling_.types.number;
     return is_matrix(kind_of_field(program(), function, field), field) ? spelling_.types.matrix
