@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "elgen/opcodes.hpp"
 #include "elgen/references.hpp"
 #include "oracle/rotations.hpp"
 
@@ -28,11 +29,11 @@ Jet elapsed_time(unsigned order) {
   return s;
 }
 
-/// True if two motions at the same parameters are equal.
+/// True if two motions at the same parameters are equal; energies depend on leaves of states only.
 bool is_same_motion(const Motion& x, const Motion& y) {
   bool result = true;
   const auto compare = [&](Opcode kind, std::uint32_t, const Jet& of_x, const Jet& of_y) {
-    result = result && (kind == Opcode::parameter || is_same(of_x, of_y));
+    result = result && (!is_in_state(kind) || is_same(of_x, of_y));
   };
   for_each_leaf(compare, x, y);
   return result;

@@ -7,6 +7,7 @@
 
 #include "elgen/evaluate.hpp"
 #include "elgen/oracle.hpp"
+#include "elgen/outputs.hpp"
 #include "model/requests.hpp"
 #include "numbers/exact_number.hpp"
 #include "sample/points.hpp"
@@ -45,7 +46,7 @@ std::vector<Number> evaluate_mass(const MassSource& source, const Model& model,
                                   const State& state) {
   const std::size_t n = state.v.size();
   Arguments<Number> at = arguments_at<Number>(state);
-  if (source.function.kind == OutputKind::mass_matrix)
+  if (!output_row(source.function.kind).argument_kinds.has_any(Opcode::acceleration))
     return evaluate(source.program, source.function, at);
   at.a.assign(n, Number());
   if (model.is_quadratic) at.v = at.a;  // fewer digits cancel
@@ -63,6 +64,7 @@ std::vector<Number> evaluate_mass(const MassSource& source, const Model& model,
 }  // namespace
 
 bool is_solved_by_oracle(const Model& model) {
+  // M of four velocities takes three expansions of the energies.
   constexpr std::size_t most_velocities = 4;
   return !model.constraints.empty() || model.velocities.size() <= most_velocities;
 }
