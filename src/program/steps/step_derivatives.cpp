@@ -80,13 +80,9 @@ DerivativeTree called(FunctionId function, const DerivativeTree& x, const Deriva
   return {.opcode = Opcode::call, .function = function, .operands = {x, y}};
 }
 
-/// The tangents of the leaves of a step along one direction.
-struct LeafTangents {
-  InstructionIndices q;
-  InstructionIndices v;
-  InstructionIndices u;
-  InstructionIndices a = {};  ///< of the open accelerations
-};
+/// The tangents of the leaves of a step along one direction: q, v, u and, if accelerations are
+/// open, a. All others do not move.
+using LeafTangents = LeafValues<std::uint32_t>;
 
 /// The tangents of all instructions of a step along a direction.
 class TangentPass {
@@ -149,10 +145,9 @@ class TangentPass {
   }
 
   [[nodiscard]] std::uint32_t leaf_tangent(const Instruction& i, const LeafTangents& seeds) const {
-    if (i.opcode == Opcode::coordinate) return seeds.q[i.a];
-    if (i.opcode == Opcode::velocity) return seeds.v[i.a];
-    if (i.opcode == Opcode::acceleration) return seeds.a[i.a];
-    return i.opcode == Opcode::input ? seeds.u[i.a] : zero_;
+    if (!is_leaf(i.opcode)) return zero_;
+    const InstructionIndices* const list = leaf_list(seeds, i.opcode);
+    return list != nullptr && i.a < list->size() ? (*list)[i.a] : zero_;
   }
 
   [[nodiscard]] std::uint32_t call_tangent(const Instruction& i, std::uint32_t at, std::uint32_t da,
@@ -217,9 +212,10 @@ class StepDifferentiator {
       const auto begin = direction.begin() + static_cast<std::ptrdiff_t>(first);
       return InstructionIndices(begin, begin + static_cast<std::ptrdiff_t>(count));
     };
-    const LeafTangents seeds{part(0, coordinate_count()),
-                             part(coordinate_count(), velocity_count()),
-                             part(coordinate_count() + velocity_count(), input_count())};
+    LeafTangents seeds;
+    seeds.q = part(0, coordinate_count());
+    seeds.v = part(coordinate_count(), velocity_count());
+    seeds.u = part(coordinate_count() + velocity_count(), input_count());
     const TangentPass tangents(compose, step_, places_, seeds);
     InstructionIndices result = velocity_tangents(compose, model_, moves_after,
                                                   tangents.tangents_of(step_.fields[0].entries));
@@ -322,8 +318,12 @@ class StageDifferentiator {
 
   [[nodiscard]] LeafTangents zero_seeds() const {
     const auto zeros = [&](std::size_t count) { return InstructionIndices(count, zeros_.front()); };
-    return {zeros(model_.coordinates.size()), zeros_, zeros(model_.inputs.size()),
-            zeros(accelerations_.size())};
+    LeafTangents seeds;
+    seeds.q = zeros(model_.coordinates.size());
+    seeds.v = zeros_;
+    seeds.u = zeros(model_.inputs.size());
+    seeds.a = zeros(accelerations_.size());
+    return seeds;
   }
 
   /// f_k0 or F_kl for all stages, then e_0 or E_l, along one direction.
