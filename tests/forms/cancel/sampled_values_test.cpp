@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "program/read_program.hpp"
+#include "forms/cancel/gravity_program.hpp"
 #include "sample/points.hpp"
 
 using namespace elgen;
@@ -16,11 +16,6 @@ namespace {
 
 using enum SampledValue;
 using Samples = std::vector<SampledValue>;
-
-Program gravity_program(const std::string& instructions) {
-  const std::string text = "parameters m l\ncoordinates x y\nfunction gravity\n" + instructions;
-  return read_program(text);
-}
 
 /// The values of all instructions at the random point of `seed`, which both routes must give.
 Samples sampled(const Program& program, std::uint64_t seed = 1) {

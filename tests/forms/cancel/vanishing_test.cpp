@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "program/read_program.hpp"
+#include "forms/cancel/gravity_program.hpp"
 
 using namespace elgen;
 using namespace elgen::test;
@@ -11,11 +11,6 @@ using namespace elgen::test;
 namespace {
 
 using Places = std::vector<std::uint32_t>;
-
-Program gravity_program(const std::string& instructions) {
-  const std::string text = "parameters m l\ncoordinates x y\nfunction gravity\n" + instructions;
-  return read_program(text);
-}
 
 /// The indices of the instructions whose values vanish at the first random point.
 Places vanishing_places(const std::string& instructions) {

@@ -90,11 +90,12 @@ TEST_CASE("verlet needs a constant M, and forces and L without rates except in T
 TEST_CASE("time advances if the model depends on it") {
   for (const bool moves : {false, true}) {
     const CheckedModel checked{point(moves ? "x*sin(t)" : "x^2"), {}};
+    const StepCallees calls;
     Program program;
     Function function;
     Composition compose(program, function);
     const OutputRequest request{.step = StepSpec{.iterations = 3}};
-    const StepContext step(checked, request, program, compose);
+    const StepContext step(checked, request, calls, compose);
     CHECK(step.iterations == 3);
     const std::size_t size = function.instructions.size();
     const std::uint32_t later = step.time_after(step.half_step);
