@@ -105,6 +105,21 @@ TEST_CASE("sine and cosine are in line for float and double, in any order of sca
   CHECK_FALSE(mentions(cpp_text(subject), "SineCosineInLine"));
 }
 
+TEST_CASE("headers of functions with several angles compute these together") {
+  Subject subject = cart_pole();
+  CHECK_FALSE(mentions(cpp_text(subject), "Angles"));
+  subject.program = read_program(
+      "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = coordinate theta\n"
+      "  2 = sin 0\n  3 = cos 1\n  result 2 1 = 2 3\n");
+  const std::string text = cpp_text(subject);
+  CHECK(mentions(text, "class Angles<float, Count> : public AnglesInVectors<float, Count> {"));
+  CHECK(mentions(text, "class Angles<double, Count> : public AnglesInVectors<double, Count> {"));
+  CHECK_FALSE(mentions(text, "\n\n\n"));
+  subject.scene.numerics.has_library_sines = true;
+  CHECK(mentions(cpp_text(subject), "\nsines_of(const Numbers&... angles) {\n"));
+  CHECK_FALSE(mentions(cpp_text(subject), "AnglesInVectors"));
+}
+
 TEST_CASE("a constant is emitted as one function, however often it occurs") {
   Subject subject = cart_pole();
   load_constant(subject, rational_constant(cln::cl_RA(1) / 3));

@@ -97,6 +97,59 @@ TEST_CASE("one call writes a sine and cosine that parts share") {
             "  std::tie(w.sin_x, w.cos_x) = detail::SineCosine<Scalar>::of(q[0]);\n") == 0);
 }
 
+namespace {
+
+/// A chain of sums, as in long_function(), of the sines of x, theta and 2 theta.
+Subject function_of_angles(std::size_t statements, const std::string& more = "") {
+  Subject subject = long_function(statements);
+  std::string text =
+      "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = coordinate theta\n"
+      "  2 = sin 0\n  3 = cos 0\n  4 = add 1 1\n  5 = sin 4\n  6 = cos 1\n" +
+      more + "  7 = add 2 5  ; s7\n";
+  for (std::size_t i = 8; i < statements + 8; ++i)
+    text += fmt::format("  {} = add {} {}  ; s{}\n", i, i - 1, i % 2 == 0 ? 3 : 6, i);
+  subject.program = read_program(text + fmt::format("  result 2 1 = {} {}\n", statements + 7, 2));
+  return subject;
+}
+
+}  // namespace
+
+TEST_CASE("one call computes all angles of a group") {
+  const std::string body = function_of(function_of_angles(3)).whole.body;
+  CHECK(body.find("  const auto angles = detail::sines_of<Scalar>(q[0], q[1] + q[1], q[1]);\n"
+                  "  const auto [sin_x, cos_x] = angles[0];\n"
+                  "  const Scalar sin_theta_theta = angles.sine(1);\n"
+                  "  const Scalar cos_theta = angles.cosine(2);\n") == 0);
+}
+
+TEST_CASE("the sines of a group cross into other parts together") {
+  const FunctionDefinition function = function_of(function_of_angles(max_body_statements));
+  REQUIRE(function.parts.size() == 3);
+  CHECK(function.parts[0].body.find(
+            "  const auto angles = detail::sines_of<Scalar>(q[0], q[1] + q[1], q[1]);\n"
+            "  std::tie(w.sin_x, w.cos_x) = angles[0];\n"
+            "  w.sin_theta_theta = angles.sine(1);\n"
+            "  w.cos_theta = angles.cosine(2);\n") == 0);
+  CHECK(mentions(function.parts[2].body, "w.cos_x"));
+}
+
+TEST_CASE("every sine of a group has a name") {
+  Subject subject = long_function(3);
+  subject.program = read_program(
+      "coordinates x theta\nfunction gravity\n  0 = coordinate x\n  1 = coordinate theta\n"
+      "  2 = multiply 0 1\n  3 = sin 2\n  4 = cos 1\n  5 = add 3 4\n  6 = sin 5\n"
+      "  7 = multiply 0 0\n  8 = cos 7\n  9 = cos 8\n  10 = add 6 9\n  result 2 1 = 10 0\n");
+  CHECK(function_of(subject).whole.body ==
+        "  const auto angles = detail::sines_of<Scalar>(q[0] * q[1], q[1], q[0] * q[0]);\n"
+        "  const Scalar sin_1 = angles.sine(0);\n"
+        "  const Scalar cos_theta = angles.cosine(1);\n"
+        "  const Scalar cos_1 = angles.cosine(2);\n"
+        "  const auto angles_2 = detail::sines_of<Scalar>(sin_1 + cos_theta, cos_1);\n"
+        "  const Scalar sin_2 = angles_2.sine(0);\n"
+        "  const Scalar cos_2 = angles_2.cosine(1);\n"
+        "  return {{sin_2 + cos_2, q[0]}};\n");
+}
+
 TEST_CASE("parts name only arguments that they use") {
   const FunctionDefinition function = function_of(long_function(max_body_statements));
   const std::string& last = function.parts.back().signature;

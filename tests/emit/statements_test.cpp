@@ -77,6 +77,30 @@ TEST_CASE(
   CHECK(std::holds_alternative<AssignStatement>(separate[1]));
 }
 
+TEST_CASE("a group of angles stands at its first sine, after the operands of its other angles") {
+  const Program program = read_program(
+      "coordinates x y\nfunction gravity\n  0 = coordinate x\n  1 = coordinate y\n"
+      "  2 = sin 0\n  3 = multiply 2 1\n  4 = add 0 1\n  5 = sin 4\n  6 = cos 4\n  7 = cos 3\n"
+      "  result 4 1 = 2 5 6 7\n");
+  const std::vector<std::string> names = {"", "", "s", "product", "sum", "s2", "c2", "c3"};
+  const std::vector<Statement> all =
+      make_statements(program.functions.front(), names, SineCosinePairing::grouped);
+  REQUIRE(all.size() == 4 + 4);
+  CHECK(assigned_values(all[0]) == Numbers{4});
+  CHECK(std::get<AnglesStatement>(all[1]).calls == Numbers{2, 5, 6});
+  CHECK(std::get<AnglesStatement>(all[1]).number == 1);
+  CHECK(assigned_values(all[1]) == Numbers{2, 5, 6});
+  CHECK(operands_of(all[1]).uses == Numbers{4});
+  CHECK(operands_of(all[1]).inlined_instructions == Numbers{0});  // no call is written in place
+  CHECK(assigned_values(all[2]) == Numbers{3});
+  CHECK(std::holds_alternative<AssignStatement>(all[3]));  // an angle alone is no group
+  const BodyParts cut = cut_into_parts(all, 2);
+  REQUIRE(cut.parts.size() == 4);
+  CHECK(std::holds_alternative<AnglesStatement>(cut.parts[0][1]));
+  CHECK(std::get<EntryStatement>(cut.parts[1][0]).index == 0);
+  CHECK(cut.crosses_parts == std::vector<bool>{false, false, true, true, false, true, true, false});
+}
+
 TEST_CASE("an entry follows the last statement that it uses") {
   const BodyParts cut = cut_into_parts(
       {assign(0, {}), assign(1, {0}), assign(2, {1}), entry(0, {2}), entry(1, {0}), entry(2, {})},

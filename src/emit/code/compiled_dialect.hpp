@@ -16,6 +16,13 @@ struct UsedNames {
   std::set<std::string_view> functions = {};  ///< of the standard library: "exp"
 };
 
+/// An angle and the names of its sine and cosine; "" for a value that the function does not use.
+struct AngleTexts {
+  FormulaText angle = {};
+  std::string sine = {};
+  std::string cosine = {};
+};
+
 /// Writes the statements of a function in a compiled language, C++ or C99.
 class CompiledDialect : public Dialect {
  public:
@@ -45,6 +52,14 @@ class CompiledDialect : public Dialect {
                                                           const std::string& cosine,
                                                           const FormulaText& angle,
                                                           bool is_declared) const = 0;
+
+  /// The lines that compute the sines and cosines of several angles together. `number`: of the
+  /// group in its function, from 1. Called only if body_rules() has `groups_angles`.
+  [[nodiscard]] virtual std::string angles_statement(const std::vector<AngleTexts>& /*angles*/,
+                                                     std::size_t /*number*/,
+                                                     bool /*is_declared*/) const {
+    return {};
+  }
 
   /// "const Scalar x": declares a temporary, without its value.
   [[nodiscard]] virtual std::string declaration(const std::string& name) const = 0;

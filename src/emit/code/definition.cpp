@@ -40,6 +40,7 @@ void add_used_array(const LoopOperandStatement& /*given*/, UsedNames& used) {
 }
 void add_used_array(const AssignStatement& /*assign*/, UsedNames& /*used*/) {}
 void add_used_array(const SineCosineStatement& /*pair*/, UsedNames& /*used*/) {}
+void add_used_array(const AnglesStatement& /*angles*/, UsedNames& /*used*/) {}
 void add_used_array(const LoopStatement& /*loop*/, UsedNames& /*used*/) {}
 
 /// True if `crosses` marks one of `instructions`. `crosses`: BodyParts::crosses_parts; empty if the
@@ -85,9 +86,7 @@ class DefinitionWriter {
   }
 
   FunctionDefinition write_definition() {
-    const SineCosinePairing pairing =
-        dialect_.has_sine_cosine_calls() ? SineCosinePairing::joint : SineCosinePairing::separate;
-    const std::vector<Statement> all = make_statements(ordered_, names_, pairing, loop_);
+    const std::vector<Statement> all = make_statements(ordered_, names_, pairing(), loop_);
     if (all.size() <= max_body_statements) return {single_body_text(all)};
     BodyParts cut = cut_into_parts(all, statements_per_part);
     if (loop_.count > 0) cut.crosses_parts[loop_.first] = true;
@@ -104,6 +103,12 @@ class DefinitionWriter {
   }
 
  private:
+  [[nodiscard]] SineCosinePairing pairing() const {
+    if (dialect_.body_rules().groups_angles) return SineCosinePairing::grouped;
+    return dialect_.has_sine_cosine_calls() ? SineCosinePairing::joint
+                                            : SineCosinePairing::separate;
+  }
+
   [[nodiscard]] DefinitionText single_body_text(const std::vector<Statement>& all) const {
     std::string lines;
     for (const std::string& array : array_declarations()) lines += fmt::format("  {};\n", array);
@@ -149,6 +154,18 @@ class DefinitionWriter {
         formulas_.operand_formula(pair.sine, ordered_.instructions[pair.sine].a);
     return dialect_of(pair.sine).sine_cosine_statement(names_[pair.sine], names_[pair.cosine],
                                                        angle, is_declared);
+  }
+
+  [[nodiscard]] std::string text(const AnglesStatement& group, bool is_declared) const {
+    std::vector<AngleTexts> angles;
+    std::optional<std::uint32_t> last;
+    for (const std::uint32_t at : group.calls) {
+      const Instruction& call = ordered_.instructions[at];
+      if (last != call.a) angles.push_back({formulas_.operand_formula(at, call.a)});
+      last = call.a;
+      (call.function == FunctionId::sin ? angles.back().sine : angles.back().cosine) = names_[at];
+    }
+    return dialect_of(group.calls.front()).angles_statement(angles, group.number, is_declared);
   }
 
   [[nodiscard]] std::string text(const EntryStatement& entry, bool /*is_declared*/) const {

@@ -24,6 +24,7 @@ struct BodyRules {
   std::size_t max_name_length =
       0;                       ///< characters of a name that the language accepts; 0: any number
   CommentMarks comments = {};  ///< marks around the documentation of members
+  bool groups_angles = false;  ///< a statement computes a group of angles; its calls need names
 };
 
 /// The entries of each field, row-major.

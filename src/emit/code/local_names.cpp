@@ -1,13 +1,17 @@
 // local_names: adapts the names of the program to the language. A name that would hide another name
-// gets an underscore, a long name is cut, and new names split a deep formula.
+// gets an underscore, a long name is cut, and new names split a deep formula. Sines and cosines
+// that are computed together have names.
 #include "emit/code/local_names.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "elgen/leaf_names.hpp"
+#include "emit/code/angle_groups.hpp"
 
 namespace elgen {
 namespace {
@@ -36,6 +40,20 @@ void name_deep_values(const Function& function, NamingLimits bounds,
     if (depths[at] <= bounds.max_bracket_depth || !names[at].empty()) continue;
     do names[at] = fmt::format("inner_{}", ++count);
     while (!bounds.used_names.insert(names[at]).second);
+  }
+}
+
+/// "sin_1", "cos_2": names the calls of groups that have no name.
+void name_grouped_calls(const Function& function, std::set<std::string>& used,
+                        std::vector<std::string>& names) {
+  for (const AngleGroup& group : angle_groups(function)) {
+    for (const std::uint32_t at : group) {
+      const std::string_view name = function_row(function.instructions[at].function).name;
+      for (std::size_t number = 1; names[at].empty(); ++number) {
+        std::string unique = fmt::format("{}_{}", name, number);
+        if (used.insert(unique).second) names[at] = std::move(unique);
+      }
+    }
   }
 }
 
@@ -68,6 +86,7 @@ std::vector<std::string> local_names(const Dialect& dialect, const Program& prog
     if (is_long) name = fmt::format("{}_{}", name.substr(0, truncated_name_length), used.size());
     while (!used.insert(name).second) name += '_';
   }
+  if (rules.groups_angles) name_grouped_calls(function, used, names);
   if (rules.max_bracket_depth > 0)
     name_deep_values(function, {rules.max_bracket_depth, used}, names);
   return names;

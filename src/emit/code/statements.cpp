@@ -1,6 +1,7 @@
-// statements: follows the operands of each statement to named instructions. cut_into_parts() moves
-// each entry behind the last statement whose value the entry uses, then cuts the statements into
-// parts of equal length.
+// statements: follows the operands of each statement to named instructions. A group of angles
+// stands at its first sine or cosine, after the operands of its other angles. cut_into_parts()
+// moves each entry behind the last statement whose value the entry uses, then cuts the statements
+// into parts of equal length.
 #include "emit/code/statements.hpp"
 
 #include <algorithm>
@@ -62,23 +63,78 @@ AssignedValues values_assigned_by(const AssignStatement& assign) { return {assig
 AssignedValues values_assigned_by(const SineCosineStatement& pair) {
   return {pair.sine, pair.cosine};
 }
+AssignedValues values_assigned_by(const AnglesStatement& angles) { return angles.calls; }
 AssignedValues values_assigned_by(const EntryStatement& /*entry*/) { return {}; }
 AssignedValues values_assigned_by(const LoopOperandStatement& /*given*/) { return {}; }
 AssignedValues values_assigned_by(const LoopStatement& loop) { return {loop.first}; }
 
-/// Sort key: named values keep the order of evaluation; an entry follows the last value that it
-/// uses.
-std::uint64_t sort_key(const Statement& statement) {
-  const AssignedValues named = assigned_values(statement);
-  if (!named.empty()) return 2 * (std::uint64_t{named.front()} + 1);
-  const std::vector<std::uint32_t>& uses = operands_of(statement).uses;
-  return uses.empty() ? 0 : 2 * (std::uint64_t{uses.back()} + 1) + 1;
-}
+/// Creates the statements of named values. Every statement follows its operands.
+class ValueStatements {
+ public:
+  ValueStatements(const Function& function, const std::vector<std::string>& names,
+                  SineCosinePairing pairing)
+      : function_(function),
+        pairing_(pairing),
+        walk_(function, names),
+        is_added_(names.size(), false) {
+    if (pairing != SineCosinePairing::grouped) return;
+    for (const AngleGroup& group : angle_groups(function)) {
+      for (const std::uint32_t at : group) groups_.emplace(at, group);
+    }
+  }
 
-/// The statements in ascending order of sort_key(). Statements with equal keys keep their order.
-std::multimap<std::uint64_t, Statement> sort_statements(const std::vector<Statement>& statements) {
-  std::multimap<std::uint64_t, Statement> by_place;
-  for (const Statement& statement : statements) by_place.emplace(sort_key(statement), statement);
+  void add(std::uint32_t at) {
+    if (is_added_[at]) return;
+    Statement statement = make_statement(at);
+    for (const std::uint32_t value : assigned_values(statement)) is_added_[value] = true;
+    for (const std::uint32_t used : operands_of(statement).uses) add(used);
+    all_.push_back(std::move(statement));
+  }
+
+  std::vector<Statement> take() { return std::move(all_); }
+
+ private:
+  Statement make_statement(std::uint32_t at) {
+    if (const auto group = groups_.find(at); group != groups_.end())
+      return AnglesStatement{group->second, ++group_count_,
+                             walk_.walk_values(angles_of(group->second))};
+    const std::uint32_t operand = function_.instructions[at].a;
+    const bool is_pair =
+        pairing_ != SineCosinePairing::separate && starts_sine_cosine_pair(function_, at);
+    if (is_pair) return SineCosineStatement{at, at + 1, walk_.walk_values({operand})};
+    return AssignStatement{at, walk_.walk_definition(at)};
+  }
+
+  std::vector<std::uint32_t> angles_of(const AngleGroup& group) const {
+    std::vector<std::uint32_t> angles;
+    for (const std::uint32_t at : group) angles.push_back(function_.instructions[at].a);
+    return angles;
+  }
+
+  const Function& function_;
+  SineCosinePairing pairing_;
+  OperandWalk walk_;
+  std::vector<bool> is_added_;
+  std::map<std::uint32_t, AngleGroup> groups_ = {};  ///< of each call
+  std::size_t group_count_ = 0;                      ///< in all_ or in work
+  std::vector<Statement> all_ = {};
+};
+
+/// The statements in a new order: named values keep their order; an entry follows the last value
+/// that it uses.
+std::multimap<std::size_t, Statement> sort_statements(const std::vector<Statement>& statements) {
+  std::map<std::uint32_t, std::size_t> places;
+  std::multimap<std::size_t, Statement> by_place;
+  for (const Statement& statement : statements) {
+    const AssignedValues named = assigned_values(statement);
+    std::size_t place = named.empty() ? 0 : by_place.size() + 1;
+    for (const std::uint32_t at : named) places[at] = place;
+    if (named.empty()) {
+      for (const std::uint32_t used : operands_of(statement).uses)
+        place = std::max(place, places.at(used));
+    }
+    by_place.emplace(place, statement);
+  }
   return by_place;
 }
 
@@ -104,8 +160,8 @@ std::vector<bool> find_crossing_values(const BodyParts& cut) {
         if (part_of[used] != part) crosses[used] = true;
       }
       for (const std::uint32_t at : assigned_values(statement)) {
-        part_of.resize(at + 1);
-        crosses.resize(at + 1);
+        part_of.resize(std::max<std::size_t>(part_of.size(), at + 1));
+        crosses.resize(part_of.size());
         part_of[at] = part;
       }
     }
@@ -128,18 +184,12 @@ std::vector<std::uint32_t> assigned_values(const Statement& statement) {
 std::vector<Statement> make_statements(const Function& function,
                                        const std::vector<std::string>& names,
                                        SineCosinePairing pairing, const ColumnLoop& loop) {
-  OperandWalk walk(function, names);
-  std::vector<Statement> all;
+  ValueStatements values(function, names, pairing);
   for (std::uint32_t at = 0; at < first_repeated_instruction(function); ++at) {
-    if (names[at].empty()) continue;
-    if (pairing == SineCosinePairing::joint && starts_sine_cosine_pair(function, at)) {
-      all.emplace_back(
-          SineCosineStatement{at, at + 1, walk.walk_values({function.instructions[at].a})});
-      ++at;
-    } else {
-      all.emplace_back(AssignStatement{at, walk.walk_definition(at)});
-    }
+    if (!names[at].empty()) values.add(at);
   }
+  std::vector<Statement> all = values.take();
+  OperandWalk walk(function, names);
   for (std::uint32_t index = 0; index < loop.varying_operands.size(); ++index) {
     all.emplace_back(LoopOperandStatement{loop.varying_operands[index], index,
                                           walk.walk_values({loop.varying_operands[index]})});

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "elgen/program.hpp"
+#include "emit/code/angle_groups.hpp"
 #include "emit/code/column_loop.hpp"
 
 namespace elgen {
@@ -33,6 +34,13 @@ struct AssignStatement {
 struct SineCosineStatement {
   std::uint32_t sine = 0;
   std::uint32_t cosine = 0;
+  StatementOperands operands = {};
+};
+
+/// Computes the sines and cosines of several angles together.
+struct AnglesStatement {
+  AngleGroup calls = {};
+  std::size_t number = 0;  ///< of the group in its function, from 1
   StatementOperands operands = {};
 };
 
@@ -59,19 +67,22 @@ struct LoopStatement {
 
 /// A variant: code that writes or sorts statements needs an overload for each kind, and the
 /// compiler reports a missing overload.
-using Statement = std::variant<AssignStatement, SineCosineStatement, EntryStatement,
-                               LoopOperandStatement, LoopStatement>;
+using Statement = std::variant<AssignStatement, SineCosineStatement, AnglesStatement,
+                               EntryStatement, LoopOperandStatement, LoopStatement>;
 
 [[nodiscard]] const StatementOperands& operands_of(const Statement& statement);
 
-/// Instructions to which the statement gives names, ascending.
+/// Instructions to which the statement gives names.
 [[nodiscard]] std::vector<std::uint32_t> assigned_values(const Statement& statement);
 
 /// `joint`: a single statement computes the sine and the cosine of an angle if both are needed.
-enum class SineCosinePairing : std::uint8_t { joint, separate };
+/// `grouped`: also, a single statement computes all angles of a group.
+enum class SineCosinePairing : std::uint8_t { separate, joint, grouped };
 
-/// The statements of a function. `names`: one per instruction; "" if the instruction is written
-/// out. An entry that the loop computes has the first instruction of the loop as operand.
+/// The statements of a function, in the order of evaluation. The operands of a group of angles
+/// precede the group. `names`: one per instruction; "" if the instruction is written out. All
+/// instructions of groups have names. An entry that the loop computes has the first instruction of
+/// the loop as operand.
 [[nodiscard]] std::vector<Statement> make_statements(const Function& function,
                                                      const std::vector<std::string>& names,
                                                      SineCosinePairing pairing,

@@ -75,6 +75,9 @@ std::string sine_cosine_target(const std::string& sine, const std::string& cosin
                      : fmt::format("std::tie({}, {})", sine, cosine);
 }
 
+/// Begins the names of groups of angles: "angles", "angles_2".
+constexpr std::string_view angles_name = "angles";
+
 ColumnLoopTexts make_loop_texts(std::string_view scope, std::uint32_t count) {
   return {fmt::format("  using Columns = {0}detail::Columns<Scalar>;\n"
                       "  for (std::size_t first = 0; first < {1}; first += Columns::size) {{\n"
@@ -111,6 +114,31 @@ class CppDialect : public CompiledDialect {
         fmt::format("{}detail::SineCosine<{}>::of", namespace_prefix(), scalar_type());
     return assignment(sine_cosine_target(sine, cosine, is_declared),
                       named_call_text(name, {angle}).text);
+  }
+
+  BodyRules body_rules() const override { return {.groups_angles = true}; }
+
+  std::string angles_statement(const std::vector<AngleTexts>& angles, std::size_t number,
+                               bool is_declared) const override {
+    const std::string name =
+        number == 1 ? std::string(angles_name) : fmt::format("{}_{}", angles_name, number);
+    std::vector<FormulaText> arguments;
+    std::string lines;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const auto& [angle, sine, cosine] = angles[i];
+      arguments.push_back(angle);
+      if (!sine.empty() && !cosine.empty()) {
+        lines += assignment(sine_cosine_target(sine, cosine, is_declared),
+                            fmt::format("{}[{}]", name, i));
+      } else {
+        const std::string& own = sine.empty() ? cosine : sine;
+        lines += assignment(is_declared ? declaration(own) : own,
+                            fmt::format("{}.{}({})", name, sine.empty() ? "cosine" : "sine", i));
+      }
+    }
+    const std::string function =
+        fmt::format("{}detail::sines_of<{}>", namespace_prefix(), scalar_type());
+    return assignment("const auto " + name, named_call_text(function, arguments).text) + lines;
   }
 
   ColumnLoopTexts column_loop_texts(std::uint32_t count) const override {
@@ -226,7 +254,9 @@ class CppDialect : public CompiledDialect {
     return fmt::format("const {}&", leaf_row(argument).type);
   }
 
-  bool is_reserved(const std::string& name) const override { return is_emitted_name(name); }
+  bool is_reserved(const std::string& name) const override {
+    return is_emitted_name(name) || name.starts_with(angles_name);
+  }
 
  private:
   /// "detail::Sine<Scalar>::of" for "sin", because the header computes sines in line if possible.

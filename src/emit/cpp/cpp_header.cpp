@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "emit/code/angle_groups.hpp"
 #include "emit/code/cpp_constant.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
@@ -144,6 +145,7 @@ TemplateData inline_sines_data(const EmissionInput& input) {
   return TemplateRow{
       {"scalars", sine_cosine_calls_data(scene.numerics)},
       {"tables", trigonometry_tables(scene.numerics, SineArithmetic::numbers, in_tables)},
+      {"angles", optional_section(has_angle_groups(input.program))},
       {"in_line", optional_section(!in_line.empty(), TemplateRow{{"scalars", names}})}};
 }
 
