@@ -1,9 +1,13 @@
 // Tests detail::SineCosine. In-line sines and cosines have errors up to 1.5 ulp in double and 0.9
 // ulp in float; near multiples of pi/2 the errors are up to 0.5 ulp. Beyond `domain` and in long
-// double the values have the bits of std::sin and std::cos.
+// double the values have the bits of std::sin and std::cos. detail::sines_of computes several
+// angles with the bits of SineCosine, even if some of the angles are beyond `domain`.
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "two_link_arm/two_link_arm.hpp"
 
@@ -111,6 +115,66 @@ bool has_sign_of_zero() {
          code::Sine<Scalar>::of(std::numeric_limits<Scalar>::denorm_min()) > 0;
 }
 
+/// How many of the angles have different bits together than alone.
+template <class Scalar, std::size_t... I>
+int differences_together(const std::array<Scalar, sizeof...(I)>& angles,
+                         std::index_sequence<I...> /*numbers*/) {
+  const auto together = code::sines_of<Scalar>(angles[I]...);
+  return static_cast<int>(std::count_if(angles.begin(), angles.end(), [&](const Scalar& angle) {
+    const auto i = static_cast<std::size_t>(&angle - angles.data());
+    const auto [sine, cosine] = together[i];
+    const auto alone = code::SineCosine<Scalar>::of(angle);
+    return !is_same(sine, alone.sine) || !is_same(cosine, alone.cosine) ||
+           !is_same(together.sine(i), alone.sine) || !is_same(together.cosine(i), alone.cosine);
+  }));
+}
+
+/// Compares `sets` sets of `Count` angles. One set of four may have angles beyond the domain.
+template <class Scalar, std::size_t Count>
+int differences_together(int sets) {
+  using Limits = std::numeric_limits<Scalar>;
+  constexpr auto end = static_cast<Scalar>(domain<Scalar>);
+  const std::array<Scalar, 12> special{Scalar(0),
+                                       -Scalar(0),
+                                       Limits::denorm_min(),
+                                       -Limits::denorm_min(),
+                                       Limits::min(),
+                                       end,
+                                       -end,
+                                       std::nextafter(end, Limits::max()),
+                                       std::nextafter(-end, -Limits::max()),
+                                       Limits::max(),
+                                       -Limits::infinity(),
+                                       Limits::quiet_NaN()};
+  std::mt19937 random(3);  // NOLINT: the same angles in every run
+  std::uniform_real_distribution<double> mantissa(-1.0, 1.0);
+  std::uniform_int_distribution<int> exponent(-40, 9);
+  std::uniform_int_distribution<std::size_t> pick(0, 3 * special.size());
+  int count = 0;
+  for (int set = 0; set < sets; ++set) {
+    std::array<Scalar, Count> angles;
+    for (Scalar& angle : angles) {
+      const double size = set % 2 == 0 ? 4.0 : std::ldexp(1.0, exponent(random));
+      angle = static_cast<Scalar>(size * mantissa(random));
+      const std::size_t number = pick(random);
+      if (set % 4 == 3 && number < special.size()) angle = special[number];
+    }
+    count += differences_together(angles, std::make_index_sequence<Count>());
+  }
+  if (count > 0) std::printf("%d of %d sets of %d angles\n", count, sets, static_cast<int>(Count));
+  return count;
+}
+
+/// A million angles.
+template <class Scalar>
+int differences_together() {
+  constexpr int sets = 23'000;
+  return differences_together<Scalar, 2>(sets) + differences_together<Scalar, 3>(sets) +
+         differences_together<Scalar, 4>(sets) + differences_together<Scalar, 5>(sets) +
+         differences_together<Scalar, 6>(sets) + differences_together<Scalar, 7>(sets) +
+         differences_together<Scalar, 8>(sets) + differences_together<Scalar, 9>(sets);
+}
+
 }  // namespace
 
 int main() {
@@ -118,6 +182,7 @@ int main() {
   if (!has_signs) std::puts("the sign of a zero");
   const int count = differences<float>("float") + differences<double>("double") +
                     differences<long double>("long double") + errors<float>("float", -37, 0.9) +
-                    errors<double>("double", -300, 1.5);
+                    errors<double>("double", -300, 1.5) + differences_together<float>() +
+                    differences_together<double>() + differences_together<long double, 3>(1000);
   return has_signs && count == 0 ? 0 : 1;
 }
