@@ -90,8 +90,8 @@ struct Certificate {
 };
 
 struct VerifyOptions {
-  /// Number of random states per output. Up to 64 of them are also moved near zeros of typed sums.
-  /// None: 256, fewer for long programs.
+  /// Number of random states per output. Up to 64 more are near zeros of typed sums, and up
+  /// to 64 more at large losses. None: 256, fewer for long programs.
   std::optional<std::size_t> samples = {};
   /// True: check only 16 random states and all extremes (fewer for long programs), check one
   /// contraction per output instead of all entries, and compile no code.
@@ -160,9 +160,9 @@ struct SelfCheck {
 [[nodiscard]] SelfCheck self_check(const Model& model, const Scene& scene, const Program& program,
                                    const Program& unrequested = {});
 
-/// Inverse dynamics, from which self_check() computes M to compare relative pivots. None if the
-/// program has M or inverse dynamics, or if the oracle computes M: up to four velocities, or with
-/// constraints.
+/// Inverse dynamics, from which self_check() computes M to compare relative pivots. None if no
+/// function has relative pivots, if the program has M or inverse dynamics, or if the oracle
+/// computes M: up to four velocities, or with constraints.
 [[nodiscard]] std::vector<OutputRequest> outputs_for_self_check(const Model& model,
                                                                 const Program& program);
 

@@ -91,8 +91,8 @@ struct Contraction {
                                                           const State& state,
                                                           const Contraction& by);
 
-/// True for energies, forward_dynamics, constraints, steps and user outputs: no directional
-/// derivatives give their contractions.
+/// True if contractions need all entries of the output, because no directional derivatives give
+/// them. Examples: energies, forward_dynamics, step.
 [[nodiscard]] bool oracle_needs_entries(const OutputRequest& output);
 
 /// The contraction of one field, from the oracle_values() of the output.

@@ -34,13 +34,14 @@ struct SimulationOptions {
   bool continues_at_singularity = false;  ///< true: go on if M or A loses rank; needs `step`
   std::vector<std::string> panel_columns = {};  ///< columns that get separate panels in the plot
   std::string path = {};                        ///< the point whose path is drawn; "": none
-  /// Called repeatedly with the time in s that the run has reached.
+  /// Called repeatedly with the time in s that the run has reached; if `compile` is set, only after
+  /// its call.
   std::function<void(double)> on_progress = {};
   /// Called once, after the interpreter has computed `most_interpreted` instructions. The run
-  /// continues with the returned functions, whose results have the same bits, and times only these.
-  /// Not set: the interpreter computes the whole run.
+  /// continues with the returned functions, whose results have the same bits, and times only these;
+  /// with null, it continues in the interpreter. Not set: the code does not change during the run.
   std::function<Result<const CompiledModel*>()> compile = {};
-  /// Less than two seconds of the interpreter, as long as compilers take for a robot.
+  /// About two seconds of the interpreter, the time that a compiler takes for a robot.
   std::size_t most_interpreted = 1 << 28;
 };
 

@@ -31,13 +31,15 @@ enum class StepDomain : std::uint8_t { any, separable, quadratic };
 /// a shorter h, not more iterations.
 inline constexpr std::uint32_t max_step_iterations = 20;
 
+/// Up to so many velocities, derivatives of steps and interpreted languages write out every column.
 /// For more velocities, derivatives of a step call the parts of derivatives of accelerations
 /// (elgen/compose.hpp), and interpreted languages loop over columns: straight-line code would have
 /// megabytes.
-inline constexpr std::size_t max_differentiated_velocities = 10;
+inline constexpr std::size_t max_unrolled_velocities = 10;
 
 /// The most velocities of derivatives of a step. The program lists every repetition: for 40
-/// velocities and inputs, 3.5 million instructions.
+/// velocities and inputs, 3.5 million instructions by rk4; by verlet of order 8 up to 20 times as
+/// many.
 inline constexpr std::size_t max_step_velocities = 40;
 
 struct StepMethodRow {

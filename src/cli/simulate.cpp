@@ -39,15 +39,20 @@ constexpr const char* default_method = "dopri5";
 /// The number of rows if --every is not set.
 constexpr double default_rows = 1000;
 
-/// The function for SimulationOptions::on_progress. After one second it estimates the duration of
-/// the run. If the estimate is ten seconds or more, the function shows it once: in the line of
-/// progress on a terminal, otherwise as a message.
+/// The function for SimulationOptions::on_progress. One second after its first call, it estimates
+/// the duration of the run. If the estimate is ten seconds or more, the function shows it once: in
+/// the line of progress on a terminal, otherwise as a message.
 std::function<void(double)> make_duration_estimator(const GlobalOptions& global,
-                                                    const Progress& progress, double from,
+                                                    const Progress& progress, double begin,
                                                     double time) {
   using Clock = std::chrono::steady_clock;
-  return [&global, &progress, from, time, first = Clock::now(), is_over = false](double t) mutable {
-    const double seconds = std::chrono::duration<double>(Clock::now() - first).count();
+  std::optional<Clock::time_point> first;
+  return [&global, &progress, begin, time, first, from = begin, is_over = false](double t) mutable {
+    if (!first) {
+      first = Clock::now();
+      from = t;
+    }
+    const double seconds = std::chrono::duration<double>(Clock::now() - *first).count();
     if (is_over || seconds < 1 || t <= from) return;
     is_over = true;
     const double whole = seconds * time / (t - from);
@@ -55,7 +60,7 @@ std::function<void(double)> make_duration_estimator(const GlobalOptions& global,
     const bool is_beyond = whole > static_cast<double>(global.limits.seconds);
     const std::string text =
         fmt::format("{:.3g} of {:.3g} s after {:.1f} s, the whole run will take about {:.2g} s{}",
-                    t - from, time, seconds, whole, is_beyond ? " (--limit seconds=N)" : "");
+                    t - begin, time, seconds, whole, is_beyond ? " (--limit seconds=N)" : "");
     progress.show_stage("simulate: " + text);
     if (!is_terminal(stderr)) print_message(global, text);
   };
@@ -98,10 +103,11 @@ Result<Trajectory> run_simulation(const GlobalOptions& global, const SimulateOpt
   const auto compile = [&]() -> Result<const CompiledModel*> {
     progress.show_stage("compile");
     headers = compile_for_run(products, global.limits);
-    if (!headers) return headers.diagnostics;
+    const bool has_no_compiler = !headers && headers.diagnostics.front().code == Code::E704;
+    if (!headers && !has_no_compiler) return headers.diagnostics;
     progress.show_stage("simulate");
     renew_time_limit(global.limits);
-    return headers->front().functions.get();
+    return has_no_compiler ? nullptr : headers->front().functions.get();
   };
   // A program with a `step` is always interpreted.
   if (!step_for_run(run)) run.compile = compile;

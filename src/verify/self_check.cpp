@@ -73,7 +73,9 @@ std::optional<ExpressionId> undefined_expression(const Model& model, const Funct
 class SelfChecker {
  public:
   explicit SelfChecker(const SystemUnderTest& subject)
-      : subject_(subject), is_undefined_so_far_(subject.program.functions.size(), true) {
+      : subject_(subject),
+        is_undefined_so_far_(subject.program.functions.size(), true),
+        has_compared_pivots_(subject.program.functions.size(), false) {
     result_.sampled_zeros = count_sampled_zeros(subject.program);
   }
 
@@ -118,8 +120,10 @@ class SelfChecker {
   Regime check_function(StateCheck<double>& visit, std::size_t index) {
     Regime regime = Regime::regular;
     for (const ComparedField& place : compared_fields(subject_, index)) {
-      if (!is_projected_at(place, subject_.model, result_.states)) continue;
+      const bool is_once = is_projected_once(place, subject_.model);
+      if (is_once && has_compared_pivots_[index]) continue;
       const Finding finding = visit.check_field(place, sampler_);
+      if (is_once && finding.is_compared) has_compared_pivots_[index] = true;
       regime = worse_regime(regime, finding.regime);
       if (finding.regime == Regime::overflow && !finding.is_finite) is_infinite_ = true;
       if (finding.loss) {
@@ -183,6 +187,7 @@ class SelfChecker {
   const SystemUnderTest& subject_;
   Sampler sampler_{1};
   std::vector<bool> is_undefined_so_far_;  ///< by function: undefined at all states so far
+  std::vector<bool> has_compared_pivots_;  ///< by function
   bool is_infinite_ = false;  ///< some value is not finite in double at the current state
   std::vector<State> states_ = {};
   std::optional<double> loss_ = {};  ///< the largest loss so far

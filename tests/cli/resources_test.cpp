@@ -66,7 +66,7 @@ TEST_CASE("a limit on the size of files leaves no temporary folder") {
   workspace.prepare("mkdir tmp");
   const std::string model = ELGEN_SOURCE_DIR "/models/double_pendulum.toml";
   const std::string limited = "ulimit -f 4; TMPDIR=$PWD/tmp elgen ";
-  const Outcome run = workspace.run(limited + "simulate -q --time 1 " + model);
+  const Outcome run = workspace.run(limited + "verify -q --samples 1 " + model);
   CHECK(run.status == 4);
   CHECK(mentions(run.errors, "error[E706]"));
   CHECK(workspace.run("ls -A tmp").output.empty());

@@ -213,7 +213,7 @@ TEST_CASE("interpreted languages loop over the columns of models with many veloc
         .whole.body;
   };
   CHECK(mentions(body_in(LanguageId::matlab), "  result = [square * q(1); square * q(2)];\n"));
-  subject.model.velocities.resize(max_differentiated_velocities + 1);
+  subject.model.velocities.resize(max_unrolled_velocities + 1);
   CHECK(mentions(body_in(LanguageId::python), R"(    given = [q_0, q_1]
     solved = [0.0] * 2
     for at in range(2):

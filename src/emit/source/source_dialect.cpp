@@ -144,7 +144,7 @@ class SourceDialect final : public Dialect {
   /// writes out the repetitions of models with few velocities.
   FunctionDefinition function_definition(const Function& function, Storage storage) const override {
     Function ordered = to_storage_order(function, storage);
-    if (model().velocities.size() <= max_differentiated_velocities) ordered.repeated = {};
+    if (model().velocities.size() <= max_unrolled_velocities) ordered.repeated = {};
     const ColumnLoop loop = column_loop(ordered);
     Texts names = local_names(*this, program(), ordered);
     const FunctionFormulas formulas(program(), ordered, *this, names);

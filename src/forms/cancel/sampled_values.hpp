@@ -28,8 +28,8 @@ enum class SampledValue : std::uint8_t {
 
 /// For each instruction: its value at `point`; `nonzero` if the instruction is not `needed`. Values
 /// have 64 digits, their running errors are computed in double. If these errors are too rough for a
-/// comparison, or if digits are lost, sample_in_64_digits() decides. Cost: one operation of Real
-/// per needed instruction, or about ten.
+/// comparison, or if digits are lost, sample_in_64_digits() decides. Cost per needed
+/// instruction: one operation of Real; about ten more if sample_in_64_digits() decides.
 [[nodiscard]] std::vector<SampledValue> sample_values(const Program& program,
                                                       const Function& function,
                                                       const std::vector<bool>& needed,

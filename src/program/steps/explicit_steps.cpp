@@ -1,4 +1,6 @@
 // The explicit methods. They call only accelerations, and coordinate rates if there are rotations.
+// If accelerations are open (StepContext), they are leaves, and the caller computes them at
+// NextState::stages.
 // If the step has directions (StepContext), all values have tangents. The tangents of accelerations
 // come from a call of the derivatives of accelerations:
 //

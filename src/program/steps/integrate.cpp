@@ -60,8 +60,7 @@ bool carries_tangents(const Model& model, const OutputRequest& step) {
 
 /// True if derivatives of the instructions of the step would be too long.
 bool is_long_derivative(const Model& model, const OutputRequest& step) {
-  return output_row(step.kind).differentiates &&
-         model.velocities.size() > max_differentiated_velocities;
+  return output_row(step.kind).differentiates && model.velocities.size() > max_unrolled_velocities;
 }
 
 /// True if an explicit method calls the parts of derivatives of accelerations at its stages.
@@ -139,7 +138,7 @@ std::string inapplicable_reason(const CheckedModel& checked, const OutputRequest
       if (!checked.model.is_quadratic) return "L is not quadratic in the rates";
       if (is_long_derivative(checked.model, step)) {
         return fmt::format("derivatives of its steps support at most {} velocities, not {}",
-                           max_differentiated_velocities, checked.model.velocities.size());
+                           max_unrolled_velocities, checked.model.velocities.size());
       }
       return {};
     case StepDomain::any:

@@ -58,8 +58,8 @@ struct NextState {
 
 /// The same columns, if the accelerations of `step` at `stages` are open. Its instructions and the
 /// parts `calls.acceleration_parts` are added to `compose`. Cost: at each stage one call of the
-/// parts; per column and stage one solution with M and, for rk4, at most two products with n x n
-/// matrices.
+/// parts; per column and stage one solution with M, and products with n x n matrices: at most two
+/// for rk4, one for each earlier stage for verlet.
 [[nodiscard]] std::vector<InstructionIndices> stage_jacobian_columns(
     const Model& model, const StepCallees& calls, const Function& step,
     const std::vector<CallPoint>& stages, Composition& compose);

@@ -8,10 +8,10 @@
 //
 //     dq = N(q) dx,    dx' = 4 N(q')^T dq'
 //
-// stage_jacobian_columns: one pass over the step for each direction and for each entry of its
-// accelerations, which are open. Every tangent is a sum, because it is linear in both: of a part
-// that is mostly zeros and ones if all da are 0, and of a part for each da. From the parts of their
-// derivatives (elgen/compose.hpp), each direction has a force at each stage:
+// stage_jacobian_columns treats the accelerations of all stages as variables (open accelerations).
+// A tangent is linear in the direction and in the tangents da_l of the accelerations. One pass over
+// the step for each direction gives its part without da; one pass for each entry of da_l gives the
+// factor of this entry. The derivatives of forces (elgen/compose.hpp) give a force at each stage:
 //
 //     f_k = f_k0 + sum_(l<k) F_kl da_l,   M_k da_k = f_k,   d(x, v)(t + h) = e_0 + sum_l E_l da_l
 //

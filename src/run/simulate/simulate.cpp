@@ -29,16 +29,14 @@ namespace {
 
 constexpr std::size_t block_size = 256;
 
-constexpr const char* of_compiled_code = "of the emitted C++";
-
 constexpr const char* singular_remedy =
     "`--through singular` continues with a fixed `--step`, and E - E0 shows its accuracy; another "
-    "start or "
-    "other coordinates may avoid the place";
+    "start or other coordinates may avoid the place";
 
 class SimulationRun {
  public:
-  SimulationRun(SimulatedSystem& system, Stepper& stepper, const SimulationOptions& options)
+  SimulationRun(SimulatedSystem& system, Stepper& stepper, const SimulationOptions& options,
+                bool uses_compiled)
       : system_(system),
         stepper_(stepper),
         options_(options),
@@ -47,7 +45,8 @@ class SimulationRun {
         hold_instants_(options.from, end_, options.input_hold_time),
         current_(first_sample(system, options)),
         recorder_(system, options, current_),
-        ranks_(system, singular_remedy) {
+        ranks_(system, singular_remedy),
+        uses_compiled_(uses_compiled) {
     block_.reserve(block_size);
   }
 
@@ -60,7 +59,7 @@ class SimulationRun {
     Trajectory trajectory;
     trajectory.steps = steps_;
     trajectory.nanoseconds = elapsed_.count() * 1e9 / static_cast<double>(steps_ - untimed_steps_);
-    trajectory.timed_code = uses_compiled_ ? of_compiled_code : "in the evaluator";
+    trajectory.timed_code = uses_compiled_ ? "of the emitted C++" : "in the evaluator";
     Diagnostics warnings = std::move(recorder_).move_results(trajectory);
     return {std::move(trajectory), std::move(warnings)};
   }
@@ -99,7 +98,7 @@ class SimulationRun {
       if (block_.size() < block_size && current_.t < target) continue;
       if (Diagnostics wrong = record_block(); !wrong.empty()) return wrong;
       if (Diagnostics wrong = compile_if_long(); !wrong.empty()) return wrong;
-      if (options_.on_progress) options_.on_progress(current_.t);
+      if (options_.on_progress && has_final_speed()) options_.on_progress(current_.t);
     }
     if (row <= target) row_instants_.pass();
     if (hold <= target) renew_hold();
@@ -137,17 +136,19 @@ class SimulationRun {
   /// the steps with compiled functions are timed.
   Diagnostics compile_if_long() {
     const bool is_long = system_.interpreted_instructions() >= options_.most_interpreted;
-    if (!is_long || uses_compiled_ || !options_.compile || current_.t >= end_) return {};
+    if (!is_long || has_final_speed() || current_.t >= end_) return {};
+    has_asked_ = true;
     const Result<const CompiledModel*> compiled = options_.compile();
-    if (!compiled) return compiled.diagnostics;
+    restart_clock();
+    if (!compiled || *compiled == nullptr) return compiled.diagnostics;
     system_.use_compiled(**compiled);
     uses_compiled_ = true;
     untimed_steps_ = steps_;
     elapsed_ = {};
-    restart_clock();
     return {};
   }
 
+  [[nodiscard]] bool has_final_speed() const { return has_asked_ || !options_.compile; }
   void restart_clock() { resumed_ = Clock::now(); }
 
   SimulatedSystem& system_;
@@ -162,7 +163,8 @@ class SimulationRun {
   std::vector<TrajectorySample> block_ = {};
   std::uint64_t steps_ = 0;
   std::uint64_t untimed_steps_ = 0;  ///< before the change to compiled code
-  bool uses_compiled_ = false;
+  bool has_asked_ = false;           ///< for compiled code
+  bool uses_compiled_;
   Clock::time_point resumed_ = {};
   std::chrono::duration<double> elapsed_ = {};
 };
@@ -375,15 +377,13 @@ Result<Trajectory> simulate(const CheckedModel& checked, const Program& program,
   if (refused.empty()) refused = check_singular_start(system, system.start_state(), options.from);
   if (!refused.empty()) return refused;
   const std::unique_ptr<Stepper> stepper = method->make_stepper(system, *rule);
-  Result<Trajectory> trajectory = SimulationRun(system, *stepper, options)();
+  Result<Trajectory> trajectory = SimulationRun(system, *stepper, options, compiled != nullptr)();
   if (!trajectory) return trajectory;
   trajectory->model = checked.scene.base_name;
   trajectory->method = method->name;
-  if (options.order && *options.order != method->order) {
+  if (options.order && *options.order != method->order)
     trajectory->method += fmt::format(" of order {}", *options.order);
-  }
   trajectory->title = checked.model.title;
-  if (compiled != nullptr) trajectory->timed_code = of_compiled_code;
   trajectory->from = options.from;
   trajectory->columns = std::move(columns);
   trajectory->path = options.path;

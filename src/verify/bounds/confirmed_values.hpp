@@ -14,7 +14,8 @@ namespace elgen {
 
 /// The entries of program.functions[function], whose exact run at `state` is `run`: correct to more
 /// than 20 digits, and 0 if an entry is a rounding error. None unless the oracle has a value for
-/// each field, and a random projection of each field agrees with it to 50 digits.
+/// each field, and a random projection of each field agrees with it to 50 digits. Derivatives of
+/// more than four velocities are confirmed at the accelerations of the program.
 [[nodiscard]] std::optional<std::vector<cln::cl_R>> confirmed_values(const SystemUnderTest& subject,
                                                                      std::size_t function,
                                                                      const State& state,

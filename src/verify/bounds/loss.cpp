@@ -37,9 +37,9 @@ std::vector<Real> jacobian_row_norms(const std::vector<Real>& roots, OracleCache
 
 /// In u of the entry: an error of 2 u, or 0.3 digits, counts as no loss.
 constexpr double negligible_loss = 2;
-/// Each K costs one sweep over the function. At most this many entries of a group have a K, and
-/// this many groups of a field: 16 in functions of up to 2^13 instructions, then fewer, but at
-/// least 4. So the cost stays linear in the length of the function.
+/// Each K costs one sweep over the function. The result limits the groups of a field, and the
+/// entries of a group, that have a K: at most 16, in functions of more than 2^13 instructions
+/// fewer, at least 4. So the cost stays linear in the length of the function.
 std::size_t most_sweeps(const Function& function) {
   constexpr std::size_t most_instructions = 1 << 17;  // of 16 sweeps
   return std::clamp<std::size_t>(most_instructions / (function.instructions.size() + 1), 4, 16);
@@ -173,8 +173,8 @@ auto LossMeter::group_entries(const ComparedField& place, const std::vector<Real
 }
 
 /// The loss of a group in u R, or group.max_loss if this bound is negligible; 0 if R is undefined.
-/// In long columns, K of the largest entries only makes it an upper bound. None if R is at most
-/// 1e-45 of E, because such an R may be a rounding error of the exact values.
+/// In long columns, only the largest entries have a K, so the result is an upper bound. None if R
+/// is at most 1e-45 of E, because such an R may be a rounding error of the exact values.
 std::optional<double> LossMeter::group_loss(const ComparedField& place, const ExactRun& run,
                                             const LossGroup& group, const std::vector<Real>& errors,
                                             const std::vector<Real>& exact) {

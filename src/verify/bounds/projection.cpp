@@ -217,11 +217,10 @@ std::optional<Mismatch> compare_projection(const SystemUnderTest& subject,
   return ProjectionComparison(subject, place, run, oracle, draw).compare();
 }
 
-bool is_projected_at(const ComparedField& place, const Model& model, std::size_t state) {
+bool is_projected_once(const ComparedField& place, const Model& model) {
   // M takes n evaluations of inverse dynamics, or n^2/18 expansions of the energies.
   constexpr std::size_t most_velocities = 20;
-  const bool is_costly = model.velocities.size() > most_velocities;
-  return !is_costly || place.row().name != "relative_pivots" || state == 0;
+  return model.velocities.size() > most_velocities && place.row().name == "relative_pivots";
 }
 
 std::vector<OutputRequest> outputs_for_self_check(const Model& model, const Program& program) {

@@ -28,9 +28,8 @@ namespace elgen {
                                                          const ExactRun& run, OracleCache& oracle,
                                                          Sampler& draw);
 
-/// True if the projection of a field is compared at state number `state`. Beyond 20 velocities,
-/// relative pivots are compared at the first state only, because they need all entries of M.
-[[nodiscard]] bool is_projected_at(const ComparedField& place, const Model& model,
-                                   std::size_t state);
+/// True if one state is enough for a field: relative pivots of more than 20 velocities, because
+/// they need all entries of M.
+[[nodiscard]] bool is_projected_once(const ComparedField& place, const Model& model);
 
 }  // namespace elgen

@@ -97,7 +97,8 @@ class FindingsFile {
 /// than three velocities, these derivatives are compared at every sixteenth sample.
 bool is_compared_at(const ComparedField& place, const Model& model, std::size_t sample,
                     ComparisonMode comparison) {
-  if (comparison == ComparisonMode::projections) return is_projected_at(place, model, sample);
+  if (comparison == ComparisonMode::projections)
+    return sample == 0 || !is_projected_once(place, model);
   const bool is_costly = model.velocities.size() > 3;
   return !is_costly || !output_row(place.request.kind).differentiates || sample % 16 == 0;
 }

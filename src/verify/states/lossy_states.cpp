@@ -15,6 +15,7 @@
 namespace elgen {
 namespace {
 
+/// As many as near zeros.
 constexpr std::size_t most_lossy_states = 64;
 /// Searches in each function, and the number of their results that are kept.
 constexpr std::size_t searches = 8;
@@ -25,7 +26,8 @@ constexpr std::size_t drawn_starts = 16;
 constexpr std::size_t steps = 400;
 /// 0.9 decimal digits, as much as a few roundings explain.
 constexpr double explained_loss = 8;
-/// Limit of instructions computed for one state of `sampling.count`: about 4 ms.
+/// Limit of instructions computed for one state of `sampling.count`, about 4 ms. All functions have
+/// equal parts.
 constexpr std::size_t work_per_state = 1 << 14;
 
 /// K of `entry` in double (accuracy/conditioning.hpp), without an error bound.
@@ -87,11 +89,13 @@ class LossSearch {
     return fold<RunningValue<double>>(rules, subject_.program, function_);
   }
 
-  /// The estimated loss of an entry; 0 if it is undefined.
+  /// The estimated loss of an entry; 0 if it is undefined or at most `least`.
   [[nodiscard]] double loss_of(const std::vector<RunningValue<double>>& values,
-                               const std::vector<double>& numbers, std::uint32_t entry) const {
+                               const std::vector<double>& numbers, std::uint32_t entry,
+                               double least) const {
     const RunningValue<double>& x = values[entry];
     if (x.is_lost || x.underflows || !std::isfinite(x.error)) return 0;
+    if (x.error <= least * std::abs(x.value)) return 0;  // K only lowers the loss
     const double reference =
         std::abs(x.value) + rough_condition(subject_.program, function_, numbers, entry);
     const double loss = x.error / reference;
@@ -103,7 +107,7 @@ class LossSearch {
     const std::vector<double> numbers = values_of(values);
     EntryLoss worst;
     for (const std::uint32_t entry : entries_of(function_)) {
-      const double loss = loss_of(values, numbers, entry);
+      const double loss = loss_of(values, numbers, entry, worst.loss);
       if (loss > worst.loss) worst = {loss, entry};
     }
     return worst;
@@ -115,7 +119,7 @@ class LossSearch {
       Arguments<double> at = best;
       take_step(at, reach, is_at_rest);
       const std::vector<RunningValue<double>> values = run(at);
-      const double loss = loss_of(values, values_of(values), worst.entry);
+      const double loss = loss_of(values, values_of(values), worst.entry, worst.loss);
       const bool is_success = loss > worst.loss;
       // The 1/5 rule: one success makes up for four failures.
       reach = std::clamp(reach * (is_success ? 1.5 : 0.9), 1e-16, 1.0);
@@ -125,7 +129,8 @@ class LossSearch {
     }
   }
 
-  /// Moves one leaf, or all leaves, by up to `reach` of their ranges. A tiny value may become 0.
+  /// Moves one leaf, or all leaves, by up to `reach` of their ranges. A value
+  /// within one step of 0 may become 0.
   void take_step(Arguments<double>& at, double reach, bool is_at_rest) {
     const bool moves_all = draw_.random_sign() > 0;
     std::vector<std::pair<double*, Range>> leaves;
@@ -171,13 +176,13 @@ std::vector<SampledState<Scalar>> lossy_states(const SystemUnderTest& subject,
   if (functions.empty() || !subject.model.constraints.empty()) return states;
   Sampler draw(sampling.seed);
   const std::size_t most = std::min(sampling.count, most_lossy_states);
-  std::size_t work_left = sampling.count * work_per_state;
   for (const Function& function : functions) {
+    if (output_row(function.kind).is_summary) continue;
+    std::size_t work_left = sampling.count * work_per_state / functions.size();
     const std::size_t work = function.instructions.size() * (drawn_starts + steps);
     LossSearch search(subject, function, draw);
     std::vector<LossSearch::Result> results;
     for (std::size_t i = 0; i < searches && work <= work_left; ++i) {
-      if (output_row(function.kind).is_summary) break;
       work_left -= work;
       results.push_back(search.search(i % 2 != 0));
     }

@@ -14,8 +14,9 @@ namespace elgen {
 /// min(sampling.count, 64) states. A search starts at the worst of a few random states, and
 /// maximises the estimated loss E / (|x| + K) of one entry x (accuracy/running_errors.hpp,
 /// accuracy/conditioning.hpp) by random steps: a (1+1) evolution strategy with the 1/5 success rule
-/// (Rechenberg 1973). Every second search stays at rest. None with constraints, because steps leave
-/// them. Cost: a second for 256 states, in double.
+/// (Rechenberg 1973). Every second search stays at rest; t does not move. Fewer searches in long
+/// functions. None with constraints, because steps leave them. Cost: a second for 256 states, in
+/// double.
 template <class Scalar>
 [[nodiscard]] std::vector<SampledState<Scalar>> lossy_states(const SystemUnderTest& subject,
                                                              const SamplingOptions& sampling);

@@ -206,7 +206,7 @@ TEST_CASE("if M is singular, the pivot is named") {
 }
 
 TEST_CASE("a run that continues in compiled functions has the bits of an interpreted run") {
-  const CompiledSystem arm(read_model("two_link_arm"));
+  const CompiledSystem arm(model_file("two_link_arm"));
   SimulationOptions options{.duration = 5, .row_interval = 0.5};
   const Result<Trajectory> interpreted = simulate(arm.checked(), arm.program(), nullptr, options);
   std::size_t compilations = 0;
@@ -222,9 +222,14 @@ TEST_CASE("a run that continues in compiled functions has the bits of an interpr
   CHECK(interpreted->timed_code == "in the evaluator");
   CHECK(changed->timed_code == "of the emitted C++");
   CHECK(changed->rows == interpreted->rows);
+  options.compile = []() -> Result<const CompiledModel*> { return nullptr; };
+  const Result<Trajectory> without = simulate(arm.checked(), arm.program(), nullptr, options);
+  REQUIRE(without);
+  CHECK(without->timed_code == "in the evaluator");
+  CHECK(without->rows == interpreted->rows);
   options.compile = []() -> Result<const CompiledModel*> {
-    return Diagnostics{{Code::E704, {}, "no compiler", ""}};
+    return Diagnostics{{Code::E909, {}, "the compiler exceeds the limit", ""}};
   };
   CHECK(simulate(arm.checked(), arm.program(), nullptr, options).diagnostics.front().code ==
-        Code::E704);
+        Code::E909);
 }
