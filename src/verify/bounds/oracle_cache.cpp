@@ -69,9 +69,15 @@ bool is_solved_by_oracle(const Model& model) {
   return !model.constraints.empty() || model.velocities.size() <= most_velocities;
 }
 
-void add_product(const RunningValue<Real>& x, const cln::cl_R& factor, RunningValue<Real>& sum) {
-  sum.value = sum.value + x.value * Real(factor);
-  sum.error = sum.error + x.error * Real(cln::abs(factor));
+RunningValue<Real> contract(std::span<const RunningValue<Real>> entries, const Contraction& by) {
+  RunningValue<Real> sum;
+  const std::size_t columns = by.y.empty() ? 1 : by.y.size();
+  for (std::size_t i = 0; i < by.w.size() * columns; ++i) {
+    const cln::cl_R factor = by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns];
+    sum.value = sum.value + entries[i].value * Real(factor);
+    sum.error = sum.error + entries[i].error * Real(cln::abs(factor));
+  }
+  return sum;
 }
 
 const OracleValues& OracleCache::values(const OutputRequest& request) {
@@ -99,12 +105,11 @@ const OracleValues& OracleCache::mass_of_program() {
   const std::size_t n = state_.v.size();
   Sampler draw(1);
   const Contraction by{draw.vector(n), draw.vector(n)};
-  RunningValue<Real> sum;
-  for (std::size_t k = 0; k < n * n; ++k) {
-    add_product({mass[k], abs(mass[k])}, by.w[k / n] * by.y[k % n], sum);
-  }
+  std::vector<RunningValue<Real>> entries;
+  for (const Real& x : mass) entries.push_back({x, abs(x)});
   const auto truth = contraction({.kind = OutputKind::mass_matrix}, by);
-  if (truth && agrees_with_oracle(sum, *truth, *this)) values = to_oracle_values(mass);
+  if (truth && agrees_with_oracle(contract(entries, by), *truth, *this))
+    values = to_oracle_values(mass);
   return values;
 }
 

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -67,8 +68,10 @@ class OracleCache {
 /// constraints.
 [[nodiscard]] bool is_solved_by_oracle(const Model& model);
 
-/// sum += x factor
-void add_product(const RunningValue<Real>& x, const cln::cl_R& factor, RunningValue<Real>& sum);
+/// sum over i, j of w_i x_ij y_j, i below the size of w, j below the size of y; `entries`: x,
+/// row-major. An empty y stands for y = 1.
+[[nodiscard]] RunningValue<Real> contract(std::span<const RunningValue<Real>> entries,
+                                          const Contraction& by);
 
 /// True if |value - truth| <= 1e-50 (E + |truth|) + 1e-52 `scale`, E = number.error. `scale` is the
 /// scale of rounding errors of values that are exactly 0; E of such a value is too small. False if

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "elgen/certificate.hpp"
 #include "elgen/outputs.hpp"
@@ -71,17 +72,6 @@ class ProjectionComparison {
   }
   [[nodiscard]] const FieldRow& row() const { return place_.row(); }
 
-  /// sum over i, j of w_i x_ij y_j, i below the size of w, j below the size of y. An empty y stands
-  /// for y = 1.
-  [[nodiscard]] RunningValue<Real> contract(const Contraction& by) const {
-    RunningValue<Real> sum;
-    const std::size_t columns = by.y.empty() ? 1 : by.y.size();
-    for (std::size_t i = 0; i < by.w.size() * columns; ++i) {
-      add_product(entry(i), by.y.empty() ? by.w[i] : by.w[i / columns] * by.y[i % columns], sum);
-    }
-    return sum;
-  }
-
   /// Compares the contraction of the first `rows` rows of the field.
   std::optional<Mismatch> compare_contraction(std::size_t rows) {
     const Field& field = place_.field();
@@ -90,7 +80,8 @@ class ProjectionComparison {
     by.w.resize(field.rows, cl_R(0));
     const bool is_matrix = is_matrix_field(row()) || field.columns > 1;
     if (is_matrix) by.y = sampler_.vector(field.columns);
-    const RunningValue<Real> sum = contract(by);
+    const RunningValue<Real> sum =
+        contract(std::span(run_.entries).subspan(place_.first_entry), by);
     const auto truth = oracle_.contraction(place_.request, by);
     if (!truth) return std::nullopt;
     if (agrees_with_oracle(sum, *truth, oracle_)) return Mismatch();
