@@ -39,6 +39,7 @@ struct LanguageRow {
   LanguageScalars scalars;
   std::string_view file_extension;  ///< extension of source files: "cpp"
   bool has_more_headers;            ///< scenes may request headers with Eigen types and for batches
+  bool groups_angles;               ///< a statement computes the sines of several angles together
   bool is_interpreted;              ///< the language computes in doubles with its own sin, cos, …
 };
 
@@ -105,7 +106,9 @@ struct Numerics {
   std::vector<ScalarKind> scalars = {ScalarKind::double_precision};
   /// Unless `same`: a further header is emitted that computes in this scalar.
   InnerScalar inner = InnerScalar::same;
-  /// Largest absolute error of sines and cosines in batches; none: see trigonometry_error().
+  /// Largest absolute error of sines and cosines in batches; none: see trigonometry_error(). If it
+  /// is at least least_lone_sine_error(), also of a sine that a function of one state computes
+  /// alone.
   std::optional<cln::cl_RA> trigonometry_error = {};
   /// True: functions of one state call sin and cos of the library instead of polynomials.
   bool has_library_sines = false;
@@ -130,6 +133,10 @@ struct Numerics {
 /// The largest absolute error of sines and cosines in batches: the error that `numerics` states;
 /// otherwise 2^-23 if `scalar` is float, and 2^-52 for other scalars.
 [[nodiscard]] cln::cl_RA trigonometry_error(const Numerics& numerics, ScalarKind scalar);
+
+/// The least permitted error for which a sine that a function of one state computes alone has a
+/// cheaper polynomial: 4e-16, and 2.2e-7 in float.
+[[nodiscard]] cln::cl_RA least_lone_sine_error(ScalarKind scalar);
 
 /// The order of the entries of a matrix in an array.
 enum class Storage : std::uint8_t { row_major, column_major };

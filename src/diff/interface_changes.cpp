@@ -334,7 +334,7 @@ void compare_target(InterfaceChangeList& changes, const Scene& before, const Sce
                 inner_scalar_row(inner).name, inner_scalar_row(old_inner).name);
   }
   if (before.numerics.trigonometry_error != after.numerics.trigonometry_error) {
-    changes.add(Impact::values, "the allowed error of sines and cosines in batches differs");
+    changes.add(Impact::values, "the allowed error of sines and cosines differs");
   }
   if (before.numerics.has_library_sines != after.numerics.has_library_sines) {
     changes.add(Impact::values, "sines and cosines outside batches are {} (were {})",

@@ -223,7 +223,7 @@ constexpr auto key_rows = std::to_array<KeyRow>({
     {"scene.numeric", "check", table, optional, unsupported, "ranges and tolerance of the checks"},
     {"scene.numeric", "trigonometry", table, optional, true, "sines and cosines of the code"},
     {"scene.numeric.trigonometry", "max_error", expression, optional, true,
-     "largest error of sines and cosines in batches"},
+     "largest error of sines and cosines"},
     {"scene.numeric.trigonometry", "scalar", choice, optional, true,
      "computation of sines and cosines outside of batches"},
     {"scene.numeric", "max_error", expression, optional, true,

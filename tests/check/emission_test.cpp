@@ -97,9 +97,22 @@ TEST_CASE("accuracies that no scalar can reach are E625") {
   CHECK_THAT(block_scene_messages(batch + floats), Catch::Contains("in float is at least 2^-23"));
 }
 
-TEST_CASE("polynomials need batches, and batches need C++ with float and double") {
-  CHECK_THAT(block_scene_messages("[numeric]\ntrigonometry = { max_error = 1e-7 }\n"),
-             Catch::Contains("E625") && Catch::Contains("only batches have sines and cosines"));
+TEST_CASE("without batches, accuracies that lone sines cannot reach are E625") {
+  const auto messages = [](const std::string& scalar, const std::string& sines) {
+    return block_scene_messages("[numeric]\nscalar = [" + scalar + "]\ntrigonometry = { " + sines +
+                                " }\n");
+  };
+  CHECK(messages("\"double\"", "max_error = 4e-16").empty());
+  CHECK_THAT(messages("\"double\"", "max_error = 3.9e-16"),
+             Catch::Contains("E625") && Catch::Contains("`max_error` is at least 4e-16"));
+  CHECK(messages("\"float\"", "max_error = 2.2e-7").empty());
+  CHECK_THAT(messages("\"float\", \"double\"", "max_error = 2.1e-7"),
+             Catch::Contains("`max_error` in float is at least 2.2e-7"));
+  CHECK_THAT(messages("\"double\"", "max_error = 1e-7, scalar = \"library\""),
+             Catch::Contains("`max_error` does not apply to sines of the library"));
+}
+
+TEST_CASE("batches need C++ with float and double") {
   CHECK_THAT(block_scene_messages(batch + "language = \"c99\"\n"), Catch::Contains("E611"));
   CHECK_THAT(block_scene_messages(batch + "[numeric]\nscalar = [\"double\", \"long double\"]\n"),
              Catch::Contains("E625") && Catch::Contains("`float` or `double`"));

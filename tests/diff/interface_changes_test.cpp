@@ -149,7 +149,7 @@ TEST_CASE("another error bound of sines and cosines is a change of values") {
            " }\n[emit]\nbatch = true\n";
   };
   CHECK(interface_text(spring(), spring(), scene("1e-7"), scene("1e-5")) ==
-        "values: the allowed error of sines and cosines in batches differs\n");
+        "values: the allowed error of sines and cosines differs\n");
 }
 
 TEST_CASE("sines of the library instead of in-line sines are a change of values") {

@@ -44,6 +44,7 @@ void Generator::add_emission(Scene& scene) {
   scene.is_float = draw_.chance(25);
   scene.is_column_major = draw_.chance(30);
   if (draw_.chance(15)) scene.form = "recursive";
+  scene.has_lone_sines = draw_.chance(30);
 }
 
 void Generator::add_scene() {

@@ -158,7 +158,8 @@ std::vector<Change> scene_changes() {
           once([](Scene& s) { s.has_eigen = false; }),
           once([](Scene& s) { s.is_float = false; }),
           once([](Scene& s) { s.is_column_major = false; }),
-          once([](Scene& s) { s.form.clear(); })};
+          once([](Scene& s) { s.form.clear(); }),
+          once([](Scene& s) { s.has_lone_sines = false; })};
 }
 
 std::string whole_text(const System& system) {

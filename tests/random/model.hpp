@@ -122,6 +122,7 @@ struct Scene {
   bool is_float = false;
   bool is_column_major = false;
   std::string form = {};  ///< closed, recursive, or empty for the default
+  bool has_lone_sines = false;
 };
 
 /// A closed form in [[expect]]: an output's name and its entries.

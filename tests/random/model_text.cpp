@@ -208,6 +208,9 @@ std::string text_of(const Scene& scene, const Model& model) {
   }
   text += "\n[numeric]\n";
   text += line("scalar", scene.is_float ? "[\"float\"]" : "[\"double\"]");
+  if (scene.has_lone_sines)
+    text +=
+        line("trigonometry", scene.is_float ? "{ max_error = 2.2e-7 }" : "{ max_error = 4e-16 }");
   text += optional_line("form", scene.form) + "\n[emit]\n";
   text += line("language", quoted(std::string(scene.is_c99 ? "c99" : "c++17")));
   if (scene.has_eigen) text += line("eigen", "true");

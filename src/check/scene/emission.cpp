@@ -117,10 +117,10 @@ class BatchReader {
     scene_.numerics.has_library_sines = scalar != nullptr && scalar->value.text == "library";
     const KeySyntax* key = trigonometry.value.find("max_error");
     if (key == nullptr) return;
-    if (scene_.emission.has_batch_header) return read_accuracy(*key);
-    report_batch_error(trigonometry.key_span,
-                       "only batches have sines and cosines of a chosen accuracy",
-                       "`[emit] batch = true` adds functions on arrays of states");
+    if (scene_.emission.has_batch_header || !scene_.numerics.has_library_sines)
+      return read_accuracy(*key);
+    report_batch_error(key->key_span, "`max_error` does not apply to sines of the library",
+                       "omit it, or add `[emit] batch = true`: it bounds the sines of batches");
   }
 
   void read_accuracy(const KeySyntax& key) {
@@ -130,12 +130,17 @@ class BatchReader {
     const bool has_float = std::ranges::count(scalars, ScalarKind::single_precision) > 0;
     const ScalarKind coarsest =
         has_float ? ScalarKind::single_precision : ScalarKind::double_precision;
-    const bool is_within = is_rational(*wanted) && *wanted < 1 &&
-                           *wanted >= trigonometry_error(scene_.numerics, coarsest);
-    if (!is_within) {
+    const bool has_batch = scene_.emission.has_batch_header;
+    const cln::cl_RA least =
+        has_batch ? trigonometry_error(scene_.numerics, coarsest) : least_lone_sine_error(coarsest);
+    if (!is_rational(*wanted) || *wanted >= 1 || *wanted < least) {
+      const std::string_view of_batch = has_float ? "2^-23 = 1.2e-7" : "2^-52 = 2.3e-16";
+      const std::string_view of_lone_sines = has_float ? "2.2e-7" : "4e-16";
       return report_batch_error(
-          key.value.span, has_float ? "`max_error` in float is at least 2^-23 = 1.2e-7, and below 1"
-                                    : "`max_error` is at least 2^-52 = 2.3e-16, and below 1");
+          key.value.span,
+          fmt::format("`max_error`{} is at least {}, and below 1", has_float ? " in float" : "",
+                      has_batch ? of_batch : of_lone_sines),
+          has_batch ? "" : "only batches have sines that are more accurate than this");
     }
     scene_.numerics.trigonometry_error = cln::rational(*wanted);
   }
@@ -175,6 +180,11 @@ Emission read_emission(Context& context, const FileSyntax* syntax, const SceneOp
   }
   check_combinations(syntax, emission, scene, context.report);
   return emission;
+}
+
+cln::cl_RA least_lone_sine_error(ScalarKind scalar) {
+  const bool is_single = scalar == ScalarKind::single_precision;
+  return (is_single ? 22 : 4) * cln::expt(cln::cl_RA(10), is_single ? -8 : -16);
 }
 
 cln::cl_RA trigonometry_error(const Numerics& numerics, ScalarKind scalar) {

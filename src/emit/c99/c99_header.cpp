@@ -65,11 +65,11 @@ Texts default_parameters_macro(const EmissionInput& input) {
   return macro_lines(std::move(lines));
 }
 
-constexpr std::array<std::string_view, 16> names_in_header{
-    "parameters", "is_regular",   "sign_of",       "smaller",     "larger",
-    "stumpff",    "sine_of",      "cosine_of",     "sine_cosine", "sine_cosine_beyond",
-    "columns",    "load_columns", "store_columns", "interval",    "digits_left",
-    "at_run_time"};
+constexpr std::array<std::string_view, 17> names_in_header{
+    "parameters",  "is_regular", "sign_of",      "smaller",       "larger",
+    "stumpff",     "sine_of",    "cosine_of",    "sine_cosine",   "sine_cosine_beyond",
+    "lone_sine",   "columns",    "load_columns", "store_columns", "interval",
+    "digits_left", "at_run_time"};
 
 /// True if `name` is the result struct, the workspace or a part of the function.
 bool is_helper_name(const std::string& name, const Function& function) {
@@ -115,7 +115,8 @@ bool needs_inline_sines(const EmissionInput& input) {
 TemplateData c99_sines_data(const EmissionInput& input) {
   const ScalarKind scalar = c99_scalar(input.scene);
   const auto literal = [scalar](double value) { return c99_literal(exact_value(value), scalar); };
-  const auto numbers = sine_constants(input.scene.numerics, SineArithmetic::numbers, scalar);
+  const SineNumbers numbers{sine_constants(input.scene.numerics, SineArithmetic::numbers, scalar),
+                            lone_sine_constants(input.scene, input.program, scalar)};
   return optional_section(needs_inline_sines(input),
                           sine_data(numbers, scalar, literal, SineSpelling::values));
 }

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "elgen/leaf_names.hpp"
-#include "emit/code/angle_groups.hpp"
+#include "program/evaluate/sine_calls.hpp"
 
 namespace elgen {
 namespace {

@@ -53,58 +53,75 @@ class EstrinPolynomial {
   std::vector<std::string> lines_ = {};
 };
 
-}  // namespace
-
-TemplateRow sine_data(const std::vector<SineConstant>& numbers, ScalarKind scalar,
-                      const LiteralWriter& literal, SineSpelling spelling) {
-  const bool is_float = scalar == ScalarKind::single_precision;
-  TemplateRow row{{"element", std::string(name_of(scalar))},
-                  {"integer", is_float ? "uint32_t" : "uint64_t"},
-                  {"to_sign", is_float ? "30" : "62"},
-                  {"half", literal(0.5)},
-                  {"one", literal(1)}};
-  std::vector<std::string> parts;
-  std::vector<std::string> sines;
-  std::vector<std::string> cosines;
-  for (const auto& [name, value] : numbers) {
-    const std::string text = spelling == SineSpelling::names ? name : literal(value);
-    row[name] = text;
-    if (name.starts_with("part_")) parts.push_back(text);
-    if (name.starts_with("sine_")) sines.push_back(text);
-    if (name.starts_with("cosine_")) cosines.push_back(text);
+/// The names of the constants "NAME_1", "NAME_2", ..., or their values.
+std::vector<std::string> texts_of(const TemplateRow& row, const std::vector<SineConstant>& numbers,
+                                  std::string_view name) {
+  std::vector<std::string> texts;
+  for (const SineConstant& number : numbers) {
+    if (number.name.starts_with(name)) texts.push_back(row.at(number.name).string_value());
   }
-  row["parts"] = template_list(parts, 2, "part");
+  return texts;
+}
+
+/// The powers of x^2 that polynomials of up to `most` terms need, except x^2.
+TemplateData powers_data(std::size_t most) {
   TemplateData higher(TemplateData::type::list);
-  const std::size_t most = std::max(sines.size(), cosines.size());
   for (std::size_t level = 1; most > std::size_t{1} << level; ++level) {
     higher.push_back(TemplateRow{{"power", std::string(powers.at(level))},
                                  {"base", std::string(powers.at(level - 1))}});
   }
-  row["powers"] = std::move(higher);
-  const std::string type =
-      spelling == SineSpelling::names ? "Native" : std::string(name_of(scalar));
-  const EstrinPolynomial sine(std::move(sines), "odd", type);
-  const EstrinPolynomial cosine(std::move(cosines), "even", type);
+  return higher;
+}
+
+}  // namespace
+
+TemplateRow sine_data(const SineNumbers& numbers, ScalarKind scalar, const LiteralWriter& literal,
+                      SineSpelling spelling) {
+  const bool is_float = scalar == ScalarKind::single_precision;
+  TemplateRow row{{"element", std::string(name_of(scalar))},
+                  {"integer", is_float ? "uint32_t" : "uint64_t"},
+                  {"to_sign", is_float ? "30" : "62"},
+                  {"sign_bit", is_float ? "31" : "63"},
+                  {"half", literal(0.5)},
+                  {"one", literal(1)}};
+  std::vector<SineConstant> all = numbers.joint;
+  all.insert(all.end(), numbers.lone.begin(), numbers.lone.end());
+  for (const auto& [name, value] : all)
+    row[name] = spelling == SineSpelling::names ? name : literal(value);
+  const auto texts = [&](std::string_view name) { return texts_of(row, all, name); };
+  row["parts"] = template_list(texts("part_"), 2, "part");
+  const std::string element(name_of(scalar));
+  const std::string type = spelling == SineSpelling::names ? "Native" : element;
+  const EstrinPolynomial sine(texts("sine_"), "odd", type);
+  const EstrinPolynomial cosine(texts("cosine_"), "even", type);
+  row["powers"] = powers_data(std::max(texts("sine_").size(), texts("cosine_").size()));
   std::vector<std::string> lines = sine.lines();
   lines.insert(lines.end(), cosine.lines().begin(), cosine.lines().end());
   row["lines"] = template_list(lines, 0, "line");
   row["sine"] = sine.value();
   row["cosine"] = cosine.value();
-  row["constants"] = repeated_section(numbers, [&literal](const SineConstant& number) {
+  row["lone"] = optional_section(false);
+  if (!numbers.lone.empty()) {
+    const EstrinPolynomial lone(texts("lone_"), "odd", element);
+    row["lone"] = TemplateRow{{"parts", template_list(texts("pi_"), 1, "part")},
+                              {"powers", powers_data(texts("lone_").size())},
+                              {"lines", template_list(lone.lines(), 0, "line")},
+                              {"polynomial", lone.value()}};
+  }
+  row["constants"] = repeated_section(all, [&literal](const SineConstant& number) {
     return TemplateRow{{"constant", number.name}, {"number", literal(number.value)}};
   });
   return row;
 }
 
-TemplateData trigonometry_tables(const Numerics& numerics, SineArithmetic arithmetic,
-                                 const std::vector<ScalarKind>& scalars) {
+TemplateData trigonometry_tables(const std::vector<ScalarKind>& scalars,
+                                 const std::function<SineNumbers(ScalarKind)>& numbers_of) {
   const TemplateData elements = repeated_section(scalars, [&](ScalarKind scalar) {
     const auto literal = [scalar](double value) {
       const bool is_float = scalar == ScalarKind::single_precision;
       return shortest_literal(exact_value(value), scalar) + (is_float ? "F" : "");
     };
-    return sine_data(sine_constants(numerics, arithmetic, scalar), scalar, literal,
-                     SineSpelling::names);
+    return sine_data(numbers_of(scalar), scalar, literal, SineSpelling::names);
   });
   return optional_section(!scalars.empty(), TemplateRow{{"elements", elements}});
 }

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "elgen/program.hpp"
-#include "emit/code/angle_groups.hpp"
 #include "emit/code/column_loop.hpp"
+#include "program/evaluate/sine_calls.hpp"
 
 namespace elgen {
 
@@ -74,10 +74,6 @@ using Statement = std::variant<AssignStatement, SineCosineStatement, AnglesState
 
 /// Instructions to which the statement gives names.
 [[nodiscard]] std::vector<std::uint32_t> assigned_values(const Statement& statement);
-
-/// `joint`: a single statement computes the sine and the cosine of an angle if both are needed.
-/// `grouped`: also, a single statement computes all angles of a group.
-enum class SineCosinePairing : std::uint8_t { separate, joint, grouped };
 
 /// The statements of a function, in the order of evaluation. The operands of a group of angles
 /// precede the group. `names`: one per instruction; "" if the instruction is written out. All

@@ -171,8 +171,10 @@ std::string batch_header(const EmissionInput& input) {
   const Numerics& numerics = input.scene.numerics;
   const bool has_tables = has_batch_sine_tables(input.scene, input.program);
   const std::vector<ScalarKind> none;
-  data.set("tables", trigonometry_tables(numerics, SineArithmetic::packs,
-                                         has_tables ? numerics.computed_scalars() : none));
+  const auto numbers = [&numerics](ScalarKind scalar) {
+    return SineNumbers{sine_constants(numerics, SineArithmetic::packs, scalar)};
+  };
+  data.set("tables", trigonometry_tables(has_tables ? numerics.computed_scalars() : none, numbers));
   data.set("trigonometry",
            has_tables ? "Trigonometry" : "::" + name_space(input.scene) + "::detail::Trigonometry");
   data.set("calls", library_calls_data(input.program, 1));

@@ -116,7 +116,9 @@ class CppDialect : public CompiledDialect {
                       named_call_text(name, {angle}).text);
   }
 
-  BodyRules body_rules() const override { return {.groups_angles = true}; }
+  BodyRules body_rules() const override {
+    return {.groups_angles = language_row(LanguageId::cpp).groups_angles};
+  }
 
   std::string angles_statement(const std::vector<AngleTexts>& angles, std::size_t number,
                                bool is_declared) const override {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "emit/code/angle_groups.hpp"
 #include "emit/code/cpp_constant.hpp"
 #include "emit/code/function_docs.hpp"
 #include "emit/code/header_data.hpp"
@@ -17,6 +16,7 @@
 #include "emit/text/layout.hpp"
 #include "numbers/exact_number.hpp"
 #include "numbers/scalar_literal.hpp"
+#include "program/evaluate/sine_calls.hpp"
 
 namespace elgen {
 namespace {
@@ -139,12 +139,21 @@ TemplateData inline_sines_data(const EmissionInput& input) {
     const bool is_named = std::ranges::count(computed, scalar) > 0;
     return has_inline_sines(scene, scalar) || (has_packs && is_named);
   });
-  const TemplateData names = repeated_section(in_line, [](ScalarKind scalar) {
-    return TemplateData("scalar", std::string(name_of(scalar)));
+  const auto numbers = [&input](ScalarKind scalar) {
+    const Scene& of = input.scene;
+    return SineNumbers{sine_constants(of.numerics, SineArithmetic::numbers, scalar),
+                       lone_sine_constants(of, input.program, scalar)};
+  };
+  const TemplateData names = repeated_section(in_line, [&](ScalarKind scalar) {
+    return TemplateRow{{"scalar", std::string(name_of(scalar))},
+                       {"lone", optional_section(!numbers(scalar).lone.empty())}};
   });
+  const bool has_lone = std::ranges::any_of(
+      in_line, [&](ScalarKind scalar) { return !numbers(scalar).lone.empty(); });
   return TemplateRow{
       {"scalars", sine_cosine_calls_data(scene.numerics)},
-      {"tables", trigonometry_tables(scene.numerics, SineArithmetic::numbers, in_tables)},
+      {"tables", trigonometry_tables(in_tables, numbers)},
+      {"has_lone", optional_section(has_lone)},
       {"angles", optional_section(has_angle_groups(input.program))},
       {"in_line", optional_section(!in_line.empty(), TemplateRow{{"scalars", names}})}};
 }

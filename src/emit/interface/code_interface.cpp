@@ -13,6 +13,7 @@
 #include "elgen/inertial_parameters.hpp"
 #include "elgen/spellings.hpp"
 #include "model/output_units.hpp"
+#include "program/evaluate/sine_calls.hpp"
 
 namespace elgen {
 namespace {
@@ -232,15 +233,6 @@ std::vector<std::string_view> library_calls(const Program& program, std::size_t 
   const auto is_root = [](const Instruction& i) { return i.opcode == Opcode::square_root; };
   if (arity == 1 && has_instruction(program, is_root)) names.emplace_back("sqrt");
   return names;
-}
-
-bool starts_sine_cosine_pair(const Function& function, std::size_t at) {
-  if (at + 1 >= function.instructions.size()) return false;
-  const Instruction& sine = function.instructions[at];
-  Instruction cosine = sine;
-  cosine.function = FunctionId::cos;
-  return sine.opcode == Opcode::call && sine.function == FunctionId::sin &&
-         function.instructions[at + 1] == cosine;
 }
 
 bool has_sine_cosine_pair(const Program& program) {

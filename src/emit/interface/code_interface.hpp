@@ -89,10 +89,6 @@ struct DeclaredArray {
 [[nodiscard]] std::vector<DeclaredArray> declared_arrays(const Model& model,
                                                          const Program& program);
 
-/// True if the instruction `at` is the sine of an angle and the next instruction is the cosine of
-/// the same angle. Some languages compute both in one call.
-[[nodiscard]] bool starts_sine_cosine_pair(const Function& function, std::size_t at);
-
 /// True if some function has a sine followed by the cosine of the same angle.
 [[nodiscard]] bool has_sine_cosine_pair(const Program& program);
 

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -21,7 +22,7 @@ namespace elgen {
 namespace {
 
 /// Length of the longest row of sine_polynomials.def.
-constexpr std::size_t most_coefficients = 6;
+constexpr std::size_t most_coefficients = 8;
 
 template <class Scalar>
 std::vector<Scalar> coefficients_of(const SinePolynomial& polynomial) {
@@ -48,12 +49,30 @@ Scalar evaluate_polynomial(Scalar x, const std::vector<Scalar>& coefficients) {
   return terms.front();
 }
 
+/// "part_1", "part_2", ...
+void add_parts(std::string_view name, const std::vector<double>& parts,
+               std::vector<SineConstant>& to) {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    to.push_back({fmt::format("{}_{}", name, i + 1), parts[i]});
+}
+
+/// "sine_3", "sine_5", ...: each name has the power of its coefficient.
+void add_coefficients(std::string_view name, const SinePolynomial& polynomial,
+                      std::vector<SineConstant>& to) {
+  const std::size_t count = polynomial.coefficients.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t power = static_cast<std::size_t>(polynomial.degree) - 2 * (count - 1 - i);
+    to.push_back({fmt::format("{}_{}", name, power), polynomial.coefficients[i]});
+  }
+}
+
 }  // namespace
 
 const std::vector<SinePolynomial>& sine_polynomials() {
   static const std::vector<SinePolynomial> all{
 #define ELGEN_SINE(degree, error, ...) {degree, error, {__VA_ARGS__}},
 #define ELGEN_COSINE(degree, error, ...)
+#define ELGEN_LONE_SINE(degree, error, ...)
 #include "program/evaluate/sine_polynomials.def"
   };
   return all;
@@ -63,6 +82,17 @@ const std::vector<SinePolynomial>& cosine_polynomials() {
   static const std::vector<SinePolynomial> all{
 #define ELGEN_SINE(degree, error, ...)
 #define ELGEN_COSINE(degree, error, ...) {degree, error, {__VA_ARGS__}},
+#define ELGEN_LONE_SINE(degree, error, ...)
+#include "program/evaluate/sine_polynomials.def"
+  };
+  return all;
+}
+
+const std::vector<SinePolynomial>& lone_sine_polynomials() {
+  static const std::vector<SinePolynomial> all{
+#define ELGEN_SINE(degree, error, ...)
+#define ELGEN_COSINE(degree, error, ...)
+#define ELGEN_LONE_SINE(degree, error, ...) {degree, error, {__VA_ARGS__}},
 #include "program/evaluate/sine_polynomials.def"
   };
   return all;
@@ -101,22 +131,36 @@ cln::cl_RA sine_error(const Numerics& numerics, SineArithmetic arithmetic, Scala
   return trigonometry_error(arithmetic == SineArithmetic::packs ? numerics : Numerics{}, scalar);
 }
 
+const SinePolynomial* lone_sine_polynomial(const Scene& scene, ScalarKind scalar) {
+  const std::optional<cln::cl_RA>& permitted = scene.numerics.trigonometry_error;
+  const bool is_permitted = permitted && *permitted >= least_lone_sine_error(scalar);
+  if (!is_permitted || !has_inline_sines(scene, scalar)) return nullptr;
+  return &lone_sine_polynomials().at(scalar == ScalarKind::single_precision ? 0 : 1);
+}
+
 std::vector<SineConstant> sine_constants(const Numerics& numerics, SineArithmetic arithmetic,
                                          ScalarKind scalar) {
   const AngleReduction& known = angle_reduction(scalar);
   const cln::cl_RA error = sine_error(numerics, arithmetic, scalar);
   std::vector<SineConstant> numbers{
       {"domain", known.domain}, {"inverse", known.inverse}, {"shift", known.shift}};
-  const auto add = [&numbers](std::string_view name, int first, int step,
-                              const std::vector<double>& values) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const int number = first + step * static_cast<int>(i);
-      numbers.push_back({fmt::format("{}_{}", name, number), values[i]});
-    }
-  };
-  add("part", 1, 1, known.parts);
-  add("sine", 3, 2, lowest_degree_polynomial(sine_polynomials(), error, scalar).coefficients);
-  add("cosine", 4, 2, lowest_degree_polynomial(cosine_polynomials(), error, scalar).coefficients);
+  add_parts("part", known.parts, numbers);
+  add_coefficients("sine", lowest_degree_polynomial(sine_polynomials(), error, scalar), numbers);
+  add_coefficients("cosine", lowest_degree_polynomial(cosine_polynomials(), error, scalar),
+                   numbers);
+  return numbers;
+}
+
+std::vector<SineConstant> lone_sine_constants(const Scene& scene, const Program& program,
+                                              ScalarKind scalar) {
+  const SinePolynomial* const polynomial = lone_sine_polynomial(scene, scalar);
+  if (polynomial == nullptr || !has_lone_sine_calls(program, in_line_pairing(scene))) return {};
+  const AngleReduction& known = angle_reduction(scalar);
+  std::vector<SineConstant> numbers{{"inverse_pi", known.inverse / 2}};
+  std::vector<double> parts = known.parts;
+  for (double& part : parts) part *= 2;
+  add_parts("pi", parts, numbers);
+  add_coefficients("lone", *polynomial, numbers);
   return numbers;
 }
 
@@ -129,7 +173,11 @@ SineEvaluator<Scalar>::SineEvaluator(const Scene& scene, SineArithmetic arithmet
     : reduction_(angle_reduction(scalar_kind<Scalar>)),
       arithmetic_(arithmetic),
       is_library_(arithmetic == SineArithmetic::numbers &&
-                  !has_inline_sines(scene, scalar_kind<Scalar>)) {
+                  !has_inline_sines(scene, scalar_kind<Scalar>)),
+      pairing_(in_line_pairing(scene)) {
+  const SinePolynomial* const lone = lone_sine_polynomial(scene, scalar_kind<Scalar>);
+  if (lone != nullptr && arithmetic == SineArithmetic::numbers)
+    lone_ = coefficients_of<Scalar>(*lone);
   const cln::cl_RA error = sine_error(scene.numerics, arithmetic, scalar_kind<Scalar>);
   sine_ = coefficients_of<Scalar>(
       lowest_degree_polynomial(sine_polynomials(), error, scalar_kind<Scalar>));
@@ -167,6 +215,33 @@ auto SineEvaluator<Scalar>::evaluate(Scalar angle) const -> SineCosinePair {
   if ((quadrant & 2) != 0) sine = -sine;
   if (((quadrant + 1) & 2) != 0) cosine = -cosine;
   return {sine, cosine};
+}
+
+template <class Scalar>
+Scalar SineEvaluator<Scalar>::evaluate_lone(FunctionId function, Scalar angle) const {
+  const bool is_cosine = function == FunctionId::cos;
+  if (!(std::abs(angle) <= static_cast<Scalar>(reduction_.domain)))
+    return is_cosine ? std::cos(angle) : std::sin(angle);
+  const auto part = [this](std::size_t i) { return static_cast<Scalar>(2 * reduction_.parts[i]); };
+  const auto shift = static_cast<Scalar>(reduction_.shift);
+  const Scalar turns = angle * static_cast<Scalar>(reduction_.inverse / 2);
+  const Scalar shifted = (is_cosine ? turns - Scalar(0.5) : turns) + shift;
+  Scalar n = shifted - shift;
+  if (is_cosine) n = n + Scalar(0.5);
+  Scalar r = angle;
+  for (std::size_t i = 0; i < reduction_.parts.size(); ++i) r = r - n * part(i);
+  const Scalar square = r * r;
+  const Scalar sine = r + r * square * evaluate_polynomial(square, lone_);
+  using Integer = std::conditional_t<sizeof(Scalar) == 4, std::uint32_t, std::uint64_t>;
+  const bool is_odd = (std::bit_cast<Integer>(shifted) & 1) != 0;
+  // The sum turns -0 to 0, so the sign is the sign of r.
+  return std::copysign(sine, is_odd != is_cosine ? -r : r);
+}
+
+template <class Scalar>
+std::vector<bool> SineEvaluator<Scalar>::lone_calls(const Function& function) const {
+  if (lone_.empty()) return {};
+  return lone_sine_calls(function, pairing_);
 }
 
 template class SineEvaluator<double>;

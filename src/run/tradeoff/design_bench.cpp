@@ -85,6 +85,8 @@ class DesignCompiler {
     const Design& common = piece.rows.front()->design;
     scene.numerics.inner = common.inner;
     scene.numerics.has_library_sines = common.trigonometry == library_sines;
+    if (!common.trigonometry.empty())
+      scene.numerics.trigonometry_error = numerics_of(common, {}).trigonometry_error;
     const Model& model = products.checked->model;
     const Result<EmittedFiles> files = emit(model, scene, *products.program, {});
     if (!files) return files.diagnostics;

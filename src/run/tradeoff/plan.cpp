@@ -1,10 +1,11 @@
 // plan: combines all values of all dimensions, and removes combinations that do not exist. Example:
 // a function of parameters and sines, in double and float, if the command names `trigonometry`:
 //
-//     scalar double, float   batch one, packs   trigonometry full, 1e-7, library
+//     scalar double, float   batch one, packs   trigonometry full, 4e-16, 1e-7, library
 //     parameters arguments, fixed   form chosen, typed
-//     ->   15 designs: sines of 1e-7 only exist in packs of double, those of the library only for
-//          one state, and only the first of the other 14 designs is also tried as typed
+//     ->   17 designs: sines of 4e-16 exist only for one state in double, sines of 1e-7 only in
+//          packs of double, sines of the library only for one state. Only the first of the other 16
+//          designs is also tried as typed.
 #include <cln/rational.h>
 #include <fmt/ranges.h>
 
@@ -18,6 +19,7 @@
 #include "elgen/tradeoff.hpp"
 #include "elgen/wording.hpp"
 #include "emit/interface/code_interface.hpp"
+#include "program/evaluate/sine_calls.hpp"
 
 namespace elgen {
 namespace {
@@ -32,6 +34,9 @@ struct DimensionRow {
 };
 
 constexpr std::string_view form_dimension = "form";
+
+/// The value of `trigonometry` for lone sines by one polynomial, with its least error.
+constexpr const char* lone_sines = "4e-16";
 
 constexpr std::array dimension_rows{
     DimensionRow{"scalar", "numeric", "scalar", false, "try only this scalar"},
@@ -88,11 +93,15 @@ constexpr std::array value_rows{
                         const Numerics& numerics = base.scene.numerics;
                         return !numerics.trigonometry_error && !numerics.has_library_sines;
                       }},
+    DimensionValueRow{"trigonometry", lone_sines, [](Design& d) { d.trigonometry = lone_sines; },
+                      [](const CheckedModel& base) {
+                        return base.scene.numerics.trigonometry_error ==
+                               least_lone_sine_error(ScalarKind::double_precision);
+                      },
+                      true},
     DimensionValueRow{"trigonometry", "1e-7", [](Design& d) { d.trigonometry = "1e-7"; },
                       [](const CheckedModel& base) {
-                        return trigonometry_error(base.scene.numerics,
-                                                  ScalarKind::double_precision) ==
-                               cln::cl_RA(1) / 10'000'000;
+                        return base.scene.numerics.trigonometry_error == cln::cl_RA(1) / 10'000'000;
                       },
                       true},
     DimensionValueRow{
@@ -143,6 +152,7 @@ class DesignFilter {
       : has_parameters_(emitted_parameter_count(checked.model, program) > 0),
         has_sines_(calls_function(program, FunctionId::sin) ||
                    calls_function(program, FunctionId::cos)),
+        has_lone_sines_(has_lone_sine_calls(program, SineCosinePairing::grouped)),
         fits_float_(literals_fit(checked.model, program, ScalarKind::single_precision)),
         varies_parameters_(!checked.scene.numerics.varied_parameters.empty()) {}
 
@@ -162,13 +172,20 @@ class DesignFilter {
       const bool is_plain = design.inner == InnerScalar::same && !design.in_packs;
       return is_plain ? "" : "packs and wider scalars use their own sines";
     }
-    // Float is not accurate to 1e-7, and functions of one state do not use polynomials.
-    return design.in_packs && !is_float ? "" : "only packs of double have sines of this accuracy";
+    if (design.trigonometry != lone_sines) {
+      // Float is not accurate to 1e-7.
+      return design.in_packs && !is_float ? "" : "only packs of double have sines of this accuracy";
+    }
+    if (is_float) return "float is not as accurate as this";
+    if (design.in_packs || design.inner != InnerScalar::same)
+      return "packs and wider scalars use their own sines";
+    return has_lone_sines_ ? "" : "no function of the output computes a sine alone";
   }
 
  private:
   bool has_parameters_;
   bool has_sines_;
+  bool has_lone_sines_;  ///< in C++, in which designs are compiled
   bool fits_float_;
   bool varies_parameters_;
 };

@@ -70,11 +70,21 @@ std::string toml_line(const std::string& key, const std::string& value) {
   return value.empty() ? "" : toml_assignment(key, value) + "\n";
 }
 
-/// The value of `trigonometry`; "" for the default. A design of steps uses library sines if the
-/// scene does.
+/// The `max_error` of sines in a scene of steps with the scalars of this design; "" for none.
+std::string sine_error_of_steps(const Design& design, const Numerics& numerics) {
+  const bool has_float = design.inner == InnerScalar::single_precision;
+  const ScalarKind coarsest = has_float ? ScalarKind::single_precision : design.scalar;
+  const cln::cl_RA least =
+      design.in_packs ? trigonometry_error({}, coarsest) : least_lone_sine_error(coarsest);
+  const std::optional<cln::cl_RA>& error = numerics.trigonometry_error;
+  return error && *error >= least ? exact_text(*error) : "";
+}
+
+/// The value of `trigonometry`; "" for the default. A design of steps has the sines of the scene.
 std::string trigonometry_value(const Design& design, const Scene& scene) {
   std::vector<std::string> entries;
-  const std::string& sines = design.trigonometry;
+  const std::string sines =
+      design.step ? sine_error_of_steps(design, scene.numerics) : design.trigonometry;
   const bool is_library = design.step ? scene.numerics.has_library_sines : sines == library_sines;
   if (is_library) {
     entries.emplace_back("scalar = \"library\"");

@@ -120,6 +120,43 @@ double largest_error(const Numerics& numerics) {
   return most;
 }
 
+/// A scene that permits the error of lone sines.
+template <class Scalar>
+Scene lone_scene() {
+  Scene scene = scene_for<Scalar>();
+  scene.numerics.trigonometry_error = least_lone_sine_error(scalar_kind<Scalar>);
+  return scene;
+}
+
+struct LargestErrors {
+  double ulps = 0;
+  double absolute = 0;
+};
+
+/// The largest errors of lone sines and cosines at random angles of all sizes, and next to k pi/4.
+template <class Scalar>
+LargestErrors lone_errors() {
+  const SineEvaluator<Scalar> sines(lone_scene<Scalar>(), SineArithmetic::numbers);
+  const double domain = angle_reduction(scalar_kind<Scalar>).domain;
+  Random random(11);
+  LargestErrors most;
+  for (int i = 0; i < 6000; ++i) {
+    double x = random.uniform(-1, 1) * (i % 2 == 0 ? 4 : domain);
+    if (i % 3 == 0) x = std::round(x) * std::acos(0.0) / 2;
+    if (i % 5 == 0) x = random.uniform(-1, 1) * std::pow(10, random.uniform(-20, 0));
+    const auto angle = static_cast<Scalar>(x);
+    const Real exact{exact_value(static_cast<double>(angle))};
+    for (const auto& [function, truth] :
+         {std::pair(FunctionId::sin, sin(exact)), std::pair(FunctionId::cos, cos(exact))}) {
+      const Scalar value = sines.evaluate_lone(function, angle);
+      const Real error = Real(exact_value(static_cast<double>(value))) - truth;
+      most.ulps = std::max(most.ulps, in_ulps(value, truth));
+      most.absolute = std::max(most.absolute, std::abs(to_double(error.value())));
+    }
+  }
+  return most;
+}
+
 }  // namespace
 
 TEST_CASE("the table has the errors of its polynomials, rounded up") {
@@ -135,6 +172,17 @@ TEST_CASE("the table has the errors of its polynomials, rounded up") {
         largest([&](const cl_R& x) { return cosine(polynomial, x) - cln::cos(x); });
     INFO("cosine of degree " << polynomial.degree);
     CHECK(polynomial.coefficients.size() == static_cast<std::size_t>(polynomial.degree - 2) / 2);
+    CHECK(error <= polynomial.error);
+    CHECK(error >= 0.99 * polynomial.error);
+  }
+}
+
+TEST_CASE("the polynomials of lone sines have their errors up to pi/2") {
+  for (const SinePolynomial& polynomial : lone_sine_polynomials()) {
+    const double error =
+        largest([&](const cl_R& x) { return sine(polynomial, 2 * x) - cln::sin(2 * x); });
+    INFO("sine of degree " << polynomial.degree);
+    CHECK(polynomial.coefficients.size() == static_cast<std::size_t>(polynomial.degree - 1) / 2);
     CHECK(error <= polynomial.error);
     CHECK(error >= 0.99 * polynomial.error);
   }
@@ -260,6 +308,44 @@ TEST_CASE("a scene may select the library's sines for single numbers") {
     CHECK(numbers.evaluate(angle).cosine == std::cos(angle));
     CHECK(packs.evaluate(angle).cosine == in_line.evaluate(angle).cosine);
   }
+}
+
+TEST_CASE("lone sines have errors of 3 ulp, less than the error that a scene must permit") {
+  CHECK(lone_errors<double>().ulps <= 3);
+  CHECK(lone_errors<float>().ulps <= 3);
+  const auto least = [](ScalarKind scalar) {
+    return cln::double_approx(least_lone_sine_error(scalar));
+  };
+  CHECK(lone_errors<double>().absolute <= 0.8 * least(ScalarKind::double_precision));
+  CHECK(lone_errors<float>().absolute <= 0.8 * least(ScalarKind::single_precision));
+}
+
+TEST_CASE("lone sines keep the digits next to their zeros, and the sign of zero") {
+  const SineEvaluator<double> sines(lone_scene<double>(), SineArithmetic::numbers);
+  const auto sine = [&](double x) { return sines.evaluate_lone(FunctionId::sin, x); };
+  const auto cosine = [&](double x) { return sines.evaluate_lone(FunctionId::cos, x); };
+  CHECK(in_ulps(cosine(0x1.6c6cbc45dc8dep+5), cos(Real(exact_value(0x1.6c6cbc45dc8dep+5)))) <= 1.5);
+  CHECK(in_ulps(sine(0x1.921fb54442d18p+1), sin(Real(exact_value(0x1.921fb54442d18p+1)))) <= 1.5);
+  CHECK(std::signbit(sine(-0.0)));
+  CHECK_FALSE(std::signbit(sine(0.0)));
+  CHECK(sine(5e-324) == 5e-324);
+  CHECK(sine(-5e-324) == -5e-324);
+  CHECK(cosine(0) == 1);
+  CHECK(cosine(std::acos(-1.0)) == -1);
+  CHECK(sine(1.1e5) == std::sin(1.1e5));
+  CHECK(cosine(-1e300) == std::cos(-1e300));
+  CHECK(std::isnan(sine(std::numeric_limits<double>::infinity())));
+  CHECK(std::isnan(cosine(std::numeric_limits<double>::quiet_NaN())));
+}
+
+TEST_CASE("only a scene that permits their error has lone sines") {
+  Scene scene = lone_scene<double>();
+  CHECK(lone_sine_polynomial(scene, ScalarKind::double_precision)->degree == 17);
+  CHECK(lone_sine_polynomial(scene, ScalarKind::single_precision) == nullptr);
+  CHECK(lone_sine_polynomial(lone_scene<float>(), ScalarKind::single_precision)->degree == 9);
+  scene.numerics.has_library_sines = true;
+  CHECK(lone_sine_polynomial(scene, ScalarKind::double_precision) == nullptr);
+  CHECK(lone_sine_polynomial(Scene{}, ScalarKind::double_precision) == nullptr);
 }
 
 TEST_CASE("the sine of a signed zero keeps the sign") {

@@ -55,7 +55,7 @@ TEST_CASE("polynomials of 1e-7 are planned on request, only for packs of double"
   const TradeoffPlan plan =
       planned(read_model("pushed_pendulum"), "inverse_dynamics", {.more = {"trigonometry"}});
   CHECK(plan.dimensions == Texts{"scalar", "batch", "trigonometry", "parameters", "form"});
-  CHECK(plan.designs.size() == 8 + 2 + 4 + 1);
+  CHECK(plan.designs.size() == 8 + 2 + 2 + 4 + 1);
   CHECK(has(plan, {"double", "packs", "1e-7", "fixed"}));
   CHECK(has(plan, {"float", "packs", "full", "arguments"}));
   CHECK_FALSE(has(plan, {"float", "packs", "1e-7", "fixed"}));
@@ -91,7 +91,10 @@ TEST_CASE("wider scalars are planned on request, for single states in double") {
 TEST_CASE("library calls are planned on request, for single states") {
   const TradeoffPlan plan =
       planned(read_model("pushed_pendulum"), "gravity", {.more = {"trigonometry"}});
-  CHECK(plan.designs.size() == 8 + 2 + 4 + 1);
+  CHECK(plan.designs.size() == 8 + 2 + 2 + 4 + 1);
+  CHECK(has(plan, {"double", "one", "4e-16", "arguments"}));
+  CHECK_FALSE(has(plan, {"double", "packs", "4e-16", "arguments"}));
+  CHECK_FALSE(has(plan, {"double", "one", "1e-7", "arguments"}));
   CHECK(has(plan, {"double", "one", "library", "arguments"}));
   CHECK(has(plan, {"float", "one", "library", "fixed"}));
   CHECK_FALSE(has(plan, {"double", "packs", "library", "fixed"}));

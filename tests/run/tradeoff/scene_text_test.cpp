@@ -103,6 +103,9 @@ TEST_CASE("only a design with the library's sines has the key `trigonometry`") {
   CHECK(run(text).checked->scene.numerics.has_library_sines);
   CHECK_FALSE(mentions(text_of({}, library), "library"));
   CHECK(mentions(text_of({.step = default_step(StepMethod::rk4)}, library), "\"library\""));
+  const std::string rough = "[numeric]\ntrigonometry = { max_error = 1e-9 }\n";
+  const std::string step = text_of({.step = default_step(StepMethod::rk4)}, rough);
+  CHECK(run(step).checked->scene.numerics.trigonometry_error == cln::cl_RA(1) / 1'000'000'000);
 }
 
 TEST_CASE("a design with fixed parameters fixes all, and keeps the scene's fixed values") {
