@@ -166,7 +166,8 @@ ExitCode verify_input(const GlobalOptions& global, const VerifyCommandOptions& o
                       const PipelineSources& inputs, std::vector<std::string>& certificates) {
   const std::string& path = (inputs.scene != nullptr ? inputs.scene : inputs.model)->path;
   const bool is_foreign = !options.foreign.claims.empty();
-  PipelineOptions pipeline = pipeline_options(global, {Goal::emit, Goal::claims});
+  const Goal last = options.verify.is_quick ? Goal::typeset : Goal::emit;
+  PipelineOptions pipeline = pipeline_options(global, {last, Goal::claims});
   if (is_foreign) pipeline = pipeline_options(global, {Goal::check});
   if (options.verify.only_expectations) pipeline = pipeline_options(global, {Goal::choose});
   for (const ForeignClaim& claim : options.foreign.claims) {

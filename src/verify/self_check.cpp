@@ -11,6 +11,8 @@
 #include "elgen/references.hpp"
 #include "elgen/scalars.hpp"
 #include "elgen/wording.hpp"
+#include "model/requests.hpp"
+#include "verify/bounds/oracle_cache.hpp"
 #include "verify/bounds/projection.hpp"
 #include "verify/bounds/visit.hpp"
 
@@ -227,6 +229,18 @@ std::string self_check_text(const SelfCheck& result) {
                     "-v` names {} and compares {} at more states",
                     result.sampled_zeros, is_one ? "y relies" : "ies rely", zero_sample_count,
                     is_one ? "it" : "them", is_one ? "it" : "them");
+}
+
+std::vector<OutputRequest> outputs_for_self_check(const Model& model, const Program& program) {
+  const auto compares_pivots = [](const Function& function) {
+    return output_row(function.kind).gives_pivots && has_pivots(function);
+  };
+  const bool needs_mass =
+      !is_solved_by_oracle(model) && std::ranges::any_of(program.functions, compares_pivots);
+  const bool has_mass = find_function(program, OutputKind::mass_matrix) != nullptr ||
+                        find_function(program, OutputKind::inverse_dynamics) != nullptr;
+  if (!needs_mass || has_mass) return {};
+  return available_requests(model, {OutputKind::inverse_dynamics});
 }
 
 }  // namespace elgen

@@ -214,16 +214,4 @@ bool is_projected_once(const ComparedField& place, const Model& model) {
   return model.velocities.size() > most_velocities && place.row().name == "relative_pivots";
 }
 
-std::vector<OutputRequest> outputs_for_self_check(const Model& model, const Program& program) {
-  const auto compares_pivots = [](const Function& function) {
-    return output_row(function.kind).gives_pivots && has_pivots(function);
-  };
-  const bool needs_mass =
-      !is_solved_by_oracle(model) && std::ranges::any_of(program.functions, compares_pivots);
-  const bool has_mass = find_function(program, OutputKind::mass_matrix) != nullptr ||
-                        find_function(program, OutputKind::inverse_dynamics) != nullptr;
-  if (!needs_mass || has_mass) return {};
-  return available_requests(model, {OutputKind::inverse_dynamics});
-}
-
 }  // namespace elgen
