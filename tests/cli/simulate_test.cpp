@@ -177,7 +177,7 @@ TEST_CASE("a run ends at a singular configuration, unless fixed steps may go thr
 
 TEST_CASE("a long run reports its expected duration before its limit ends it") {
   const Outcome outcome =
-      run("elgen simulate --time 1e9 --method rk4 --step 0.1 --limit seconds=6 " + models +
+      run("elgen simulate --time 1e9 --method rk4 --step 0.1 --limit seconds=12 " + models +
           "/cart_pole.toml");
   CHECK(outcome.status == 3);
   CHECK(mentions(outcome.errors, "the whole run will take about"));
