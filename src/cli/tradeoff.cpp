@@ -196,8 +196,7 @@ void add_subject_options(CLI::App& command, TradeoffOptions& options) {
           "--dimensions", options.choices.more,
           "further dimensions: inner, a wider scalar between doubles; order, the order of an "
           "expansion about the start; trigonometry, sines with errors of 4e-16 and 1e-7 and of the "
-          "library; "
-          "form, every design also as typed")
+          "library; form, every design also as typed")
       ->type_name("LIST")
       ->delimiter(',')
       ->allow_extra_args(false)
